@@ -94,7 +94,7 @@ impl<M: AgentMemory> Agent<M> {
             return None;
         }
         let (belief, tasks, lifted, asked) = (self.belief(), self.tasks(), self.lifted(), self.asked.sets.as_slice());
-        let candidates = Candidates { belief, tasks, lifted, asked, asking };
+        let candidates = Candidates { belief, whole: belief.whole(), tasks, lifted, asked, asking };
         let question = candidates.best()?;
         // So many more questions like this one would make it sure.
         let wanted = candidates.uncertainty() - binary_entropy(asking.sure);

@@ -79,6 +79,8 @@ impl Question {
 #[derive(Clone, Copy)]
 pub(super) struct Candidates<'a> {
     pub(super) belief: BeliefRef<'a>,
+    /// The weight of all tasks together.
+    pub(super) whole: Scaled,
     pub(super) tasks: &'a [GroundedTask],
     pub(super) lifted: &'a [LiftedTask],
     /// The tasks of the questions asked already.
@@ -91,8 +93,12 @@ impl<'a> Candidates<'a> {
     pub(super) fn best(self) -> Option<Question> {
         let mut best = None;
         for (position, task) in self.tasks.iter().enumerate() {
-            self.propose(&mut best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
-            for (object, _) in self.bound(task) {
+            // The same question once more tells no more.
+            let before = self.tasks.get(..position).unwrap_or_default();
+            if before.iter().all(|other| other.lifted != task.lifted) {
+                self.propose(&mut best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
+            }
+            for (object, _) in self.bound_first(position) {
                 self.propose(&mut best, Subject::Object(object), self.binding(object));
             }
             self.propose(&mut best, Subject::Task(position as u8), TaskSet::of(position));
@@ -111,13 +117,12 @@ impl<'a> Candidates<'a> {
 
     /// All uncertainty about the task that is left, in bits.
     pub(super) fn uncertainty(self) -> f32 {
-        let whole = self.belief.whole();
-        (0..self.tasks.len()).fold(0.0, |sum, task| sum + surprise(self.belief.weight(task).over(whole)))
+        (0..self.tasks.len()).fold(0.0, |sum, task| sum + surprise(self.belief.weight(task).over(self.whole)))
     }
 
     fn probability(self, set: TaskSet) -> f32 {
         let weight: Scaled = total(set.iter().map(|task| self.belief.weight(task)));
-        weight.over(self.belief.whole()).clamp(0.0, 1.0)
+        weight.over(self.whole).clamp(0.0, 1.0)
     }
 
     fn with(self, same: impl Fn(&GroundedTask) -> bool) -> TaskSet {
@@ -130,8 +135,20 @@ impl<'a> Candidates<'a> {
         task.bindings.into_iter().zip(classes.iter().copied())
     }
 
+    /// The objects that a task binds and none before it does, with their classes.
+    fn bound_first(self, position: usize) -> impl Iterator<Item = (ObjectId, ClassId)> + use<'a> {
+        let before = self.tasks.get(..position).unwrap_or_default();
+        let task = self.tasks.get(position);
+        let objects = task.into_iter().flat_map(move |task| self.bound(task));
+        objects.filter(move |&(object, _)| before.iter().all(|other| !self.binds(other, object)))
+    }
+
     fn binding(self, object: ObjectId) -> TaskSet {
-        self.with(|task| self.bound(task).any(|(bound, _)| bound == object))
+        self.with(|task| self.binds(task, object))
+    }
+
+    fn binds(self, task: &GroundedTask, object: ObjectId) -> bool {
+        self.bound(task).any(|(bound, _)| bound == object)
     }
 
     fn is_new(self, yes: TaskSet) -> bool {
@@ -168,7 +185,7 @@ impl<'a> Candidates<'a> {
     fn propose_objects(self, best: &mut Option<Question>, class: ClassId) {
         let (mut objects, mut choices, mut listed) = ([ObjectId(0); CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
         for position in 0..usize::from(self.asking.choices).min(CHOICES) {
-            let of_class = self.tasks.iter().flat_map(|task| self.bound(task)).filter(|&(_, bound)| bound == class);
+            let of_class = (0..self.tasks.len()).flat_map(|task| self.bound_first(task)).filter(|&(_, bound)| bound == class);
             let mut next: Option<(ObjectId, TaskSet, f32)> = None;
             for (object, _) in of_class {
                 let set = self.binding(object);
