@@ -87,6 +87,7 @@ pub mod memory;
 pub mod asking;
 pub mod capacity;
 mod checksum;
+mod decimal;
 pub mod feedback;
 pub mod home;
 pub mod language;

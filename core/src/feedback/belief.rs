@@ -7,6 +7,7 @@
 use super::judged::Judged;
 use super::strategy::{Feedback, LAGS, Strategy};
 use crate::capacity::{Capacity, CapacityError};
+use crate::decimal::Decimal;
 use crate::memory::{BeliefTables, BeliefTablesRef};
 use crate::probability::{Scaled, total};
 use core::fmt;
@@ -340,7 +341,9 @@ impl From<CapacityError> for BeliefError {
 impl fmt::Display for BeliefError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Prior { strategy, value } => write!(f, "the probability of strategy {strategy} is {value}; it must be from 0 to 1"),
+            Self::Prior { strategy, value } => {
+                write!(f, "the probability of strategy {strategy} is {}; it must be from 0 to 1", Decimal(*value))
+            }
             Self::NoPrior => f.write_str("no trainer strategy is probable; give one of them more than 0"),
             Self::Capacity(error) => error.fmt(f),
         }

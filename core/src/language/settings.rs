@@ -1,5 +1,6 @@
 //! How the language model is trained, and which settings are out of range.
 
+use crate::decimal::Decimal;
 use crate::task::TokenOrder;
 use core::fmt;
 
@@ -183,13 +184,15 @@ impl fmt::Display for SettingError {
         let field = self.field();
         match self {
             Self::Model(_) => write!(f, "{field} is Model 2, which needs goodbot's feature model2; build with it, or take the role model"),
-            Self::Smoothing(value) | Self::AlignmentPrior(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1000000"),
+            Self::Smoothing(value) | Self::AlignmentPrior(value) => {
+                write!(f, "{field} is {}; it must be a number from 0 to 1000000", Decimal(*value))
+            }
             Self::Rounds(value) => write!(f, "{field} is {value}; it must be 1000 at most"),
-            Self::LeastWeight(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 1"),
-            Self::Drift(value) | Self::Sure(value) => write!(f, "{field} is {value}; it must be a number from 0 to 1"),
-            Self::Kappa(value) => write!(f, "{field} is {value}; it must be a number above 0, or infinite"),
-            Self::Patience(value) => write!(f, "{field} is {value}; it must be a number of 0 or more"),
-            Self::Eta(value) => write!(f, "{field} is {value}; it must be a number from 0 to less than 0.5"),
+            Self::LeastWeight(value) => write!(f, "{field} is {}; it must be a number from 0 to less than 1", Decimal(*value)),
+            Self::Drift(value) | Self::Sure(value) => write!(f, "{field} is {}; it must be a number from 0 to 1", Decimal(*value)),
+            Self::Kappa(value) => write!(f, "{field} is {}; it must be a number above 0, or infinite", Decimal(*value)),
+            Self::Patience(value) => write!(f, "{field} is {}; it must be a number of 0 or more", Decimal(*value)),
+            Self::Eta(value) => write!(f, "{field} is {}; it must be a number from 0 to less than 0.5", Decimal(*value)),
             Self::Ending => write!(f, "{field} has a probability that is not from 0 to less than 1 at every moment"),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::phase::Phase;
 use crate::capacity::CapacityError;
+use crate::decimal::Decimal;
 use crate::feedback::belief::BeliefError;
 use crate::language::SettingError;
 use crate::oomdp::DomainFlaw;
@@ -115,9 +116,11 @@ impl fmt::Display for AgentError {
             Self::Stopped => "the robot was told to stop listening; say it again",
             Self::NoAnswer => "this is no answer to that question; answer yes, no, or one of the tasks that it names",
             Self::NotNow(phase) => return phase.fmt(f),
-            Self::Prior { task, value } => return write!(f, "the prior of task {task} is {value}; it must be a number of 0 or more"),
+            Self::Prior { task, value } => {
+                return write!(f, "the prior of task {task} is {}; it must be a number of 0 or more", Decimal(*value));
+            }
             Self::Weight { hypothesis, value } => {
-                return write!(f, "the weight of transcript {hypothesis} is {value}; it must be a number of 0 or more");
+                return write!(f, "the weight of transcript {hypothesis} is {}; it must be a number of 0 or more", Decimal(*value));
             }
             Self::NoPrior => "every task's prior is 0; give one of them more",
             Self::Domain(flaw) => return flaw.fmt(f),
