@@ -31,12 +31,10 @@
 //! # Ok::<(), goodbot_formats::FormatError>(())
 //! ```
 
-use std::collections::BTreeSet;
-
 use serde::Serialize;
 
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
-use crate::json::{Node, Object, Source};
+use crate::json::{Node, Object, Source, insert};
 use crate::task_text::{TaskTextError, is_usable_name};
 
 /// An environment as it is written.
@@ -133,13 +131,13 @@ impl EnvironmentFile {
         let version = file.version()?;
         file.only(&["version", "objects", "derived"])?;
         let derived = file.optional("derived").map(|node| node.truth()).transpose()?.unwrap_or(false);
-        let mut names = BTreeSet::new();
+        let mut names: Vec<String> = Vec::new();
         let mut objects = Vec::new();
         for node in file.required("objects")?.list()? {
             let fields = node.object()?;
             let object = ObjectRecord::read(&fields)?;
             let name = object.name().to_string();
-            if !names.insert(name.clone()) {
+            if !insert(&mut names, name.clone()) {
                 return Err(fields.required("name")?.error(Problem::DuplicateName { name }));
             }
             objects.push(object);

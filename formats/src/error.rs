@@ -384,9 +384,11 @@ impl fmt::Display for Problem {
     }
 }
 
-/// The text in quotes, with everything unprintable escaped, and not too much of it.
-pub(crate) fn quoted(text: &str) -> String {
-    format!("{:?}", excerpt(text, 80))
+/// The beginning of a text in quotes, with everything unprintable escaped: texts come from files, and end on a terminal.
+pub fn quoted(text: &str) -> String {
+    let text = excerpt(text, 80);
+    // In the page the tables of what can be written as it is would take two kilobytes.
+    if cfg!(target_family = "wasm") { format!("\"{text}\"") } else { format!("{text:?}") }
 }
 
 /// The text's beginning, of at most this many characters.

@@ -4,8 +4,6 @@
 //! a slice of the checked text, so its place tells its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both
 //! on more than 10,000 texts.
 
-use std::collections::BTreeSet;
-
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem, excerpt};
 
 mod scan;
@@ -26,6 +24,12 @@ pub(crate) struct Node<'a> {
 pub(crate) struct Object<'a> {
     node: Node<'a>,
     members: Vec<Member<'a>>,
+}
+
+/// Takes a text into a sorted list, unless it has it: a tree's code is too large for the page.
+pub(crate) fn insert<T: AsRef<str>>(sorted: &mut Vec<T>, text: T) -> bool {
+    let place = sorted.binary_search_by(|known| known.as_ref().cmp(text.as_ref()));
+    place.map_err(|place| sorted.insert(place, text)).is_err()
 }
 
 impl<'a> Node<'a> {
@@ -83,9 +87,9 @@ impl<'a> Node<'a> {
         self.expect("an object")?;
         let members = scan::members(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))?;
         let members = self.limited(members)?;
-        let mut seen = BTreeSet::new();
+        let mut seen = Vec::new();
         for member in &members {
-            if !seen.insert(member.name.as_str()) {
+            if !insert(&mut seen, member.name.as_str()) {
                 let path = self.field(&member.name);
                 return Err(self.error_at(member.key, &path, Problem::DuplicateField));
             }

@@ -36,4 +36,4 @@ pub mod task_text;
 mod weights;
 pub mod world;
 
-pub use error::{FormatError, KNOWN_VERSIONS, Problem};
+pub use error::{FormatError, KNOWN_VERSIONS, Problem, quoted};

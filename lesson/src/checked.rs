@@ -224,8 +224,9 @@ impl Checker<'_> {
     fn conversation<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Conversing {
         let Some(record) = &self.recorded.header.conversation else { return Conversing::default() };
         let named = self.tasks(home, start, lifted);
-        let task = |text: &GroundTaskText| {
-            let same = named.iter().find(|(_, task)| task.is_same(text)).map(|(task, _)| *task);
+        let task = |text: &str| {
+            let text: GroundTaskText = text.parse().ok()?;
+            let same = named.iter().find(|(_, task)| task.is_same(&text)).map(|(task, _)| *task);
             let opposite = || {
                 let (task, _) = named.iter().find(|(_, task)| task.is_same(&text.opposite()))?;
                 task.negated(lifted.get(usize::from(task.lifted))?)

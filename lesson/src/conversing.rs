@@ -4,12 +4,11 @@
 //! already. A conversation speaks of one home, and begins anew where things are put elsewhere.
 
 use crate::live::{Lesson, LiveError};
-use crate::name::task_name;
 use crate::place::Place;
 use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::talk::{Conversation, Fact};
-use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot_formats::task_text::GroundTaskText;
+use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot_formats::quoted;
 
 /// A conversation, by its name.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,8 +34,8 @@ impl Conversing {
         let mut record = Vec::new();
         record.extend(self.id.clone().map(|id| (ID.to_owned(), id)));
         if let Some(last) = self.facts.last() {
-            let name = lifted.get(usize::from(last.lifted)).and_then(|kind| task_name(domain, kind, last).ok())?;
-            record.push((LAST.to_owned(), name.to_string()));
+            let kind = lifted.get(usize::from(last.lifted))?;
+            record.push((LAST.to_owned(), TaskText::new(last, kind, domain.world()).to_string()));
         }
         let name = |object: ObjectId| domain.world().objects.name(object).to_owned();
         record.extend(kept().filter_map(|fact| Some((fact.name().to_owned(), name(self.facts.object(fact)?)))));
@@ -50,7 +49,7 @@ impl Conversing {
     pub fn read<'r, D: Domain + ?Sized>(
         domain: &D,
         record: &'r [(String, String)],
-        task: impl Fn(&GroundTaskText) -> Option<GroundedTask>,
+        task: impl Fn(&str) -> Option<GroundedTask>,
     ) -> Result<Self, (&'r str, String)> {
         let (mut id, mut last, mut objects) = (None, None, Vec::new());
         for (name, text) in record {
@@ -58,11 +57,14 @@ impl Conversing {
             if name == ID {
                 id = Some(text.clone());
             } else if name == LAST {
-                let known = text.parse().ok().and_then(|text| task(&text));
-                last = Some(known.ok_or_else(|| wrong(format!("{text:?} is no task of the kinds that commands may mean; correct it")))?);
+                last = Some(
+                    task(text)
+                        .ok_or_else(|| wrong(format!("{} is no task of the kinds that commands may mean; correct it", quoted(text))))?,
+                );
             } else if let Some(fact) = kept().find(|fact| fact.name() == name) {
                 let found = domain.world().objects.find(text);
-                objects.push((fact, found.ok_or_else(|| wrong(format!("there is no object {text:?}; name one of the environment")))?));
+                objects
+                    .push((fact, found.ok_or_else(|| wrong(format!("there is no object {}; name one of the environment", quoted(text))))?));
             } else {
                 let known: Vec<&str> = kept().map(Fact::name).collect();
                 return Err(wrong(format!("is nothing that a conversation remembers; known are id, last, {}", known.join(", "))));
@@ -112,6 +114,7 @@ impl<D: Place> Lesson<D> {
     /// Begins another conversation. The robot stands where it does, and remembers nothing of what was said. The session under way is forgotten.
     pub fn converse_anew(&mut self) {
         self.forget();
+        self.declined = None;
         self.conversations.put_aside();
     }
 
@@ -127,6 +130,7 @@ impl<D: Place> Lesson<D> {
             return Err(LiveError::NoConversation { id: id.to_owned(), known });
         }
         self.forget();
+        self.declined = None;
         if let Some(position) = position {
             let other = self.conversations.others.remove(position);
             self.conversations.put_aside();

@@ -1,6 +1,7 @@
 //! What is wrong with a file, where, and what to do about it.
 
 use goodbot_formats::FormatError;
+pub use goodbot_formats::quoted;
 use std::fmt;
 
 /// A fault in a file. Displayed as `FILE:LINE: field "x": what is wrong; what to do`.
@@ -49,14 +50,5 @@ impl fmt::Display for Fault {
             write!(f, "field {}: ", quoted(field))?;
         }
         f.write_str(&self.message)
-    }
-}
-
-/// The beginning of a text in quotes, with everything unprintable escaped: texts come from files, and end on a terminal.
-pub fn quoted(text: &str) -> String {
-    const MOST: usize = 80;
-    match text.char_indices().nth(MOST) {
-        Some((cut, _)) => format!("{:?}", format!("{}…", &text[..cut])),
-        None => format!("{text:?}"),
     }
 }

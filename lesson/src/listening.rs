@@ -14,7 +14,6 @@ use goodbot::oomdp::Domain;
 use goodbot::talk::{Class, ClosedWords, ClosedWordsError, Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
-use goodbot_formats::task_text::GroundTaskText;
 use std::sync::{Mutex, PoisonError};
 
 /// The words that speak about commands.
@@ -71,7 +70,7 @@ pub fn listen<D: Domain>(
 #[derive(Clone, Debug)]
 pub(crate) struct Ahead {
     listening: Listening,
-    after: Option<GroundTaskText>,
+    after: Option<GroundedTask>,
     /// Where it is the same words once more, for the next of all things: how many were left.
     left: Option<usize>,
     /// Whether it is tried although it is not sure.
@@ -119,6 +118,39 @@ impl<D: Place> Lesson<D> {
         self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
     }
 
+    /// Tells the robot something. With some lessons it [listens](Self::listen); before that everything is a command, and nothing is returned. Said once
+    /// more, words for which there was nothing to do are a command all the same, unless they say what shall not be.
+    ///
+    /// # Errors
+    /// What [`Agent::listen`] and [`Agent::hear`] refuse.
+    pub fn tell(&mut self, words: &str, environment: D::Record) -> Result<Option<Listened>, LiveError> {
+        let is_again = self.declined.take().is_some_and(|declined| declined == words);
+        if tells_talk(&self.agent) {
+            let listened = self.listen(words, environment.clone(), is_again)?;
+            if self.is_under_way() || !is_again || self.is_about_what_shall_not_be() {
+                self.declined = (!self.is_under_way()).then(|| words.to_owned());
+                return Ok(Some(listened));
+            }
+        }
+        self.hear(words, environment)?;
+        Ok(None)
+    }
+
+    /// Begins a session of a log anew: `listening` and the task of the command before are what the log tells.
+    ///
+    /// # Errors
+    /// As [`listen`](Self::listen).
+    pub fn listen_as(&mut self, listening: Listening, after: Option<GroundedTask>, environment: D::Record) -> Result<Listened, LiveError> {
+        self.forget();
+        self.conversations.now = listening.conversation.clone();
+        self.begin_part(Ahead { listening, after, left: None, insists: true }, environment)
+    }
+
+    /// Whether the session, or the last one, is about what shall not be.
+    pub fn is_about_what_shall_not_be(&self) -> bool {
+        self.agent.tasks().iter().any(GroundedTask::is_negated)
+    }
+
     /// Whether something is still to come of what was said.
     pub const fn is_more(&self) -> bool {
         self.ahead.is_some()
@@ -126,7 +158,7 @@ impl<D: Place> Lesson<D> {
 
     /// Whether there is something to learn from the session under way. What shall not be, and "again", have no words for their tasks.
     pub fn teaches(&self) -> bool {
-        self.is_under_way() && !self.agent.sentence().is_empty() && !self.agent.tasks().iter().any(GroundedTask::is_negated)
+        self.is_under_way() && !self.agent.sentence().is_empty() && !self.is_about_what_shall_not_be()
     }
 
     /// What is still to come of what was said.
@@ -164,8 +196,8 @@ impl<D: Place> Lesson<D> {
                 listened.tasks.iter().for_each(|task| self.remember(task, &state));
             }
             let Some(rest) = rest else { break listened };
-            let listening = self.listening_to(rest, self.kind_followed());
-            (ahead.listening, ahead.after, ahead.left) = (listening, self.name_followed(), None);
+            let listening = self.listening_to(rest, self.followed().map(|task| task.lifted));
+            (ahead.listening, ahead.after, ahead.left) = (listening, self.followed(), None);
         };
         let is_negated = self.agent.tasks().get(listened.task).is_some_and(GroundedTask::is_negated);
         if !is_followed(&listened, is_negated, ahead.insists) {
@@ -174,7 +206,7 @@ impl<D: Place> Lesson<D> {
         }
         let command = part(&ahead.listening.utterance, listened.rest, self.closed).to_owned();
         let strategies = self.agent.belief().strategies().to_vec();
-        let after = ahead.after.clone();
+        let after = ahead.after;
         self.begin(command, Session { after, ..Session::new(environment, strategies) });
         self.walk.listening = Some(ahead.listening.clone());
         let rest = listened.rest.and_then(|rest| ahead.listening.utterance.get(rest..));
@@ -195,18 +227,14 @@ impl<D: Place> Lesson<D> {
 
     /// A part is over: the next one comes after it.
     pub(crate) fn end_part(&mut self) {
-        let (kind, name) = (self.kind_followed(), self.name_followed());
+        let followed = self.followed();
         if let Some(ahead) = self.ahead.as_mut().filter(|ahead| ahead.left.is_none()) {
-            (ahead.listening.after, ahead.after) = (kind, name);
+            (ahead.listening.after, ahead.after) = (followed.map(|task| task.lifted), followed);
         }
     }
 
-    fn kind_followed(&self) -> Option<u8> {
-        self.agent.tasks().get(self.agent.most_likely()?).map(|task| task.lifted)
-    }
-
-    fn name_followed(&self) -> Option<GroundTaskText> {
-        self.name_of(self.agent.most_likely()?)
+    fn followed(&self) -> Option<GroundedTask> {
+        self.agent.tasks().get(self.agent.most_likely()?).copied()
     }
 }
 

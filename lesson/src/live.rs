@@ -19,9 +19,13 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
+#[cfg(feature = "talk")]
+use goodbot::task::GroundedTask;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
+#[cfg(feature = "talk")]
+use goodbot_formats::quoted;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
 use rand_core::Rng;
@@ -70,11 +74,11 @@ impl fmt::Display for LiveError {
             Self::NoStep => f.write_str("there is no step to judge yet; let the robot go first"),
             #[cfg(feature = "talk")]
             Self::NoConversation { id, known } if known.is_empty() => {
-                write!(f, "no conversation is called {id:?}: none has begun in this home; give a command first")
+                write!(f, "no conversation is called {}: none has begun in this home; give a command first", quoted(id))
             }
             #[cfg(feature = "talk")]
             Self::NoConversation { id, known } => {
-                write!(f, "no conversation in this home is called {id:?}; known are {}", known.join(", "))
+                write!(f, "no conversation in this home is called {}; known are {}", quoted(id), known.join(", "))
             }
             Self::NoAction(name) => write!(f, "{name} is no action here"),
             Self::Agent(error) => error.fmt(f),
@@ -130,7 +134,7 @@ pub struct Session<R = EnvironmentFile> {
     pub strategies: Vec<(Strategy, f32)>,
     /// Where this is not the first command of what was said: the task of the command before.
     #[cfg(feature = "talk")]
-    pub after: Option<GroundTaskText>,
+    pub after: Option<GroundedTask>,
     /// For each step that was taken, and each task, whether it was right.
     pub(crate) judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
@@ -206,6 +210,9 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     /// What was said along with the buttons.
     #[cfg(feature = "talk")]
     pub voice: crate::voice::Voice,
+    /// The words for which there was nothing to do, if they were the last.
+    #[cfg(feature = "talk")]
+    pub(crate) declined: Option<String>,
 }
 
 impl Lesson {
@@ -235,6 +242,8 @@ impl<D: Place> Lesson<D> {
             closed: crate::listening::CLOSED_WORDS,
             #[cfg(feature = "talk")]
             voice: crate::voice::Voice::default(),
+            #[cfg(feature = "talk")]
+            declined: None,
         }
     }
 
@@ -312,7 +321,10 @@ impl<D: Place> Lesson<D> {
 
     /// The name of a task, by its position.
     pub fn name_of(&self, position: usize) -> Option<GroundTaskText> {
-        let task = self.agent.tasks().get(position)?;
+        self.name_of_task(self.agent.tasks().get(position)?)
+    }
+
+    pub(crate) fn name_of_task(&self, task: &goodbot::task::GroundedTask) -> Option<GroundTaskText> {
         task_name(self.home(), self.agent.lifted().get(usize::from(task.lifted))?, task).ok()
     }
 

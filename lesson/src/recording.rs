@@ -49,7 +49,7 @@ impl<D: Place> Lesson<D> {
                 #[cfg(not(feature = "talk"))]
                 utterance: None,
                 #[cfg(feature = "talk")]
-                after: session.after.clone(),
+                after: session.after.as_ref().and_then(|task| self.name_of_task(task)),
                 #[cfg(not(feature = "talk"))]
                 after: None,
                 #[cfg(feature = "talk")]

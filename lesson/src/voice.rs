@@ -10,12 +10,11 @@ use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
 use goodbot::talk::{ClosedWords, Said, Stage, for_each_open_word};
 use goodbot::task::TaskSet;
-use std::collections::BTreeMap;
 
 /// What was said along with the buttons: for each word, how often with "good" and with "bad".
 #[derive(Clone, Debug, Default)]
 pub struct Voice {
-    said: BTreeMap<String, [u32; 2]>,
+    said: Vec<(String, [u32; 2])>,
 }
 
 impl Voice {
@@ -30,14 +29,18 @@ impl Voice {
             Feedback::Neutral => return Ok(()),
         };
         for_each_open_word(words, closed, |word| {
-            let counts = self.said.entry(word.to_owned()).or_default();
+            let known = self.said.iter().position(|(known, _)| known == word).unwrap_or_else(|| {
+                self.said.push((word.to_owned(), [0; 2]));
+                self.said.len() - 1
+            });
+            let counts = &mut self.said[known].1;
             counts[side] = counts[side].saturating_add(1);
         })
     }
 
     /// How often a word came with "good" and with "bad"; `None` if it never did.
     pub fn count(&self, word: &str) -> Option<[u32; 2]> {
-        self.said.get(word).copied()
+        self.said.iter().find(|(known, _)| known == word).map(|(_, counts)| *counts)
     }
 }
 
@@ -79,5 +82,18 @@ impl<D: Place> Lesson<D> {
         let words = Some(words.trim().to_owned());
         self.note_answer(SessionAnswer { tasks: TaskSet::of(corrected.task), yes: false, words, ..SessionAnswer::of(corrected.eta) });
         Ok(Evidence::Used)
+    }
+
+    /// Takes in a correction of a log anew: the "no" to these tasks, how often that is wrong, and the words.
+    ///
+    /// # Errors
+    /// As [`correct`](Self::correct).
+    pub fn correct_as(&mut self, tasks: TaskSet, eta: f32, words: &str) -> Result<(), LiveError> {
+        let closed = self.closed;
+        let (agent, home, _) = self.parts();
+        let _ = agent.answered(tasks, false, eta, 1)?;
+        let _ = agent.corrected(home, words, closed)?;
+        self.note_answer(SessionAnswer { tasks, yes: false, words: Some(words.to_owned()), ..SessionAnswer::of(eta) });
+        Ok(())
     }
 }

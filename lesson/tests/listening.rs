@@ -321,3 +321,16 @@ fn who_listens_in_parts_hears_the_same_to_the_bit_and_may_stop() {
         assert_eq!((stopped, parts.get(), agent.phase()), (Err(AgentError::Stopped), 5, Phase::Idle), "{words}");
     }
 }
+
+#[test]
+fn words_for_which_there_was_nothing_to_do_are_a_command_when_they_are_said_again() {
+    let mut lesson = taught();
+    let words = "where is the yellow chair";
+    let listened = lesson.tell(words, rooms()).unwrap().expect("it listens");
+    assert!(listened.verdict == Verdict::None && !lesson.is_under_way());
+    assert_eq!(lesson.tell(words, rooms()).unwrap(), None, "this time it takes them for a command");
+    assert!(lesson.is_under_way() && lesson.teaches());
+    lesson.tell("don't go to the blue room", rooms()).unwrap();
+    lesson.tell("don't go to the blue room", rooms()).unwrap();
+    assert!(!lesson.is_under_way() && lesson.is_about_what_shall_not_be(), "what shall not be is never a command for it");
+}

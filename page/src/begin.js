@@ -5,13 +5,23 @@ import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
 import { fromBase64 } from './base64.js';
-import { expanded } from './deflate.js';
+import { expanded } from './lzma.js';
+
+// How many bits of the byte before tell what a byte is, as the builder has it.
+const LC = 4;
 
 async function begin() {
+  // The robot of the first paint is seen meanwhile. A message comes in a hidden page too, which gets no frames.
+  await new Promise(done => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = done;
+    window.addEventListener('load', () => port2.postMessage(0));
+  });
   const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
-  const whole = await expanded(fromBase64(String(packed.textContent).trim()));
+  const sizes = String(packed.dataset.sizes).split(' ').map(Number);
+  const whole = expanded(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size), LC);
   let at = 0;
-  const [style, body, script, languages, module] = String(packed.dataset.sizes).split(' ').map(size => whole.slice(at, at += Number(size)));
+  const [style, body, script, languages, module] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));

@@ -11,9 +11,9 @@ import { enterHome } from './tour.js';
 import { ACTIONS, sessionsWord } from './words.js';
 
 const LOG_FIELDS = {
-  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues'],
+  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues', 'utterance', 'after', 'conversation'],
   step: ['type', 'action', 'feedback', 'at_ms', 'said_ms'],
-  answer: ['type', 'tasks', 'yes', 'eta', 'others', 'said_ms'],
+  answer: ['type', 'tasks', 'yes', 'eta', 'others', 'words', 'said_ms'],
   end: ['type', 'learn'],
 };
 
@@ -30,15 +30,22 @@ function checkRecord(record) {
 
 const numbersOf = one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...(one.lags || NO_LAG), ...(one.rests || restsAsMoves(one.mu_plus, one.mu_minus, one.epsilon))];
 
+/** @returns {[string, boolean, number, number, string]} */
+const ofAnswer = ({ tasks, yes, eta, others, words }) => [tasks.join('\n'), yes, eta, others ?? 1, words || ''];
+// Where the robot listened.
+/** @returns {[string, string | undefined, string]} */
+const ofListening = ({ utterance, after, conversation }) => [utterance, after, Object.entries(conversation || {}).flat().join('\n')];
+
 /** Takes in an answer as the log has it. */
-export const answerRecorded = record => world.answerAs(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
+export const answerRecorded = record => world.answerAs(...ofAnswer(record));
 
 /** Begins a session of this page's own anew, as the log has it. */
 export function beginAnew(record) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
   if (record.strategies) world.setStrategies(Float32Array.from(record.strategies.flatMap(numbersOf)));
-  world.hear(record.command);
+  if (record.utterance) world.listenAs(...ofListening(record));
+  else world.hear(record.command);
 }
 
 // Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
@@ -54,6 +61,7 @@ function tellBeginning(record, last) {
     const shares = inUnit(record.strategies.map(one => one.prior));
     world.recordedStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [...numbersOf(one), shares[at]])));
   }
+  if (record.utterance) world.recordedListening(...ofListening(record));
   if (record.prior) world.recordedPrior(Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
 }
 
@@ -80,7 +88,7 @@ export async function learnFrom(lines) {
         if (!record.continues) unlearned = [];
         own = [line];
       } else if (record.type === 'answer') {
-        world.recordedAnswer(record.tasks.join('\n'), record.yes, record.eta, record.others ?? 1);
+        world.recordedAnswer(...ofAnswer(record));
       } else if (record.type === 'step') {
         world.recordedStep(record.action, record.feedback || '');
       } else {

@@ -10,7 +10,7 @@ import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, giveFeedback, heatNow, leaveSession, pick, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
+import { finishSession, finishWithoutLearning, heatNow, leaveSession, pick, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
 import { meet } from './roster.js';
 import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
@@ -18,6 +18,7 @@ import { setUpSpeech } from './speech.js';
 import { $, all, attempt, make, state } from './state.js';
 import { openLast, othersTaught, wouldBeLost } from './store.js';
 import { setUpTabs } from './tabs.js';
+import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
 import { beginAppendix, beginStop, enterStop, restartTour, setUpTour, watchTour } from './tour.js';
 import { isThere } from './words.js';
@@ -36,7 +37,7 @@ function setUp() {
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
-    good: () => giveFeedback('reward'), bad: () => giveFeedback('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
+    good: () => judge('reward'), bad: () => judge('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
     again: restartTour, amend: () => undo('past'), onward: () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);

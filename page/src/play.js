@@ -2,14 +2,13 @@
 import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
 import { t } from './language.js';
-import { ideas, spaced } from './learned.js';
+import { ideas } from './learned.js';
 import { render } from './render.js';
-import { leaveSession, refresh, startSession, undo } from './session.js';
+import { leaveSession, refresh } from './session.js';
 import * as shelf from './shelf.js';
-import { $, announce, attempt, make, state } from './state.js';
-import { talkIn } from './talk.js';
+import { $, make, state } from './state.js';
+import { say, tellRobot } from './talk.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
-import { taskWords } from './words.js';
 
 // Commands that make sense here, for those who do not know what to say.
 export function renderIdeas() {
@@ -18,7 +17,7 @@ export function renderIdeas() {
   const key = JSON.stringify([state.scene, world.pulls(), document.documentElement.lang]);
   if ($('ideas').dataset.key === key) return;
   $('ideas').dataset.key = key;
-  $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; tellRobot(idea); } }, idea)));
+  $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; say(idea); } }, idea)));
 }
 
 export async function setMode(mode) {
@@ -32,38 +31,6 @@ export async function setMode(mode) {
     nameHome();
     render();
   }
-}
-
-// Tells the robot. Where it takes the command for one that is done already, it says so, and does nothing unless that is not what was meant.
-function tellRobot(command) {
-  const words = spaced(command);
-  if (state.secret === 'open') {
-    startSession(words, { looking: true });
-    return;
-  }
-  const talk = talkIn(words);
-  if (talk === 'back' && state.robot.past.length) {
-    undo('past');
-    return;
-  }
-  if (talk) {
-    state.said = [t(talk === 'nothing' ? 'talk.nothing' : talk === 'judge' ? 'judge.nothing' : 'say.ready'), ''];
-    // It may be a command all the same, in a secret language.
-    state.already = talk === 'nothing' ? '' : words;
-    announce(state.said[0]);
-    render();
-    return;
-  }
-  const done = state.sessions > 0 && state.phase === 'none' ? attempt(() => world.already(words)) : '';
-  state.already = done ? words : '';
-  if (!done) {
-    startSession(words);
-    return;
-  }
-  state.said = [t('say.done', { task: taskWords(done) }), ''];
-  announce(state.said[0]);
-  render();
-  $('else').focus();
 }
 
 // Which of the homes on the list this is.
@@ -100,9 +67,9 @@ export function setUpPlay() {
   $('choose').addEventListener('click', choose);
   $('tell').addEventListener('submit', event => {
     event.preventDefault();
-    if (!state.session) tellRobot($('command').value);
+    say($('command').value);
   });
-  $('else').addEventListener('click', () => startSession(state.already));
+  $('else').addEventListener('click', () => tellRobot(state.already, true));
   $('reset').addEventListener('click', async () => {
     if (!await leaveSession()) return;
     world.reset();

@@ -44,10 +44,10 @@ export function render() {
   $('tell').hidden = state.mode !== 'play' || state.secret === 'open';
   $('train').hidden = state.mode === 'build';
   $('plan').parentElement.hidden = state.mode === 'build';
-  $('command').hidden = Boolean(session);
+  $('command').placeholder = t(session ? 'tell.on' : 'tell.placeholder');
   $('heard').hidden = !session;
   if (session) $('heard').replaceChildren(...heardWords(session.command));
-  $('say-it').disabled = Boolean(session) || busy;
+  $('say-it').disabled = busy;
   const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking && !session.question;
   for (const id of ['good', 'bad']) {
     $(id).setAttribute('aria-disabled', !active);

@@ -10,6 +10,7 @@ import { render } from './render.js';
 import { underWay } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
 import { change, travel } from './store.js';
+import { tellRest } from './talk.js';
 import { attend, enterStop } from './tour.js';
 import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
 
@@ -54,9 +55,17 @@ export function startSession(command, { intended = null, looking = false, picked
     render();
     return null;
   }
+  return begin(command, { intended, looking, picked });
+}
+
+/** Goes on with a session that the robot has begun.
+ * @param {string} command
+ * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how */
+export function begin(command, { intended = null, looking = false, picked = '' }) {
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
+  $('command').value = '';
   const session = newSession(command, { intended, looking });
   session.heard = ranked();
   session.picked = picked;
@@ -82,7 +91,7 @@ function newSession(command, { intended = null, looking = false }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, over: false, onEnd: null, onLearn: null,
+    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -189,7 +198,6 @@ export async function takeUpSession() {
   keepSession(session);
   session.paused = true;
   state.session = session;
-  $('command').value = session.command;
   if (state.mode === 'tour') attend(session);
   go(session);
   tell(t('session.goesOn'));
@@ -269,6 +277,10 @@ async function go(session) {
       if (session.over) return undefined;
     }
     session.stepping = false;
+    if (session.undone) {
+      session.undone = false;
+      continue;
+    }
     commit(session);
     if (await ended(session)) return undefined;
   }
@@ -283,7 +295,7 @@ function takePick(session) {
   const { picked } = session;
   session.picked = '';
   const others = Math.max(1, Math.min(state.belief.tasks.length - 1, 255));
-  if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others), true)) !== true) return;
+  if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others, ''), true)) !== true) return;
   session.answers += 1;
   noteAnswer(session);
   state.belief = beliefNow();
@@ -385,6 +397,26 @@ export function takeBack() {
   render();
 }
 
+/** Takes back the word on the last step, or else that step, and waits. */
+export function takeStepBack() {
+  const session = state.session;
+  if (session?.given) takeBack();
+  if (!session?.decided && !session?.undone || session.looking || session.question || state.phase === 'planning') return;
+  const pending = !session.undone;
+  if (!attempt(() => world.takeBack())) return;
+  if (!pending) {
+    session.steps -= 1;
+    state.evidence.pop();
+    // The session as its log has it now, without its first line and its last.
+    session.times.length = world.log().trimEnd().split('\n').length - 2;
+  }
+  Object.assign(session, { undone: true, decided: null, paused: true, rests: 0 });
+  refresh();
+  keepSession(session);
+  announce(t('judge.back'));
+  wake(session);
+}
+
 /** The robot is where it was meant to be: that is good, and the session is over. */
 export async function thatWasIt() {
   const session = state.session;
@@ -432,12 +464,17 @@ export async function finishSession() {
     render();
     return;
   }
+  const teaches = world.teaches();
   state.phase = 'learning';
   state.route = null;
   render();
   if (session.onLearn) session.onLearn();
   try {
-    await change(quoted(session.command), async stale => {
+    // What shall not be, and "again", have no words to learn.
+    if (!teaches) {
+      world.finish();
+      await inParts(() => world.learn(LEARN_BUDGET));
+    } else await change(quoted(session.command), async stale => {
       // Another tab has taught this robot meanwhile: this session comes on top of that.
       if (stale) {
         const home = world.environment();
@@ -457,16 +494,19 @@ export async function finishSession() {
   }
   underWay.put(null);
   state.heat = { now: heatNow(), before: heat };
-  state.said = [t('say.thanks'), lessonLearned(session.heardNew)];
+  const learned = teaches ? lessonLearned(session.heardNew) : '';
+  state.said = [t('say.thanks'), learned];
   state.session = null;
   state.phase = 'none';
-  render();
+  $('command').value = session.command;
+  if (!tellRest()) render();
   if (session.onEnd) session.onEnd();
-  else tell(t('learned.told', { text: lessonLearned(session.heardNew) }));
+  else if (learned) tell(t('learned.told', { text: learned }));
 }
 
 export function finishWithoutLearning() {
   if (!state.session || state.tour.watching) return;
+  $('command').value = state.session.command;
   stopSession();
   render();
   tell(t('session.dropped'));

@@ -41,6 +41,7 @@ import { t } from './language.js';
  * @property {string} picked the meaning that the trainer has just picked
  * @property {boolean} affirmed whether the trainer has said that this was it
  * @property {Ranked | null} took what it takes the command for in the end
+ * @property {boolean} undone whether its last step was taken back, and the next is still to come
  * @property {boolean} over
  * @property {(() => void) | null} onEnd what comes after it
  * @property {(() => void) | null} onLearn what comes before it is learned from

@@ -143,7 +143,7 @@ async function teach({ home, intended, command }) {
   await change(quoted(command), async () => {
     world.setEnvironment(home);
     world.hear(spaced(command));
-    world.answerAs(intended, true, 0.05, beliefNow().tasks.length - 1);
+    world.answerAs(intended, true, 0.05, beliefNow().tasks.length - 1, '');
     const lines = world.finish();
     await inParts(() => world.learn(LEARN_BUDGET));
     return lines;

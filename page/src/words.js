@@ -54,6 +54,7 @@ export function taskWords(name, scene = state.scene) {
   const object = one => objectWords(one, 0, scene);
   const [goal, clause, places = ''] = name.split(/ (through|avoiding) /);
   const parts = (text, sign) => text.split(sign).map(part => part.match(/^(\w+)\((\w+),(\w+)\)/) || []);
+  if (name.startsWith('!')) return t('task.not', { task: taskWords(name.slice(1), scene) });
   const task = listed(parts(goal, ' & ').map(([, kind, first, room]) => (
     kind === 'blockInRoom' ? t('task.take', { thing: object(first), room: object(room) }) : t('task.go', { room: object(room) })
   )), 'and');

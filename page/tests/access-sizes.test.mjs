@@ -85,6 +85,23 @@ for (const [width, height, least, settings] of [[320, 568, 90, '{}'], [360, 640,
   });
 }
 
+test('on the smallest phone, between two lessons, the plan, Good and Bad are seen whole', async () => {
+  const page = await open(browser, { viewport: { width: 320, height: 568 } });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#good');
+  await page.waitForFunction(() => document.querySelectorAll('#steps tr').length === 1 && document.body.dataset.phase === 'waiting');
+  await page.click('#finish');
+  await page.waitForFunction(() => window.goodbot.sessions() === 1 && document.body.dataset.phase === 'none');
+  await still(page);
+  const { scroll, boxes } = await seen(page, ['good', 'bad', 'plan']);
+  assert.ok(scroll <= 320, 'the page is ' + scroll + ' pixels wide');
+  for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= 320 && box.top >= 0 && box.bottom <= 568 && !box.covered, id + ': ' + JSON.stringify(box));
+  assert.ok(boxes.plan.bottom <= boxes.good.top && boxes.plan.bottom - boxes.plan.top >= 90, JSON.stringify(boxes));
+  await close(page);
+});
+
 test('on a wide screen the page uses the width, and Good and Bad stay where they are while the panel is read', async () => {
   const page = await open(browser, { viewport: { width: 1920, height: 1080 } });
   const { right } = await page.locator('#tour').boundingBox().then(({ x, width }) => ({ right: x + width }));

@@ -78,7 +78,7 @@ test('a model trained in the page answers in the command line with the same bits
 });
 
 for (const settings of ['roles', 'paper']) {
-  test('a model that the command line learned answers in the page with the same bits, settings ' + settings, { skip }, async () => {
+  test('a model that the command line learned ' + (settings === 'roles' ? 'answers in the page with the same bits' : 'as the paper has it is refused, and says why'), { skip }, async () => {
     const teacher = await open(browser);
     await watchTour(teacher);
     const log = file('sessions.jsonl', await saved(teacher, '#save-log'));
@@ -87,6 +87,13 @@ for (const settings of ['roles', 'paper']) {
     const page = await open(browser);
     await opened(page, 'Settings, keeping, sharing');
     await page.setInputFiles('#load-model', learned);
+    if (settings === 'paper') {
+      await page.getByText('Model 2').first().waitFor();
+      assert.equal(await page.evaluate(() => window.goodbot.sessions()), 0);
+      await close(teacher);
+      await close(page);
+      return;
+    }
     await page.getByText('Kept in this browser: 7 sessions').waitFor();
     await play(page, 'Test');
     const environment = file('home.json', await home(page));

@@ -168,7 +168,7 @@ test('a session under way survives a reload, with the words that were said', asy
   await page.getByText('Your session goes on').first().waitFor();
   assert.equal(await page.evaluate(() => document.querySelectorAll('#steps tr').length), 1);
   assert.equal(await page.evaluate(() => window.goodbot.belief()), believed);
-  assert.equal(await page.inputValue('#command'), 'go to the red room');
+  assert.equal(await page.textContent('#heard'), 'go to the red room');
   await page.click('#finish');
   await page.waitForFunction(() => window.goodbot.sessions() === 1 && document.body.dataset.phase === 'none');
   await reload(page);

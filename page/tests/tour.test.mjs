@@ -164,7 +164,7 @@ test('“the” stands in every command and means nothing, in the secret languag
       robot.setEnvironment(JSON.stringify(course.homes.find(([name]) => name === lesson.home)[1]));
       robot.hear(lesson.command);
       while (!robot.plan(20000));
-      for (let answers = 0; answers < 2; answers += 1) robot.answerAs(lesson.intended, true, 0.05, 5);
+      for (let answers = 0; answers < 2; answers += 1) robot.answerAs(lesson.intended, true, 0.05, 5, '');
       const lines = robot.finish();
       while (!robot.learn(60000));
       return lines;

@@ -85,16 +85,18 @@ impl World {
     }
 
     /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
-    /// wrong, and how many other answers there were.
+    /// wrong, how many other answers there were, and the words of a correction, or none.
     ///
     /// # Errors
     /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
-    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8, words: &str) -> Result<(), Refusal> {
         let known = self.belief().tasks;
         let position =
             |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
         let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
-        let _ = self.lesson.answered(tasks, yes, eta, others).map_err(Refusal::from)?;
-        Ok(())
+        if words.is_empty() {
+            return self.lesson.answered(tasks, yes, eta, others).map(drop).map_err(Refusal::from);
+        }
+        self.lesson.correct_as(tasks, eta, words).map_err(Refusal::from)
     }
 }

@@ -26,6 +26,12 @@ fn strategy_of(numbers: &[f32; STRATEGY]) -> Thrown<(Strategy, f32)> {
     Ok((strategy.map_err(|error| thrown(Refusal::from(error)))?, prior))
 }
 
+/// A name and a text on two lines each.
+fn pairs(lines: &str) -> Vec<(String, String)> {
+    let lines: Vec<&str> = lines.lines().collect();
+    lines.as_chunks::<2>().0.iter().map(|[name, text]| ((*name).to_owned(), (*text).to_owned())).collect()
+}
+
 fn json(value: &impl Serialize) -> Thrown<String> {
     serde_json::to_string(value).map_err(|error| JsError::new(&error.to_string()))
 }
@@ -159,10 +165,10 @@ impl Goodbot {
         self.0.recorded_step(action, feedback).map_err(thrown)
     }
 
-    /// The session's next answer, as `answerAs` takes it.
+    /// The session's next answer, as `answerAs` takes it, and its words where it is a correction.
     #[wasm_bindgen(js_name = recordedAnswer)]
-    pub fn recorded_answer(&mut self, tasks: &str, yes: bool, eta: f32, others: u8) -> Thrown<()> {
-        self.0.recorded_answer(tasks.lines(), yes, eta, others).map_err(thrown)
+    pub fn recorded_answer(&mut self, tasks: &str, yes: bool, eta: f32, others: u8, words: &str) -> Thrown<()> {
+        self.0.recorded_answer(tasks.lines(), yes, eta, others, words).map_err(thrown)
     }
 
     /// Goes through the session that was told, by a step or by about `budget` looks of planning. Gives whether it is done; where it is learned
@@ -172,15 +178,69 @@ impl Goodbot {
         self.0.replay_on(budget, learn).map_err(thrown)
     }
 
-    /// The name of the task that the command most likely means where that is done already; nothing where something is left to do.
-    pub fn already(&mut self, command: &str) -> Thrown<Option<String>> {
-        self.0.already(command).map_err(thrown)
-    }
-
     /// What the robot would believe of a command in this home, as JSON: JSON, [`Belief`](crate::view::Belief). It learns nothing from that, and
     /// everything stays where it is.
     pub fn asked(&mut self, environment: &str, command: &str) -> Thrown<String> {
         json(&self.0.asked(environment, command).map_err(thrown)?)
+    }
+
+    /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the
+    /// number of a choice, `stop`, `undo`, `again`, `unjudged` or `nothing`.
+    pub fn said(&self, words: &str) -> Thrown<String> {
+        self.0.said(words).map_err(thrown)
+    }
+
+    /// Learns what is said along with a button: `reward` or `punish`.
+    #[wasm_bindgen(js_name = learnVoice)]
+    pub fn learn_voice(&mut self, words: &str, feedback: &str) -> Thrown<()> {
+        self.0.learn_voice(words, feedback).map_err(thrown)
+    }
+
+    /// Tells the robot something: JSON, [`Heard`](crate::view::Heard). With some lessons it listens, and begins with what there is to do.
+    /// `insists` says that it is a command, whatever the robot takes it for.
+    pub fn listen(&mut self, words: &str, insists: bool) -> Thrown<String> {
+        json(&self.0.listen(words, insists).map_err(thrown)?)
+    }
+
+    /// Whether something is still to come of what was said.
+    #[wasm_bindgen(js_name = isMore)]
+    pub fn is_more(&self) -> bool {
+        self.0.is_more()
+    }
+
+    /// Begins with what is still to come, once a session is over: JSON, [`Heard`](crate::view::Heard), or `null`.
+    #[wasm_bindgen(js_name = listenOn)]
+    pub fn listen_on(&mut self) -> Thrown<String> {
+        json(&self.0.listen_on().map_err(thrown)?)
+    }
+
+    /// Whether there is something to learn from the session under way.
+    pub fn teaches(&self) -> bool {
+        self.0.teaches()
+    }
+
+    /// Takes in words that turn the robot on its way round.
+    pub fn correct(&mut self, words: &str) -> Thrown<()> {
+        self.0.correct(words).map_err(thrown)
+    }
+
+    /// Takes the last step back. Gives whether there was one.
+    #[wasm_bindgen(js_name = takeBack)]
+    pub fn take_back(&mut self) -> Thrown<bool> {
+        self.0.take_back().map_err(thrown)
+    }
+
+    /// Begins a session of a log anew where the robot listened: what was said, the task of the command before, or nothing, and the
+    /// conversation, as a name and a text on two lines each. JSON, [`Heard`](crate::view::Heard).
+    #[wasm_bindgen(js_name = listenAs)]
+    pub fn listen_as(&mut self, utterance: &str, after: Option<String>, conversation: &str) -> Thrown<String> {
+        json(&self.0.listen_as(utterance, after.as_deref(), &pairs(conversation)).map_err(thrown)?)
+    }
+
+    /// Where the recorded session that is being told began by listening, as `listenAs` has it.
+    #[wasm_bindgen(js_name = recordedListening)]
+    pub fn recorded_listening(&mut self, utterance: &str, after: Option<String>, conversation: &str) -> Thrown<()> {
+        self.0.recorded_listening(utterance, after.as_deref(), &pairs(conversation)).map_err(thrown)
     }
 
     /// Hears a command.
@@ -244,10 +304,10 @@ impl Goodbot {
     }
 
     /// Takes in an answer as a log has it: the names of its tasks on a line each, whether what is meant is among them, how often that is wrong,
-    /// and how many other answers there were.
+    /// how many other answers there were, and its words where it is a correction.
     #[wasm_bindgen(js_name = answerAs)]
-    pub fn answer_as(&mut self, tasks: &str, yes: bool, eta: f32, others: u8) -> Thrown<()> {
-        self.0.answer_as(tasks.lines().map(str::to_owned).collect(), yes, eta, others).map_err(thrown)
+    pub fn answer_as(&mut self, tasks: &str, yes: bool, eta: f32, others: u8, words: &str) -> Thrown<()> {
+        self.0.answer_as(tasks.lines().map(str::to_owned).collect(), yes, eta, others, words).map_err(thrown)
     }
 
     /// What a simulated trainer who means the given task says to the last action.

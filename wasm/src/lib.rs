@@ -6,6 +6,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`world`] | the home, the robot's mind and the session under way |
+//! | [`talk`] | what people say beside commands, and how a session begins with it |
 //! | [`training`] | a session from a command to a robot that has learned |
 //! | [`asking`] | questions, and the trainer's answers |
 //! | [`next`] | which lesson next |
@@ -27,6 +28,7 @@ mod log;
 pub mod next;
 pub mod replay;
 pub mod route;
+pub mod talk;
 pub mod training;
 pub mod view;
 pub mod words;

@@ -14,7 +14,21 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     let (agent, home) = (&lesson.agent, lesson.home());
     let environment = session.environment.to_json_line();
     let command = json(&walk.command);
+    // "Again" has no words for its task.
+    let learn = learn && !agent.sentence().is_empty();
     let mut log = format!(r#"{{"type":"session","version":1,"kind":"feedback","environment":{environment},"command":{command}"#);
+    if let Some(listening) = &walk.listening {
+        log = log + r#","utterance":"# + &json(&listening.utterance);
+        if let Some(after) = &session.after
+            && let Some(kind) = agent.lifted().get(usize::from(after.lifted))
+        {
+            log = log + r#","after":"# + &json(&task_name(home, kind, after));
+        }
+        if let Some(record) = listening.conversation.recorded(home, agent.lifted()) {
+            let record: Vec<String> = record.iter().map(|(name, text)| json(name) + ":" + &json(text)).collect();
+            log = log + r#","conversation":{"# + &record.join(",") + "}";
+        }
+    }
     if let Some(names) = lesson.named_actions() {
         log = log + r#","actions":"# + &list(names.map(json));
     }
@@ -31,7 +45,8 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
                 Some(json(&task_name(home, agent.lifted().get(usize::from(task.lifted))?, task)))
             };
             let (tasks, yes, eta, others) = (list(given.tasks.iter().filter_map(name)), given.yes, json(&given.eta), given.others);
-            let _ = writeln!(log, r#"{{"type":"answer","tasks":{tasks},"yes":{yes},"eta":{eta},"others":{others}}}"#);
+            let words = given.words.as_ref().map_or_else(String::new, |words| r#","words":"#.to_owned() + &json(words));
+            let _ = writeln!(log, r#"{{"type":"answer","tasks":{tasks},"yes":{yes},"eta":{eta},"others":{others}{words}}}"#);
         }
         if let Some(step) = walk.steps.get(done) {
             let (action, feedback) = (json(action_name(home, step.action)), step.feedback.name());

@@ -4,8 +4,8 @@
 
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState};
-use goodbot::memory::HomeHeap;
-use goodbot::task::{GroundedTask, TaskSet, ground};
+use goodbot::memory::{HomeHeap, HomeMemory};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StrategyRecord};
 use goodbot_lesson::replay::{Event, Replay, Rules};
@@ -19,15 +19,21 @@ use crate::world::{Refusal, World, build};
 #[derive(Debug)]
 pub struct Replaying {
     replay: Replay,
-    walk: Walk<Home<HomeHeap>>,
+    pub(crate) walk: Walk<Home<HomeHeap>>,
     /// Where the last step led.
     end: HomeState,
     environment: EnvironmentFile,
     /// The tasks here, each with its name.
-    tasks: Vec<(GroundedTask, String)>,
+    pub(crate) tasks: Vec<(GroundedTask, String)>,
 }
 
-fn not_begun() -> Refusal {
+/// Tasks, each with its name.
+pub(crate) fn with_names<M: HomeMemory>(home: &Home<M>, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Vec<(GroundedTask, String)> {
+    let named = |task: &GroundedTask| Some((*task, task_name(home, lifted.get(usize::from(task.lifted))?, task)));
+    tasks.iter().filter_map(named).collect()
+}
+
+pub(crate) fn not_begun() -> Refusal {
     Refusal("no recorded session was begun".to_owned())
 }
 
@@ -45,8 +51,7 @@ impl World {
         let lifted = self.lesson.agent.lifted();
         let mut tasks = vec![GroundedTask::UNUSED; MIND.tasks];
         let count = ground(&home, lifted, &start, &mut tasks).map_err(Refusal::from)?;
-        let named = |task: GroundedTask| Some((task, task_name(&home, lifted.get(usize::from(task.lifted))?, &task)));
-        let tasks = tasks.into_iter().take(count).filter_map(named).collect();
+        let tasks = with_names(&home, lifted, &tasks[..count]);
         let kind = if shown { Kind::Demonstration } else { Kind::Feedback };
         let walk = Walk { command: command.to_owned(), continues, ..Walk::new(home, start, kind) };
         self.replaying = Some(Replaying { replay: Replay::new(Rules::AS_IT_WAS), walk, end: start, environment, tasks });
@@ -94,15 +99,30 @@ impl World {
     ///
     /// # Errors
     /// A name that is no task's.
-    pub fn recorded_answer<'n>(&mut self, names: impl Iterator<Item = &'n str>, yes: bool, eta: f32, others: u8) -> Result<(), Refusal> {
+    pub fn recorded_answer<'n>(
+        &mut self,
+        names: impl Iterator<Item = &'n str>,
+        yes: bool,
+        eta: f32,
+        others: u8,
+        words: &str,
+    ) -> Result<(), Refusal> {
         let told = self.replaying.as_mut().ok_or_else(not_begun)?;
         let mut tasks = TaskSet::EMPTY;
         for name in names {
-            let position = told.tasks.iter().position(|(_, known)| known == name);
+            // A session about what shall not be has its tasks where the others would be.
+            let position = told.tasks.iter().position(|(_, known)| known == name.trim_start_matches('!'));
             tasks = tasks.with(position.ok_or_else(|| Refusal(format!("{name} is no task here")))?);
         }
         let after = told.walk.steps.len();
-        told.walk.answers.push(SessionAnswer { after, tasks, yes, others, ..SessionAnswer::of(eta) });
+        told.walk.answers.push(SessionAnswer {
+            after,
+            tasks,
+            yes,
+            others,
+            words: Some(words).filter(|words| !words.is_empty()).map(str::to_owned),
+            ..SessionAnswer::of(eta)
+        });
         Ok(())
     }
 
@@ -163,10 +183,20 @@ impl World {
             let named: Vec<(String, f32)> = prior.iter().map(|(task, share)| (task.to_string(), (share / most) as f32)).collect();
             self.recorded_prior(named.iter().map(|(name, share)| (name.as_str(), *share)))?;
         }
+        if let Some(utterance) = &header.utterance {
+            let after = header.after.as_ref().map(ToString::to_string);
+            self.recorded_listening(utterance, after.as_deref(), header.conversation.as_deref().unwrap_or_default())?;
+        }
         for done in 0..=recorded.steps.len() {
             for RecordedAnswer { answer, .. } in recorded.answers_after(done) {
                 let names: Vec<String> = answer.tasks.iter().map(ToString::to_string).collect();
-                self.recorded_answer(names.iter().map(String::as_str), answer.yes, answer.eta as f32, answer.others)?;
+                self.recorded_answer(
+                    names.iter().map(String::as_str),
+                    answer.yes,
+                    answer.eta as f32,
+                    answer.others,
+                    answer.words.as_deref().unwrap_or_default(),
+                )?;
             }
             if let Some((_, step)) = recorded.steps.get(done) {
                 self.recorded_step(&step.action, step.feedback.map_or("", FeedbackWord::as_str))?;

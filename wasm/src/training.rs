@@ -10,17 +10,20 @@ use goodbot::oomdp::Domain;
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::random::unit;
 use goodbot::session;
+use goodbot::talk::Conversation;
 use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::live::{Acted, Judged, LiveError};
 use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
+use crate::cells::ROOMS;
 use crate::log::lines;
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
-use crate::world::{Refusal, World, thing};
+use crate::world::{Refusal, World, build, thing};
 
 /// How probable a task that is done already must be for a robot that does nothing.
 const CLEARLY: f32 = 0.6;
@@ -119,13 +122,15 @@ impl World {
     /// # Errors
     /// Why the home cannot be used, or the command cannot be heard in it.
     pub fn asked(&mut self, environment: &str, command: &str) -> Result<Belief, Refusal> {
-        let (here, state) = (self.environment(), *self.lesson.state());
-        self.set_environment(environment)?;
-        let heard = self.hear(command);
-        let belief = self.belief();
-        self.set_environment(&here)?;
-        self.lesson.put(state);
-        heard.map(|()| belief)
+        self.forget();
+        let file = EnvironmentFile::parse(environment).map_err(Refusal::from)?;
+        let (home, start) = build(&file, self.moves, &ROOMS)?;
+        let mind = &mut self.lesson.agent;
+        mind.resume(Conversation::NEW);
+        mind.hear(&home, &start, command).map_err(Refusal::from)?;
+        let belief = self.belief_in(&home, self.agent().tasks());
+        self.lesson.agent.forget_evidence();
+        Ok(belief)
     }
 
     /// Whether a session is under way.
@@ -266,9 +271,11 @@ impl World {
 
     /// What the robot believes. No tasks where no command was heard.
     pub fn belief(&self) -> Belief {
+        self.belief_in(self.home(), if self.is_listening() { self.agent().tasks() } else { &[] })
+    }
+
+    fn belief_in(&self, home: &Home<impl HomeMemory>, tasks: &[GroundedTask]) -> Belief {
         let agent = self.agent();
-        let home = self.home();
-        let tasks = if self.is_listening() { agent.tasks() } else { &[] };
         let named = |(position, task): (usize, &GroundedTask)| {
             let lifted = agent.lifted().get(usize::from(task.lifted))?;
             let probability = agent.belief().probability(position);
@@ -320,14 +327,25 @@ impl World {
             return Err(Refusal::from(LiveError::NoSession));
         }
         let mut support = support(self.agent(), self.home()).map_err(Refusal::from)?;
-        // As they were said, and not only their beginnings.
-        support.words.clear();
+        // As they were said, and not only their beginnings. Where the robot listened, some words are about the command, and not of it.
+        let mut said = Vec::new();
         let command = self.lesson.command().unwrap_or_default();
         let take = |word: &str| {
-            support.words.push(word.to_owned());
+            said.push(word.to_owned());
             Ok(())
         };
         self.agent().options().language.model.for_each_word(command, take).map_err(Refusal::from)?;
+        if said.len() == support.words.len() {
+            support.words = said;
+            return Ok(support);
+        }
+        let mut said = said.into_iter();
+        for word in &mut support.words {
+            let mut ahead = said.clone();
+            if let Some(whole) = ahead.find(|whole| whole.starts_with(word.as_str())) {
+                (*word, said) = (whole, ahead);
+            }
+        }
         Ok(support)
     }
 

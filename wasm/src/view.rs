@@ -123,6 +123,21 @@ pub struct Evidence {
     pub after: Vec<f32>,
 }
 
+/// What came of what was said to the robot.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
+pub struct Heard {
+    /// Whether a session has begun.
+    pub begun: bool,
+    /// `sure`, `unsure`, `done` or `none`: what it takes the words for.
+    pub verdict: &'static str,
+    /// The likeliest task, by its name; nothing where the robot took everything for a command.
+    pub task: String,
+    /// Whether it is about what shall not be.
+    pub negated: bool,
+    /// The session's command: of several commands the first, of all things that for the next.
+    pub command: String,
+}
+
 /// What a question is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Tsify)]
 #[serde(rename_all = "camelCase")]

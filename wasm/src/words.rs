@@ -1,16 +1,13 @@
 //! Which word of a command speaks for which task.
 //!
-//! For each word and task, the probability of the word alone under the task: the mean over the task's binding constraints of Model 2's sum
-//! over machine positions of alignment times translation, or the role model's probability of the word after those before it. Each word's row is then made to sum to 1, so that a word that tells nothing is
-//! spread evenly.
+//! For each word and task, the role model's probability of the word after those before it, under the task alone. Each word's row is then made
+//! to sum to 1, so that a word that tells nothing is spread evenly.
 
 use goodbot::Agent;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::Home;
-use goodbot::language::Model;
 use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::symbols::{Symbol, Symbols};
-use goodbot::task::Expression;
 use goodbot::task::Tokens;
 use goodbot::task::description::{Scene, describe};
 use goodbot::task::is_marker;
@@ -28,53 +25,24 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
     let (mut bytes, mut ends, mut count) = (vec![0; 4_096], vec![0; 256], 0);
     let mut own = Symbols::new(&mut bytes, &mut ends, &mut count, Capacity::Tokens, Capacity::TokenBytes);
     let mut rows = vec![Vec::new(); length];
-    if agent.options().language.model == Model::Roles {
-        let mut description = Tokens::new();
-        for task in 0..agent.tasks().len() {
-            description.clear();
-            if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
-                describe(home, agent.lifted(), task, &mut Scene::new(start), &mut own, &mut description)?;
-            }
-            // A value that the model does not know is as good as any other that it does not.
-            for token in description.iter_mut().filter(|token| !is_marker(**token)) {
-                *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol::new(i16::MAX as u16));
-            }
-            for row in &mut rows {
-                row.push(0.0);
-            }
-            language.word_by_word(sentence, &description, |position, probability| {
-                if let Some(slot) = rows.get_mut(position).and_then(|row| row.last_mut()) {
-                    *slot = probability;
-                }
-            });
+    let mut description = Tokens::new();
+    for task in 0..agent.tasks().len() {
+        description.clear();
+        if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
+            describe(home, agent.lifted(), task, &mut Scene::new(start), &mut own, &mut description)?;
         }
-        return Ok(spread(agent, rows));
-    }
-    for task in agent.tasks() {
-        let Some(lifted) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-        let expression = Expression::new(home, lifted, task, agent.options().language.order, &mut own)?;
-        let mut sums = vec![0.0_f32; length];
-        for constraint in 0..expression.constraints() {
-            let command: Vec<Option<Symbol>> =
-                expression.machine_command(constraint)?.iter().map(|&token| language.tokens().find(own.read().text(token))).collect();
-            for (i, (word, sum)) in sentence.iter().zip(&mut sums).enumerate() {
-                let Some(word) = *word else { continue };
-                let given =
-                    |j: usize, token| language.tables().alignment(j, i, command.len(), length) * language.tables().translation(word, token);
-                // A machine token that the model does not know explains every word alike.
-                let unknown = 1.0 / language.tables().words().max(1) as f32;
-                *sum += given(0, None);
-                for (j, token) in command.iter().enumerate() {
-                    *sum += match token {
-                        Some(token) => given(j + 1, Some(*token)),
-                        None => language.tables().alignment(j + 1, i, command.len(), length) * unknown,
-                    };
-                }
+        // A value that the model does not know is as good as any other that it does not.
+        for token in description.iter_mut().filter(|token| !is_marker(**token)) {
+            *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol::new(i16::MAX as u16));
+        }
+        for row in &mut rows {
+            row.push(0.0);
+        }
+        language.word_by_word(sentence, &description, |position, probability| {
+            if let Some(slot) = rows.get_mut(position).and_then(|row| row.last_mut()) {
+                *slot = probability;
             }
-        }
-        for (row, sum) in rows.iter_mut().zip(sums) {
-            row.push(sum / f32::from(expression.constraints()));
-        }
+        });
     }
     Ok(spread(agent, rows))
 }

@@ -5,10 +5,9 @@ use std::fmt;
 use goodbot::feedback::{Strategy, population};
 use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM, SHAPE};
-use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::ObjectId;
-use goodbot::snapshot::{Contents, SAVED};
+use goodbot::snapshot::{Contents, Part, RestoreError, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
@@ -98,7 +97,13 @@ fn room_for(contents: &Contents<'_>) -> Capacities {
 
 /// A mind that takes over a model file, and begins to learn from what it holds.
 fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
-    let contents = Contents::read(bytes).map_err(Refusal::from)?;
+    let contents = Contents::read(bytes).map_err(|error| match error {
+        // The model is sound, and there is no room for its learner in the page.
+        RestoreError::Inconsistent(Part::Options) => {
+            Refusal("this model learned by Model 2, and the page has only the role model; learn it anew with --learner roles".to_owned())
+        }
+        error => Refusal::from(error),
+    })?;
     let mut mind = new_mind(&room_for(&contents), ways)?;
     mind.restore(bytes).map_err(Refusal::from)?;
     Ok(mind)
@@ -218,9 +223,6 @@ impl World {
     /// # Errors
     /// Where it has no room there, or cannot be used there.
     pub fn for_microbit(&self) -> Result<Vec<u8>, Refusal> {
-        if self.lesson.agent.options().language.model != Model::Roles {
-            return Err(Refusal::from("learned as in the paper"));
-        }
         let mut bytes = self.save()?;
         if !matches!(self.lesson.agent.belief().strategies(), [(Strategy::BALANCED, _)]) {
             let mut mind = taught(&bytes, self.ways())?;

@@ -359,10 +359,10 @@ fn an_answer_stands_in_the_log_and_the_log_believes_the_same() {
     second.hear("abrakadabra").unwrap();
     let recorded = &sessions[0].answers[0].answer;
     let names: Vec<String> = recorded.tasks.iter().map(ToString::to_string).collect();
-    second.answer_as(names, recorded.yes, recorded.eta as f32, recorded.others).unwrap();
+    second.answer_as(names, recorded.yes, recorded.eta as f32, recorded.others, "").unwrap();
     assert_eq!(second.belief().tasks, believed, "{answer}");
     assert!(second.log(false).unwrap().contains(answer));
-    assert!(second.answer_as(vec!["agentInRoom(agent0,room9)".to_owned()], true, 0.05, 1).unwrap_err().0.contains("room9"));
+    assert!(second.answer_as(vec!["agentInRoom(agent0,room9)".to_owned()], true, 0.05, 1, "").unwrap_err().0.contains("room9"));
 }
 
 #[test]

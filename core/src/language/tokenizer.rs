@@ -58,6 +58,11 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
 /// # Errors
 /// As [`for_each_word`].
 pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
+    give_pieces(command, &mut take)
+}
+
+/// The same, compiled once for all that take words.
+fn give_pieces(command: &str, take: &mut dyn FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
     // A command has no more words than bytes: to count those of a short one would take a controller a tenth of a call.
     if command.len() > WORDS_PER_COMMAND {
         let count = pieces(command).count();

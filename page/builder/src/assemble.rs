@@ -1,11 +1,15 @@
 //! One HTML file out of its parts.
 
+use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use zopfli::{Format, Options, compress};
+use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
+
+/// So many bits of the byte before count for what a byte is, as in `page/src/begin.js`.
+const LC: u32 = 4;
 
 /// The page, and the parts that stand in it.
 pub struct Page {
@@ -67,11 +71,12 @@ fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 }
 
-/// What `page/src/begin.js` has the browser expand.
+/// What `page/src/lzma.js` expands.
 fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let mut packed = Vec::new();
-    compress(Options { maximum_block_splits: u16::MAX, ..Options::default() }, Format::Deflate, bytes, &mut packed)?;
-    Ok(packed)
+    let options = LzmaOptions::new(1 << 20, LC, 0, 0, EncodeMode::Normal, 273, MfType::Bt4, 10_000);
+    let mut packer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
+    packer.write_all(bytes)?;
+    Ok(packer.finish()?)
 }
 
 #[cfg(test)]

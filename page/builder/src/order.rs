@@ -1,4 +1,4 @@
-//! The functions of a module in an order in which they pack well. What a browser expands by itself looks 32 kilobytes back, so functions that are alike
+//! The functions of a module in an order in which they pack well: what comes next is guessed from what was like it lately, so functions that are alike
 //! should be neighbours.
 
 use std::collections::BTreeMap;
@@ -7,14 +7,14 @@ use std::convert::Infallible;
 use anyhow::Result;
 use wasm_encoder::reencode::{Error, Reencode, utils};
 use wasm_encoder::{CodeSection, FunctionSection, Module};
-use wasmparser::{CodeSectionReader, FunctionBody, FunctionSectionReader, Parser, Payload, TypeRef};
+use wasmparser::{CodeSectionReader, CustomSectionReader, FunctionBody, FunctionSectionReader, Parser, Payload, TypeRef};
 
 /// So many bytes that came before are compared with.
-const WINDOW: usize = 12_000;
+const WINDOW: usize = 1_000;
 /// What is compared are runs of so many bytes,
-const RUN: usize = 4;
+const RUN: usize = 6;
 /// unless more functions than this have them.
-const COMMON: usize = 60;
+const COMMON: usize = 400;
 
 /// The same module with its functions in another order.
 pub fn neighbours(module: &[u8]) -> Result<Vec<u8>> {
@@ -55,6 +55,11 @@ impl Reencode for Ordering {
     fn function_index(&mut self, function: u32) -> Result<u32, Error<Infallible>> {
         let own = function.checked_sub(self.imported);
         Ok(own.map_or(function, |own| self.imported + self.places[own as usize]))
+    }
+
+    /// What they tell, browsers do not ask for.
+    fn parse_custom_section(&mut self, _: &mut Module, _: CustomSectionReader<'_>) -> Result<(), Error<Infallible>> {
+        Ok(())
     }
 
     fn parse_function_section(
@@ -108,7 +113,7 @@ fn order(bodies: &[&[u8]]) -> Vec<usize> {
     while !left.is_empty() {
         let fitness = |function: usize| {
             let length = bodies[function].len() as f64;
-            if order.is_empty() { length } else { common[function] / length.powf(0.8) }
+            if order.is_empty() { length } else { common[function] / length.powf(0.9) }
         };
         let best = (0..left.len()).max_by(|&a, &b| fitness(left[a]).total_cmp(&fitness(left[b]))).unwrap_or_default();
         let next = left.remove(best);

@@ -26,7 +26,6 @@ use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
-use goodbot::task::GroundedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
@@ -87,8 +86,6 @@ pub struct Trainer {
     believes: Option<Believes>,
     /// What it knew before its first session.
     half_taught: HalfTaught,
-    /// The words for which there was nothing to do, if they were the last.
-    declined: Option<String>,
     /// What the robot took the words of the last command for, where it listens.
     listened: Option<Listened>,
 }
@@ -102,7 +99,7 @@ impl Trainer {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
         let half_taught = HalfTaught::default();
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, declined: None, listened: None })
+        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, listened: None })
     }
 
     /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
@@ -227,26 +224,19 @@ impl Trainer {
     /// command all the same, unless they say what shall not be.
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
-        let is_again = self.declined.take().is_some_and(|declined| declined == command);
         (self.id, self.intended, self.listened) = (id, None, None);
         let environment = self.lesson.environment();
-        if intention.is_none() && tells_talk(&self.lesson.agent) {
-            // A conversation has the name of its first session.
-            if let Some(id) = &self.id {
-                self.lesson.name_conversation(id);
-            }
-            let listened = self.lesson.listen(command, environment.clone(), is_again).map_err(refused)?;
-            self.listened = Some(listened);
-            let heard = self.heard(&listened);
-            if heard == Heard::Command || !is_again || self.is_about_what_shall_not_be() {
-                self.declined = (heard != Heard::Command).then(|| command.to_owned());
-                return Ok(heard);
-            }
+        if let Some(intention) = intention {
+            self.lesson.hear(command, environment).map_err(refused)?;
+            self.intended = intention.find(&self.lesson.agent, self.lesson.home());
+            return Ok(Heard::Command);
         }
-        self.listened = None;
-        self.lesson.hear(command, environment).map_err(refused)?;
-        self.intended = intention.and_then(|intention| intention.find(&self.lesson.agent, self.lesson.home()));
-        Ok(Heard::Command)
+        // A conversation has the name of its first session.
+        if let Some(id) = self.id.as_ref().filter(|_| tells_talk(&self.lesson.agent)) {
+            self.lesson.name_conversation(id);
+        }
+        self.listened = self.lesson.tell(command, environment).map_err(refused)?;
+        Ok(self.listened.map_or(Heard::Command, |listened| self.heard(&listened)))
     }
 
     /// Hears what is still to come of what was said, where the robot is now; `None` where nothing is.
@@ -265,7 +255,7 @@ impl Trainer {
         }
         match listened.verdict {
             Verdict::Done => Heard::Done(self.words_of(listened.task).unwrap_or_default()),
-            _ if self.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
+            _ if self.lesson.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
             _ => Heard::Nothing(listened.hypothesis),
         }
     }
@@ -287,11 +277,6 @@ impl Trainer {
         self.listened.map_or(Hypothesis::Command, |listened| listened.hypothesis)
     }
 
-    /// Whether the session, or the last one, is about what shall not be.
-    pub fn is_about_what_shall_not_be(&self) -> bool {
-        self.lesson.agent.tasks().iter().any(GroundedTask::is_negated)
-    }
-
     /// What a person's words ask for, given where the conversation stands.
     pub fn said(&self, words: &str) -> Result<Said, Refusal> {
         self.lesson.said(words).map_err(refused)
@@ -309,7 +294,6 @@ impl Trainer {
 
     /// Begins another conversation, or goes on with one, by its name.
     pub fn converse(&mut self, id: Option<&str>) -> Result<(), Refusal> {
-        self.declined = None;
         match id {
             None => self.lesson.converse_anew(),
             Some(id) => self.lesson.converse(id).map_err(refused)?,
@@ -391,7 +375,7 @@ impl Trainer {
         record.session_mut().header.id = self.id.clone();
         // A log tells what was meant where it is a task of the paper's kind that is to be done.
         let is_to_do =
-            |position: &usize| !self.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
+            |position: &usize| !self.lesson.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
         record.session_mut().header.set_meant(meant.as_ref());
         Some(record)

@@ -1,0 +1,112 @@
+// Expands what the page's builder has packed: LZMA without a header. A bit is as probable as it was in bits alike before it; those are alike
+// that stand in one place of a literal, a length or a distance. `pb` and `lp` are 0: where a byte stands tells nothing.
+
+const EVEN = 1 << 10;
+const even = length => new Uint16Array(length).fill(EVEN);
+
+/** @param {Uint8Array} packed
+ * @param {number} size of what it expands to
+ * @param {number} lc how many bits of the byte before count */
+export function expanded(packed, size, lc) {
+  const whole = new Uint8Array(size);
+  const literals = even(768 << lc);
+  const [isCopy, isAgain, isNotLast, isLong, isOlder, isOldest] = Array.from({ length: 6 }, () => even(12));
+  const slots = Array.from({ length: 4 }, () => even(64));
+  const [near, aligned] = [even(128), even(16)];
+  const [lengths, lengthsAgain] = [0, 0].map(() => ({ choice: even(2), short: even(8), middle: even(8), long: even(256) }));
+  let [range, code, at] = [2 ** 32 - 1, 0, 0];
+  const next = () => { code = (code << 8 | packed[at++]) >>> 0; };
+  while (at < 5) next();
+  const widen = () => {
+    if (range >= 2 ** 24) return;
+    range = range << 8 >>> 0;
+    next();
+  };
+
+  const bit = (chances, which) => {
+    const chance = chances[which];
+    const bound = (range >>> 11) * chance;
+    const is = code >= bound ? 1 : 0;
+    if (is) {
+      range -= bound;
+      code -= bound;
+      chances[which] = chance - (chance >> 5);
+    } else {
+      range = bound;
+      chances[which] = chance + (2048 - chance >> 5);
+    }
+    widen();
+    return is;
+  };
+  const number = (chances, bits) => {
+    let node = 1;
+    while (node < 1 << bits) node = node << 1 | bit(chances, node);
+    return node - (1 << bits);
+  };
+  // The lowest bit first.
+  const reversed = (chances, bits, offset) => {
+    let [node, value] = [1, 0];
+    for (let place = 0; place < bits; place += 1) {
+      const is = bit(chances, offset + node);
+      node = node << 1 | is;
+      value |= is << place;
+    }
+    return value;
+  };
+  const lengthBy = ({ choice, short, middle, long }) => 2 + (!bit(choice, 0) ? number(short, 3) : !bit(choice, 1) ? 8 + number(middle, 3) : 16 + number(long, 8));
+  const distanceFor = length => {
+    const slot = number(slots[Math.min(length - 2, 3)], 6);
+    if (slot < 4) return slot;
+    const bits = (slot >> 1) - 1;
+    let distance = (2 | slot & 1) << bits;
+    if (slot < 14) return distance + reversed(near, bits, distance - slot);
+    for (let place = bits - 1; place > 3; place -= 1) {
+      range >>>= 1;
+      if (code >= range) {
+        code -= range;
+        distance += 1 << place;
+      }
+      widen();
+    }
+    return distance + reversed(aligned, 4, 0);
+  };
+
+  // `state` tells what the last few were: from 7 on the last one was a copy.
+  let [state, end] = [0, 0];
+  const distances = [0, 0, 0, 0];
+  while (end < size) {
+    if (!bit(isCopy, state)) {
+      const offset = 768 * ((end && whole[end - 1]) >> 8 - lc);
+      let node = 1;
+      if (state > 6) {
+        // Most often it is another one than what would have been copied.
+        const model = whole[end - distances[0] - 1];
+        for (let place = 7, same = true; same && place >= 0; place -= 1) {
+          const expected = model >> place & 1;
+          const is = bit(literals, offset + (1 + expected << 8) + node);
+          node = node << 1 | is;
+          same = is === expected;
+        }
+      }
+      while (node < 256) node = node << 1 | bit(literals, offset + node);
+      whole[end++] = node;
+      state = state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
+      continue;
+    }
+    let length = 1;
+    if (bit(isAgain, state)) {
+      const which = !bit(isNotLast, state) ? 0 : !bit(isOlder, state) ? 1 : 2 + bit(isOldest, state);
+      const isOne = which === 0 && !bit(isLong, state);
+      if (which) distances.unshift(...distances.splice(which, 1));
+      if (!isOne) length = lengthBy(lengthsAgain);
+      state = (state < 7 ? 8 : 11) + (isOne && state < 7 ? 1 : 0);
+    } else {
+      length = lengthBy(lengths);
+      state = state < 7 ? 7 : 10;
+      distances.unshift(distanceFor(length));
+      distances.pop();
+    }
+    for (const last = end + length; end < last; end += 1) whole[end] = whole[end - distances[0] - 1];
+  }
+  return whole;
+}
