@@ -13,7 +13,7 @@ import pytest
 
 distributed = pytest.importorskip("distributed")
 
-STUDY = ["--runs", "4", "--agents", "goodbot", "--trainers", "balanced,punish-only"]
+STUDY = ["--runs", "4", "--courses", "paper", "--agents", "goodbot", "--trainers", "balanced,punish-only"]
 SHARDS = 8
 
 

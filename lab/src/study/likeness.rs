@@ -28,6 +28,9 @@ const MEASURES: [(&str, bool); 11] = [
     ("lessons without a word", false),
 ];
 
+/// How many draws there are at least: fewer have no 95 %.
+const DRAWS: u32 = 100;
+
 /// What is observed in lessons: a share for each measure; `None` where there was no occasion.
 fn measured<'l>(lessons: impl Iterator<Item = &'l [Observed]> + Clone) -> [Option<f64>; MEASURES.len()] {
     let share = |occasion: &dyn Fn(&[Observed], usize) -> Option<bool>| {
@@ -121,7 +124,7 @@ impl Check {
 fn check(people: &People, population: &Population, options: &StudyOptions) -> Check {
     let real = measured(people.iter().flat_map(|(_, record)| record.lessons.iter().map(Vec::as_slice)));
     let mut draws: [Vec<f64>; MEASURES.len()] = Default::default();
-    for run in 0..u64::from(options.runs) {
+    for run in 0..u64::from(options.runs.max(DRAWS)) {
         let lessons: Vec<Vec<Observed>> = (0_u64..)
             .zip(people.iter().zip(&population.people))
             .flat_map(|(number, ((_, record), like))| {

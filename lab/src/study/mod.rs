@@ -2,10 +2,11 @@
 //!
 //! The simulation:
 //!
+//! - [`course`]: what is taught and tested;
 //! - [`trainer`]: who gives the lessons: what each says after a right and a wrong action, how late, and when it leaves;
 //! - [`place`]: a command in a home: its tasks, what they are about, and what is right in each state;
-//! - [`agent`]: who learns: goodbot, TAMER, COACH, Advise and a learner like Cobot;
-//! - [`trial`]: one agent with one trainer: seven lessons, then five tests;
+//! - [`agent`]: who learns: each inference with each language, and goodbot as it is used;
+//! - [`trial`]: one agent with one trainer: lessons, then tests;
 //! - [`tuning`]: how the settings of the others were chosen.
 //!
 //! The command:
@@ -23,15 +24,18 @@
 //!
 //! ```
 //! use goodbot_lab::study::agent::AGENTS;
+//! use goodbot_lab::study::course::Course;
 //! use goodbot_lab::study::trainer::{TRAINERS, population::Population};
-//! use goodbot_lab::study::trial::{homes, run};
+//! use goodbot_lab::study::trial::{Places, run};
 //! let (agent, trainer, seed) = (&AGENTS[0], &TRAINERS[0], 1);
-//! let outcome = run(&agent.learns, trainer.habits(&Population::fitted(), seed), &homes(seed), seed)?;
+//! let habits = trainer.habits(&Population::fitted(), seed);
+//! let outcome = run(&agent.learns, habits, &mut Places::new(Course::Paper, seed)?, seed)?;
 //! assert_eq!(outcome.tests_right(), 5);
 //! # Ok::<(), goodbot_course::CourseError>(())
 //! ```
 
 pub mod agent;
+pub mod course;
 mod likeness;
 mod picture;
 pub mod place;
@@ -48,7 +52,8 @@ pub mod trial;
 mod tune;
 pub mod tuning;
 
-use crate::study::agent::{AGENTS, Contestant};
+use crate::study::agent::{AGENTS, Contestant, Learns};
+use crate::study::course::{COMPARED, Course};
 use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -64,31 +69,38 @@ use std::path::PathBuf;
 use summary::Column;
 
 const EXAMPLES: &str = "\
+An agent is an inference and a language: tamer+roles finds out what is meant as TAMER does, and learns words as the role \
+model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named. The courses free \
+and told are taught by balanced, population, mute, contrary and shuffled only.
+
 Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \
-of cores. Seven lessons, each until the agent rests at the goal, at most 600 steps; then five tests without a word.
+of cores. Each lesson lasts until the agent rests at the goal, at most 150 steps; then come five tests without a word.
 
 With --json the first line tells what is compared, then there is a line for each run, and at the end one for each \
-trainer and agent:
+course, trainer and agent:
   tests_right      how many of the five tests were right: done, and then rested
   words            how often the trainer said good bot or bad bot, or answered a question
   answers          how many of these were answers
-  steps            steps of a lesson; one that ended before the goal counts as 600
-  wrongly_certain  percentage of the twelve commands at which it held a wrong task for more than 95 % likely
+  steps            steps of a lesson; one that ended before the goal counts as 150
+  wrongly_certain  percentage of the commands at which it held a wrong task for more than 95 % likely
   gave_up          percentage of lessons that ended before the goal
 
 Examples:
   goodbot study --runs 20
-  goodbot study --agents goodbot,tamer-shared --trainers balanced,late-1 --plot study.svg
+  goodbot study --courses told --agents this+roles,tamer+roles --trainers balanced,mute --plot study.svg
   goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
   goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
-  goodbot study --runs 1000 --report study.md       all of it as a page with pictures
+  goodbot study --runs 100 --report study.md        all of it as a page with a picture
   goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
 
 /// Compare agents that learn from a trainer's words, with many kinds of trainers
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct StudyOptions {
-    /// Only these agents, separated by commas [default: all]
+    /// Only these courses, separated by commas [default: all]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = courses(), conflicts_with_all = ["merge", "tune"])]
+    pub courses: Vec<String>,
+    /// Only these agents, separated by commas [default: each inference with each language]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
     /// Only these trainers, separated by commas [default: all]
@@ -109,10 +121,10 @@ pub struct StudyOptions {
     /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["plot", "csv"])]
     pub fit: Vec<String>,
-    /// Try all settings of the agents that are not goodbot, and tell which are best; on seeds of their own
-    #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report"])]
+    /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
+    #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report", "agents"])]
     pub tune: bool,
-    /// Write all of it as a page, with pictures beside it
+    /// Write all of it as a page, with a picture beside it
     #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv", "plot"])]
     pub report: Option<PathBuf>,
     /// Print JSON lines
@@ -136,8 +148,12 @@ fn runs(text: &str) -> Result<u32, String> {
     goodbot_console::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
 }
 
+fn courses() -> PossibleValuesParser {
+    PossibleValuesParser::new(Course::ALL.map(|course| PossibleValue::new(course.name()).help(course.is())))
+}
+
 fn agents() -> PossibleValuesParser {
-    PossibleValuesParser::new(AGENTS.map(|agent| PossibleValue::new(agent.name).help(agent.is)))
+    PossibleValuesParser::new(AGENTS.iter().map(|agent| PossibleValue::new(agent.name).help(agent.is)))
 }
 
 fn trainers() -> PossibleValuesParser {
@@ -157,7 +173,12 @@ fn named<T: Copy>(all: &[T], names: &[String], name: impl Fn(&T) -> &'static str
 impl StudyOptions {
     fn plan(&self) -> Plan {
         Plan {
-            agents: named(&AGENTS, &self.agents, |agent: &Contestant| agent.name),
+            courses: named(&Course::ALL, &self.courses, |course| course.name()),
+            // goodbot as it is used plans by itself, which takes much longer.
+            agents: named(AGENTS, &self.agents, |agent: &Contestant| agent.name)
+                .into_iter()
+                .filter(|agent| !self.agents.is_empty() || matches!(agent.learns, Learns::Factors(..)))
+                .collect(),
             trainers: named(&TRAINERS, &self.trainers, |trainer: &Trainer| trainer.name),
             population: Population::fitted(),
             seed: self.seed,
@@ -170,6 +191,10 @@ impl StudyOptions {
     fn runs(&self) -> Result<(Plan, Vec<Run>), Failure> {
         if self.merge.is_empty() {
             let plan = self.plan();
+            if plan.taught().is_empty() {
+                let known = COMPARED.join(", ");
+                return Err(Failure::Input(format!("only {known} teach the courses free and told; name one of them, or the course paper")));
+            }
             let runs = runs::run_all(&plan)?;
             Ok((plan, runs))
         } else {
@@ -199,7 +224,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
         return Ok(out.flush()?);
     }
     if options.tune {
-        tune::show(&mut out, options)?;
+        tune::show(&mut out)?;
         return Ok(out.flush()?);
     }
     let (plan, runs) = options.runs()?;

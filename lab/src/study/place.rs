@@ -3,37 +3,21 @@
 //! The plans are those of goodbot's exact planner, made once for each state: trainers judge by them, and every agent that acts for a task
 //! may use them.
 
+use crate::study::course::Exercise;
 use goodbot::home::{AGENT_IN_ROOM, COLOR, Home, HomeState, SHAPE, paper_tasks};
 use goodbot::language::for_each_word;
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::oomdp::{ActionSet, Domain};
+use goodbot::oomdp::{Action, ActionSet, Domain, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
-use goodbot_course::{CourseError, Exercise};
+use goodbot_course::CourseError;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// A home of the study.
-pub type StudyHome<'m> = Home<&'m mut HomeHeap>;
-
 /// All of it fits a controller's memory.
 pub const CAPACITIES: Capacities = Capacities::SMALL;
-
-/// Knows the tasks of a home and plans for them; it never learns.
-#[derive(Debug)]
-pub struct Umpire(Agent<AgentHeap>);
-
-impl Umpire {
-    /// One that has seen no home yet.
-    ///
-    /// # Errors
-    /// [`CourseError`].
-    pub fn new() -> Result<Self, CourseError> {
-        let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
-        Ok(Self(Agent::new(AgentHeap::new(&CAPACITIES), &lifted, Options::PAPER)?))
-    }
-}
 
 /// What is right in one state.
 #[derive(Debug)]
@@ -53,42 +37,79 @@ impl Outlook {
 
 /// A command that is given in a home.
 #[derive(Debug)]
-pub struct Place<'m, 'u> {
+pub struct Place {
     /// The home.
-    pub home: StudyHome<'m>,
+    pub home: Home<HomeHeap>,
     /// Where things stand at the beginning.
     pub start: HomeState,
-    /// What is said and meant.
-    pub exercise: &'static Exercise,
+    /// What is said.
+    pub command: String,
     /// The words of the command, in lower case.
     pub words: Vec<String>,
+    /// The tasks that are possible.
+    pub tasks: Vec<GroundedTask>,
     /// For each task what it is about: its kind, the colour of its room, the colour and the shape of its block.
     pub facts: Vec<Vec<String>>,
-    /// For each task its kind: the position of its lifted task.
-    pub kinds: Vec<u8>,
     /// The task that is meant.
     pub intended: usize,
-    umpire: &'u mut Umpire,
-    outlooks: HashMap<u64, Rc<Outlook>>,
+    umpire: Agent<AgentHeap>,
+    outlooks: Outlooks,
 }
 
-impl<'m, 'u> Place<'m, 'u> {
+/// What is right in the states that were met; commands in the same home share it.
+type Outlooks = Rc<RefCell<HashMap<u64, Rc<Outlook>>>>;
+
+impl Place {
     /// A command in its home.
     ///
     /// # Errors
     /// [`CourseError::NotPosed`] where what is meant cannot be done here.
-    pub fn new(home: StudyHome<'m>, start: HomeState, exercise: &'static Exercise, umpire: &'u mut Umpire) -> Result<Self, CourseError> {
-        let intended = exercise.pose(&mut umpire.0, &home, &start)?.ok_or(CourseError::NotPosed)?;
-        let lifted = umpire.0.lifted();
-        let facts = umpire.0.tasks().iter().map(|task| facts(&home, &lifted[usize::from(task.lifted)], task)).collect();
-        let kinds = umpire.0.tasks().iter().map(|task| task.lifted).collect();
+    pub fn new(exercise: &Exercise) -> Result<Self, CourseError> {
+        let (home, start) = exercise.layout.build(HomeHeap::new(&CAPACITIES))?;
+        let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
+        // It knows the tasks and plans for them; it never learns.
+        let mut umpire = Agent::new(AgentHeap::new(&CAPACITIES), &lifted, Options::PAPER)?;
+        umpire.hear(&home, &start, &exercise.command)?;
+        let intended = exercise.intention.find(&umpire, &home).ok_or(CourseError::NotPosed)?;
+        let lifted = umpire.lifted();
+        let tasks = umpire.tasks().to_vec();
+        let facts = tasks.iter().map(|task| facts(&home, &lifted[usize::from(task.lifted)], task)).collect();
         let mut words = Vec::new();
-        let heard = for_each_word(exercise.command, |word| {
+        let heard = for_each_word(&exercise.command, |word| {
             words.push(word.to_string());
             Ok(())
         });
         heard.map_err(|error| CourseError::Agent(error.into()))?;
-        Ok(Self { home, start, exercise, words, facts, kinds, intended, umpire, outlooks: HashMap::new() })
+        let command = exercise.command.clone();
+        Ok(Self { home, start, command, words, tasks, facts, intended, umpire, outlooks: Outlooks::default() })
+    }
+
+    /// All commands of a course; what is planned for one is planned for all others in the same home.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn all(exercises: &[Exercise]) -> Result<Vec<Self>, CourseError> {
+        let mut places: Vec<Self> = Vec::with_capacity(exercises.len());
+        for exercise in exercises {
+            let mut place = Self::new(exercise)?;
+            if let Some(same) = exercises.iter().zip(&places).find(|(known, _)| known.layout == exercise.layout) {
+                place.outlooks = same.1.outlooks.clone();
+            }
+            places.push(place);
+        }
+        Ok(places)
+    }
+
+    /// The position of a task.
+    pub fn position(&self, task: &GroundedTask) -> Option<usize> {
+        self.tasks.iter().position(|known| known == task)
+    }
+
+    /// Whether a task is done after an action.
+    pub fn is_done_after(&self, task: usize, state: &HomeState, action: Action) -> bool {
+        let Some(next) = apply(&self.home, state, action) else { return false };
+        let task = self.tasks[task];
+        task.propositions(&self.umpire.lifted()[usize::from(task.lifted)]).all(|part| self.home.holds(&part, &next))
     }
 
     /// What is right in a state.
@@ -97,19 +118,19 @@ impl<'m, 'u> Place<'m, 'u> {
     /// [`CourseError::Agent`] where planning was refused.
     pub fn outlook(&mut self, state: &HomeState) -> Result<Rc<Outlook>, CourseError> {
         let number = self.home.number(state);
-        if let Some(known) = self.outlooks.get(&number) {
+        if let Some(known) = self.outlooks.borrow().get(&number) {
             return Ok(known.clone());
         }
-        self.umpire.0.plan_fully(&self.home, state)?;
-        let plan = self.umpire.0.planned();
+        self.umpire.plan_fully(&self.home, state)?;
+        let plan = self.umpire.planned();
         let optimal = (0..self.facts.len()).map(|task| plan.optimal(task)).collect();
         let outlook = Rc::new(Outlook { applicable: plan.applicable(), optimal });
-        self.outlooks.insert(number, outlook.clone());
+        self.outlooks.borrow_mut().insert(number, outlook.clone());
         Ok(outlook)
     }
 }
 
-fn facts(home: &StudyHome<'_>, lifted: &LiftedTask, task: &GroundedTask) -> Vec<String> {
+fn facts(home: &Home<HomeHeap>, lifted: &LiftedTask, task: &GroundedTask) -> Vec<String> {
     let world = home.world();
     let value = |object, attribute| world.objects.value(object, attribute);
     let mut facts = Vec::new();

@@ -1,13 +1,16 @@
-//! What a study compares: which agents, which trainers, which seeds.
+//! What a study compares: which courses, trainers, agents and seeds.
 
 use super::shard::Shard;
 use crate::study::agent::Contestant;
+use crate::study::course::Course;
 use crate::study::trainer::Trainer;
 use crate::study::trainer::population::Population;
 
 /// What a study compares.
 #[derive(Clone, Debug)]
 pub struct Plan {
+    /// The courses.
+    pub courses: Vec<Course>,
     /// The agents.
     pub agents: Vec<Contestant>,
     /// The trainers.
@@ -33,8 +36,15 @@ impl Plan {
         (0..self.runs).filter(|&position| self.shard.has(position)).map(|position| self.seed_at(position))
     }
 
+    /// Which courses are taught by which trainers, each by its position.
+    pub fn taught(&self) -> Vec<(usize, usize)> {
+        let of_course = |course: usize| (0..self.trainers.len()).map(move |trainer| (course, trainer));
+        let is_taught = |&(course, trainer): &(usize, usize)| self.courses[course].has(self.trainers[trainer].name);
+        (0..self.courses.len()).flat_map(of_course).filter(is_taught).collect()
+    }
+
     /// How many runs there are, of all seeds.
     pub fn all_runs(&self) -> usize {
-        self.runs as usize * self.trainers.len() * self.agents.len()
+        self.runs as usize * self.taught().len() * self.agents.len()
     }
 }

@@ -4,6 +4,7 @@ use super::plan::Plan;
 use super::runs::Run;
 use super::shard::Shard;
 use crate::study::agent::AGENTS;
+use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
 use crate::study::trial::{Ending, LessonOutcome, Outcome, TestOutcome};
@@ -14,16 +15,18 @@ use serde_json::{Value, json};
 use std::io::BufRead;
 
 /// The version of the lines.
-const VERSION: u64 = 1;
+const VERSION: u64 = 2;
 
 /// The first line: what is compared, with the settings of all. Parts of one study have the same, but for the part.
 pub fn plan_to_json(plan: &Plan) -> Value {
     let agents: Vec<Value> = plan.agents.iter().map(|agent| json!({"name": agent.name, "settings": agent.learns.to_string()})).collect();
     let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).collect();
+    let courses: Vec<&str> = plan.courses.iter().map(|course| course.name()).collect();
     json!({
         "type": "study",
         "version": VERSION,
         "program": env!("CARGO_PKG_VERSION"),
+        "courses": courses,
         "agents": agents,
         "trainers": trainers,
         "population": plan.population.digest(),
@@ -36,19 +39,20 @@ pub fn plan_to_json(plan: &Plan) -> Value {
 /// The line of a run.
 pub fn run_to_json(plan: &Plan, run: &Run) -> Value {
     let Outcome { lessons, tests } = &run.outcome;
-    let certain: Vec<Option<bool>> =
-        lessons.iter().map(|lesson| lesson.wrongly_certain).chain(tests.iter().map(|test| test.wrongly_certain)).collect();
+    let of = |number: fn(&LessonOutcome) -> u16| lessons.iter().map(number).collect::<Vec<_>>();
+    let certain = lessons.iter().map(|lesson| lesson.wrongly_certain).chain(tests.iter().map(|test| test.wrongly_certain));
     json!({
         "type": "run",
         "seed": run.seed,
+        "course": plan.courses[run.course].name(),
         "trainer": plan.trainers[run.trainer].name,
         "agent": plan.agents[run.agent].name,
-        "endings": lessons.map(|lesson| lesson.ending.name()),
-        "steps": lessons.map(|lesson| lesson.steps),
-        "words": lessons.map(|lesson| lesson.words),
-        "answers": lessons.map(|lesson| lesson.answers),
-        "tests": tests.map(|test| test.right),
-        "wrongly_certain": certain,
+        "endings": lessons.iter().map(|lesson| lesson.ending.name()).collect::<Vec<_>>(),
+        "steps": of(|lesson| lesson.steps),
+        "words": of(|lesson| lesson.words),
+        "answers": of(|lesson| lesson.answers),
+        "tests": tests.iter().map(|test| test.right).collect::<Vec<_>>(),
+        "wrongly_certain": certain.collect::<Vec<_>>(),
     })
 }
 
@@ -76,13 +80,18 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
         let known = TRAINERS.iter().find(|known| *trainer == known.name);
         trainers.push(*known.ok_or_else(|| format!("names a trainer {trainer} that is not known"))?);
     }
+    let mut courses = Vec::new();
+    for course in list("courses")? {
+        let known = Course::ALL.into_iter().find(|known| *course == known.name());
+        courses.push(known.ok_or_else(|| format!("names a course {course} that is not known"))?);
+    }
     let population = Population::fitted();
     if line["population"] != population.digest() {
         return Err("has trainers from another fit to real people; they cannot be drawn again here".to_owned());
     }
     let seed = line["seed"].as_u64().ok_or("has no seed")?;
     let runs = line["runs"].as_u64().and_then(|runs| u32::try_from(runs).ok()).ok_or("has no number of runs")?;
-    Ok(Plan { agents, trainers, population, seed, runs, shard: text("part")?.parse()? })
+    Ok(Plan { courses, agents, trainers, population, seed, runs, shard: text("part")?.parse()? })
 }
 
 fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
@@ -90,35 +99,32 @@ fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
         return Err("is no run".to_owned());
     }
     let position = |found: Option<usize>, what: &str| found.ok_or_else(|| format!("names {what} that its study does not have"));
+    let course = position(plan.courses.iter().position(|known| line["course"] == known.name()), "a course")?;
     let trainer = position(plan.trainers.iter().position(|known| line["trainer"] == known.name), "a trainer")?;
     let agent = position(plan.agents.iter().position(|known| line["agent"] == known.name), "an agent")?;
     let count = |name: &str, at: usize| {
         let number = line[name][at].as_u64().and_then(|number| u16::try_from(number).ok());
         number.ok_or_else(|| format!("has no whole number in {name}[{at}]"))
     };
-    let certain = |at: usize| match &line["wrongly_certain"][at] {
-        Value::Null => Ok(None),
-        Value::Bool(is) => Ok(Some(*is)),
-        other => Err(format!("has {other} in wrongly_certain[{at}]")),
-    };
-    let mut outcome = Outcome::NONE;
-    for (at, lesson) in outcome.lessons.iter_mut().enumerate() {
+    let certain = |at: usize| line["wrongly_certain"][at].as_bool().ok_or_else(|| format!("has no answer in wrongly_certain[{at}]"));
+    let length = |name: &str| line[name].as_array().map(Vec::len).ok_or_else(|| format!("has no list {name:?}"));
+    let lesson = |at: usize| {
         let ending = Ending::ALL.into_iter().find(|ending| line["endings"][at] == ending.name());
-        let ending = ending.ok_or_else(|| format!("has no ending in endings[{at}]"))?;
-        *lesson = LessonOutcome {
-            ending,
+        Ok(LessonOutcome {
+            ending: ending.ok_or_else(|| format!("has no ending in endings[{at}]"))?,
             steps: count("steps", at)?,
             words: count("words", at)?,
             answers: count("answers", at)?,
             wrongly_certain: certain(at)?,
-        };
-    }
-    let lessons = outcome.lessons.len();
-    for (at, test) in outcome.tests.iter_mut().enumerate() {
+        })
+    };
+    let lessons = (0..length("endings")?).map(lesson).collect::<Result<Vec<_>, String>>()?;
+    let test = |at: usize| {
         let right = line["tests"][at].as_bool().ok_or_else(|| format!("has no answer in tests[{at}]"))?;
-        *test = TestOutcome { right, wrongly_certain: certain(lessons + at)? };
-    }
-    Ok(Run { seed: line["seed"].as_u64().ok_or("has no seed")?, trainer, agent, outcome })
+        Ok(TestOutcome { right, wrongly_certain: certain(lessons.len() + at)? })
+    };
+    let tests = (0..length("tests")?).map(test).collect::<Result<Vec<_>, String>>()?;
+    Ok(Run { seed: line["seed"].as_u64().ok_or("has no seed")?, course, trainer, agent, outcome: Outcome { lessons, tests } })
 }
 
 /// Reads the parts of a study, in any order, and joins them to the whole.
@@ -155,14 +161,13 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     }
     let (_, plan) = whole.ok_or_else(|| Failure::Input("there is nothing to join; name files".to_owned()))?;
     check_parts(&parts).map_err(Failure::Input)?;
-    runs.sort_by_key(|run| (run.seed.wrapping_sub(plan.seed), run.trainer, run.agent));
-    let (trainers, agents) = (plan.trainers.len(), plan.agents.len());
-    let in_order = |position: u32| {
-        let seed = plan.seed_at(position);
-        (0..trainers).flat_map(move |trainer| (0..agents).map(move |agent| (seed, trainer, agent)))
-    };
-    let expected = (0..plan.runs).flat_map(in_order);
-    if !expected.eq(runs.iter().map(|run| (run.seed, run.trainer, run.agent))) {
+    let place = |run: &Run| (run.seed.wrapping_sub(plan.seed), run.course, run.trainer, run.agent);
+    runs.sort_by_key(place);
+    let (taught, agents) = (plan.taught(), plan.agents.len());
+    let of_seed =
+        |position| taught.iter().flat_map(move |&(course, trainer)| (0..agents).map(move |agent| (position, course, trainer, agent)));
+    let expected = (0..u64::from(plan.runs)).flat_map(of_seed);
+    if !expected.eq(runs.iter().map(place)) {
         let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), plan.all_runs());
         return Err(Failure::Input(message));
     }

@@ -1,149 +1,184 @@
-//! A study as a page of Markdown, with pictures beside it.
+//! A study as a page of Markdown, with a picture beside it.
 
 use super::plan::Plan;
+use super::runs::Run;
 use super::summary::{self, Column, Row};
-use super::{StudyOptions, likeness, picture, table};
+use super::{StudyOptions, likeness, picture};
+use crate::mean::Mean;
 use crate::study::agent::Learns;
+use crate::study::course::{COMPARED, Course};
 use crate::study::trial::{CERTAIN, MOST_STEPS, TEST_STEPS};
-use crate::study::tuning::{SEEDS, TRAINED_BY};
+use crate::study::tuning::{SEEDS, TRAINED_BY, TUNED};
 use goodbot_console::messages::say;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
 use std::path::Path;
 
-/// The columns that are drawn.
-const DRAWN: [Column; 3] = [Column::Tests, Column::Steps, Column::Words];
+/// The agents of the tables of all trainers.
+const TRAINED: [&str; 6] = ["this+roles", "sabl+roles", "tamer+roles", "coach+roles", "shaping+roles", "none+roles"];
+/// What these tables show.
+const SHOWN: [Column; 3] = [Column::Tests, Column::Steps, Column::WronglyCertain];
+/// The trainers that are drawn.
+const DRAWN: [&str; 2] = ["balanced", "mute"];
 
-/// Runs the study, or reads its parts, and writes the page and its pictures.
+/// Runs the study, or reads its parts, and writes the page and its picture.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
     let text = Output::page(page, options.inputs(), options.force)?;
     if text.is_standard() {
-        return Err(Failure::Input("the pictures go beside the page; name a file for it".to_owned()));
+        return Err(Failure::Input("the picture goes beside the page; name a file for it".to_owned()));
     }
-    let beside = |column: Column| page.with_extension(format!("{}.svg", column.name()));
-    let pictures = DRAWN.map(|column| Output::picture(&beside(column), options.inputs(), options.force));
+    let beside = page.with_extension("svg");
+    let target = Output::picture(&beside, options.inputs(), options.force)?;
     let checks = if options.fit.is_empty() { None } else { Some(likeness::markdown(options)?) };
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
-    for (column, target) in DRAWN.into_iter().zip(pictures) {
-        let drawing = picture::of(&plan, &rows, column).map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-        target?.write(drawing.as_bytes())?;
-    }
-    let links: Vec<String> = DRAWN.iter().map(|&column| link(column, &beside(column))).collect();
-    text.write(markdown(&plan, &rows, &links, checks.as_deref()).as_bytes())?;
+    let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
+    let drawing = picture::of(&plan, &drawn, Column::Tests);
+    target.write(drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?.as_bytes())?;
+    let picture = beside.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    text.write(markdown(&plan, &runs, &rows, &picture, checks.as_deref()).as_bytes())?;
     say!("page: {}", text.name());
     Ok(())
 }
 
-fn link(column: Column, file: &Path) -> String {
-    let name = file.file_name().unwrap_or_default().to_string_lossy();
-    format!("![{}, for each agent and trainer]({name})\n", column.head())
-}
-
-fn markdown(plan: &Plan, rows: &[Row], links: &[String], checks: Option<&str>) -> String {
+fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let mut text = format!(
         "# Comparison with other agents\n\n\
-         Compares goodbot with other agents that learn from a person's words, in the paper's course of seven lessons and five tests, with \
-         {} kinds of trainers. Every number covers {} seeds ({first} to {last}). Each seed has its own homes; all agents meet the same \
+         An agent that learns from a person's words needs two things: an inference, which finds out in a lesson what is meant, and a \
+         language, which learns from that what words mean. Here each inference goes with each language. {} kinds of trainers teach them, \
+         in {} courses. Every number covers {} seeds ({first} to {last}); each seed has its own homes, and all agents meet the same \
          homes and trainers. Intervals are 95 %.\n\n\
          `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work, and `--merge` joins their parts.\n\n",
+         share the work, and `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
         plan.trainers.len(),
+        plan.courses.len(),
         plan.runs,
         plan.runs,
         if checks.is_some() { " --fit feedback.jsonl" } else { "" },
     );
     text += &format!(
         "## Limitations\n\
-         - No human took part: the trainers are simulated. The trainer `population` is fitted to recorded sessions of twelve people, with \
-         four commands only. A simulated trainer never tires and never changes its mind.\n\
-         - The course is small, and goodbot's language model was made for such commands. The other algorithms were made for other purposes \
-         and understand no commands. Both of their forms here are adaptations to this course.\n\
+         - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
+         with four commands only. A simulated trainer never tires and never changes its mind.\n\
+         - TAMER, COACH and policy shaping were made for other purposes. Here they choose among tasks, begin with what the language says, \
+         and have goodbot's exact planner. That is more than they ask for; it makes them comparable.\n\
          - A lesson ends when the agent has rested three times at the goal, when the goal becomes unreachable, or after {MOST_STEPS} \
-         steps. Real trainers leave sooner, as the trainer `leaving` does.\n\
-         - No agent is told which trainer it has. But `people` and `asking` expect trainers that were fitted to the same recorded sessions \
-         as `population`; there they know more than the other agents.\n\n\
-         ## The columns\n\
-         - *Tests right*: of five commands in a new home, without feedback. A test is right if the agent does the intended task and then \
-         rests, in at most {TEST_STEPS} steps.\n\
-         - *Words said*: how often the trainer said good bot or bad bot, or answered a question, in all seven lessons together. One answer \
-         in twenty is wrong, for every trainer.\n\
-         - *Steps a lesson*: steps until the lesson ended at the goal, or {MOST_STEPS} if it ended elsewhere. The median is over all \
-         lessons of all seeds.\n\
-         - *Wrongly certain*: the share of the twelve commands for which the agent ever gave a wrong task more than {:.0} %. An agent with \
-         \"-\" has no such probability.\n\
-         - *Gave up*: the share of lessons that ended before the goal.\n\n",
-        100.0 * CERTAIN,
+         steps. That the trainer ends it at the goal tells no agent anything.\n\
+         - `this` expects trainers that were fitted to the same recorded sessions as `population`.\n\
+         - Words of the `paper` course are taught by its templates, and three of its five tests repeat a lesson word for word in a new \
+         home.\n\n\
+         ## What is compared\n\
+         | course | description |\n|---|---|\n"
     );
-    text += "## The agents\nIn the tabular form an agent learns the good actions of each command, home and state. In the shared form it learns a weight \
-             for each pair of a word (or two neighbours, or none) and a fact of a task (its kind, the colour of the room, the colour and shape of \
-             the block). The weights score the tasks of a command, and goodbot's exact planner acts for the best one. In this form each \
-             word of the trainer judges every task: it supports the tasks that agree with the action and counts against the others. Most \
-             of the original algorithms have no such help; it makes them comparable.\n\n| agent | description | settings |\n|---|---|---|\n";
-    for agent in &plan.agents {
+    for course in &plan.courses {
+        text += &format!("| `{}` | {} |\n", course.name(), course.is());
+    }
+    text += "\nIn `told` all lessons are in one home, and all tests in another; the robot and both blocks begin in the yellow room. So the same nine tasks are possible each time, and a \
+             purple block is always a chair: no comparison of lessons tells what a word means.\n\n| agent | description | settings |\n|---|---|---|\n";
+    for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
     text += &format!(
-        "\nOne rule chose the settings of the other algorithms, on seeds {} to {} with the trainers {}: the highest share of tests right \
-         minus steps a lesson / {MOST_STEPS} (`goodbot study --tune`).\n\n",
+        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, and none. All learn from the \
+         inference's belief at the end of a lesson, all act for one task, the likeliest or one that is drawn, and go straight on where they can. `goodbot study \
+         --agents goodbot,people,asking,paper` runs goodbot as it is used. One rule chose the settings of TAMER, COACH, policy shaping and the \
+         log-linear model, on seeds {} to {} of the `paper` course with the trainers {}: the highest share of tests right minus steps a \
+         lesson / {MOST_STEPS}. They were tried as {} (`goodbot study --tune`).\n\n",
         SEEDS.start,
         SEEDS.end - 1,
         TRAINED_BY.join(", "),
+        TUNED.map(|name| format!("`{name}`")).join(", "),
     );
     let mut told: Vec<&str> = Vec::new();
     for agent in &plan.agents {
-        let (source, simpler) = agent.learns.source();
-        if !told.contains(&source) {
-            told.push(source);
-            let simpler = if simpler.is_empty() { String::new() } else { format!(" Simpler here: {simpler}") };
-            text += &format!("- {}: {source}.{simpler}\n", family(&agent.learns));
-        }
+        let Learns::Factors(inference, _) = agent.learns else { continue };
+        let Some((name, source, simpler)) = inference.source().filter(|(name, ..)| !told.contains(name)) else { continue };
+        told.push(name);
+        text += &format!("- {name}: {source}. Simpler here: {simpler}.\n");
     }
-    text += "\n## The trainers\n| trainer | what it does |\n|---|---|\n";
+    text += "\n| trainer | what it does |\n|---|---|\n";
     for trainer in &plan.trainers {
         text += &format!("| `{}` | {} |\n", trainer.name, trainer.does);
     }
-    text += "\nThe worst tenth of a population are the people whose words tell least whether an action was right (mutual information). All \
-             agents meet the same people.\n";
+    text += "\nA trainer answers questions with its own error: `mute` does not answer, `contrary` answers wrongly each time.\n";
+    text += &format!(
+        "\n## Tests right, of five\nA test is right if the agent does the intended task and then rests, in at most {TEST_STEPS} steps, \
+         without feedback. `mute`, `contrary` and `shuffled` are controls. *Due to feedback* is the difference between `balanced` and \
+         `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
+    );
+    for (at, course) in plan.courses.iter().enumerate() {
+        text += &format!("\n### Course {}\n| agent |", course.name());
+        let shown: Vec<&str> = COMPARED.into_iter().filter(|name| position(plan, name).is_some()).collect();
+        shown.iter().for_each(|name| text += &format!(" {name} |"));
+        text += &format!(" due to feedback |\n|---|{}---:|\n", "---:|".repeat(shown.len()));
+        for (agent, contestant) in plan.agents.iter().enumerate() {
+            text += &format!("| `{}` |", contestant.name);
+            for trainer in &shown {
+                text += &format!(" {} |", cell(rows, *course, trainer, contestant.name, Column::Tests));
+            }
+            text += &format!(" {} |\n", due(plan, runs, at, agent).map_or("-".to_owned(), short));
+        }
+    }
+    text += &format!(
+        "\n## All trainers, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
+         than {:.0} %. A lesson that ended before the goal counts as {MOST_STEPS} steps.\n",
+        plan.courses.first().map_or("", |course| course.name()),
+        100.0 * CERTAIN,
+    );
+    let agents: Vec<&str> = TRAINED.into_iter().filter(|name| plan.agents.iter().any(|agent| agent.name == *name)).collect();
+    for column in SHOWN {
+        text += &format!("\n| {} |", column.head());
+        agents.iter().for_each(|name| text += &format!(" {name} |"));
+        text += &format!("\n|---|{}\n", "---:|".repeat(agents.len()));
+        for trainer in &plan.trainers {
+            text += &format!("| `{}` |", trainer.name);
+            for agent in &agents {
+                text += &format!(" {} |", cell(rows, plan.courses[0], trainer.name, agent, column));
+            }
+            text += "\n";
+        }
+    }
     if let Some(checks) = checks {
         text += &format!(
-            "\n### Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions. `goodbot study --fit \
+            "\n## Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions. `goodbot study --fit \
              feedback.jsonl --runs {}`; the recorded sessions are not in this repository.\n\n{checks}",
             plan.runs
         );
-    }
-    text += "\n## Results\n";
-    for link in links {
-        text += &format!("{link}\n");
-    }
-    for group in rows.chunks(plan.agents.len()) {
-        let Some(first) = group.first() else { continue };
-        text += &format!("### Trainer {}\n", first.trainer);
-        text += "| agent |";
-        Column::ALL.iter().for_each(|column| text += &format!(" {} |", column.head()));
-        text += " median steps |\n|---|---:|---:|---:|---:|---:|---:|---:|\n";
-        for row in group {
-            text += &format!("| `{}` |", row.agent);
-            Column::ALL.iter().for_each(|&column| text += &format!(" {} |", table::mean(row.mean(column))));
-            text += &format!(" {} |\n", table::median(row));
-        }
-        text += "\n";
     }
     text.truncate(text.trim_end().len());
     text + "\n"
 }
 
-/// The name of an algorithm.
-const fn family(learns: &Learns) -> &'static str {
-    match learns {
-        Learns::Goodbot(_) => "goodbot",
-        Learns::Tamer(_) => "TAMER",
-        Learns::Coach(_) => "COACH",
-        Learns::Advise(_) => "Advise",
-        Learns::Cobot(_) => "Cobot",
-    }
+/// Whether an agent has a line of its own in the description: goodbot as it is used, and one of each inference and language.
+fn is_described(name: &str, learns: &Learns) -> bool {
+    matches!(learns, Learns::Whole(_)) || name.ends_with("+roles") || name == TUNED[3]
+}
+
+fn position(plan: &Plan, trainer: &str) -> Option<usize> {
+    plan.trainers.iter().position(|known| known.name == trainer)
+}
+
+fn cell(rows: &[Row], course: Course, trainer: &str, agent: &str, column: Column) -> String {
+    let row = rows.iter().find(|row| row.course == course && row.trainer == trainer && row.agent == agent);
+    row.map_or("-".to_owned(), |row| short(row.mean(column)))
+}
+
+/// A mean with half of its interval, in little room.
+fn short(Mean { mean, half }: Mean) -> String {
+    if mean.abs() < 10.0 { format!("{mean:.2}±{half:.2}") } else { format!("{mean:.1}±{half:.1}") }
+}
+
+/// How many more tests are right with the balanced trainer than with the one who never speaks, seed by seed.
+fn due(plan: &Plan, runs: &[Run], course: usize, agent: usize) -> Option<Mean> {
+    let (taught, alone) = (position(plan, COMPARED[0])?, position(plan, COMPARED[2])?);
+    let right = |trainer: usize| {
+        let own = runs.iter().filter(move |run| run.course == course && run.trainer == trainer && run.agent == agent);
+        own.map(|run| run.outcome.tests_right() as f64)
+    };
+    // Both have the seeds in the same order.
+    Some(Mean::of(right(taught).zip(right(alone)).map(|(taught, alone)| taught - alone)))
 }

@@ -1,7 +1,8 @@
 //! All runs: each agent with each trainer on each seed, as many at a time as the machine has cores.
 
 use super::plan::Plan;
-use crate::study::trial::{Outcome, homes, run};
+use crate::study::course::Course;
+use crate::study::trial::{Outcome, Places, run};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use rayon::prelude::*;
@@ -11,6 +12,8 @@ use rayon::prelude::*;
 pub struct Run {
     /// The seed.
     pub seed: u64,
+    /// The course, by its position in the plan.
+    pub course: usize,
     /// The trainer, by its position in the plan.
     pub trainer: usize,
     /// The agent, by its position in the plan.
@@ -19,23 +22,27 @@ pub struct Run {
     pub outcome: Outcome,
 }
 
-/// All runs of the plan's part, by seed, then trainer, then agent.
+/// All runs of the plan's part, by seed, then course, then trainer, then agent.
 ///
 /// # Errors
 /// [`Failure::Result`] where a run failed.
 pub fn run_all(plan: &Plan) -> Result<Vec<Run>, Failure> {
     let seeds: Vec<u64> = plan.own_seeds().collect();
-    let each = plan.trainers.len() * plan.agents.len();
+    let taught = plan.taught();
+    let each = taught.len() * plan.agents.len();
     let bar = bar(seeds.len() * each, "training agents");
     let of_seed = |&seed: &u64| -> Result<Vec<Run>, Failure> {
-        let homes = homes(seed);
+        let failed = |who: &str, error| Failure::Result(format!("seed {seed}, {who}: {error}"));
+        let places = |course: &Course| Places::new(*course, seed).map_err(|error| failed(course.name(), error));
+        let mut places = plan.courses.iter().map(places).collect::<Result<Vec<_>, _>>()?;
         let mut runs = Vec::with_capacity(each);
-        for (trainer, teaches) in plan.trainers.iter().enumerate() {
+        for &(course, trainer) in &taught {
+            let teaches = plan.trainers[trainer];
             let habits = teaches.habits(&plan.population, seed);
             for (agent, contestant) in plan.agents.iter().enumerate() {
-                let failed = |error| Failure::Result(format!("seed {seed}, {} with {}: {error}", contestant.name, teaches.name));
-                let outcome = run(&contestant.learns, habits, &homes, seed).map_err(failed)?;
-                runs.push(Run { seed, trainer, agent, outcome });
+                let outcome = run(&contestant.learns, habits, &mut places[course], seed);
+                let outcome = outcome.map_err(|error| failed(&format!("{} with {}", contestant.name, teaches.name), error))?;
+                runs.push(Run { seed, course, trainer, agent, outcome });
                 bar.inc(1);
             }
         }

@@ -1,30 +1,28 @@
-//! One agent with one trainer: seven lessons, each learned from, then five tests.
+//! One agent with one trainer: lessons, each learned from, then tests.
 //!
 //! What happens by chance comes from four generators of the seed: the homes, who the trainer is, what the trainer says, and how the agent
 //! draws. So all agents meet the same homes and the same people.
 
 use crate::study::agent::{Learner, Learns, Now};
-use crate::study::place::{CAPACITIES, Place, Umpire};
+use crate::study::course::Course;
+use crate::study::place::Place;
 use crate::study::trainer::habits::{Habits, Listening};
 use goodbot::AgentError;
 use goodbot::asking::{Answer, Question};
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
-use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{Action, ActionSet, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::random::{below, unit};
-use goodbot_course::{CourseError, Homes, LESSONS, TESTS, generator};
+use goodbot_course::{CourseError, generator};
 use rand_pcg::Pcg32;
 
 /// The lesson ends after so many steps of doing nothing in a row at the goal that is meant.
 pub const RESTS: u8 = 3;
 /// The trainer gives a lesson up after so many steps.
-pub const MOST_STEPS: u16 = 600;
+pub const MOST_STEPS: u16 = 150;
 /// A test ends after so many steps.
 pub const TEST_STEPS: u16 = 100;
-/// How often the trainer answers a question wrongly, whoever it is.
-pub const WRONG_ANSWERS: f32 = 0.05;
 /// An agent that is surer than this is certain.
 pub const CERTAIN: f32 = 0.95;
 
@@ -67,16 +65,8 @@ pub struct LessonOutcome {
     pub words: u16,
     /// How many questions it answered.
     pub answers: u16,
-    /// Whether the agent was at some time certain of a wrong task; `None` for an agent that has no such probability.
-    pub wrongly_certain: Option<bool>,
-}
-
-impl LessonOutcome {
-    const NONE: Self = Self { ending: Ending::TooLong, steps: 0, words: 0, answers: 0, wrongly_certain: None };
-}
-
-impl TestOutcome {
-    const NONE: Self = Self { right: false, wrongly_certain: None };
+    /// Whether the agent was at some time certain of a wrong task.
+    pub wrongly_certain: bool,
 }
 
 /// What a test came to.
@@ -84,26 +74,28 @@ impl TestOutcome {
 pub struct TestOutcome {
     /// Whether the agent did what was meant, and then rested.
     pub right: bool,
-    /// Whether it was certain of a wrong task on hearing the command; `None` for an agent that has no such probability.
-    pub wrongly_certain: Option<bool>,
+    /// Whether it was certain of a wrong task on hearing the command.
+    pub wrongly_certain: bool,
 }
 
 /// What one agent came to with one trainer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// The lessons.
-    pub lessons: [LessonOutcome; LESSONS.len()],
+    pub lessons: Vec<LessonOutcome>,
     /// The tests.
-    pub tests: [TestOutcome; TESTS.len()],
+    pub tests: Vec<TestOutcome>,
 }
 
 impl Outcome {
-    /// Nothing was done yet.
-    pub const NONE: Self = Self { lessons: [LessonOutcome::NONE; LESSONS.len()], tests: [TestOutcome::NONE; TESTS.len()] };
-
     /// How many tests were right.
     pub fn tests_right(&self) -> usize {
         self.tests.iter().filter(|test| test.right).count()
+    }
+
+    /// The steps of each lesson; one that did not end at the goal counts as all that were allowed.
+    pub fn steps(&self) -> impl Iterator<Item = u16> + '_ {
+        self.lessons.iter().map(|lesson| if lesson.ending == Ending::Goal { lesson.steps } else { MOST_STEPS })
     }
 }
 
@@ -119,31 +111,35 @@ fn chance(seed: u64, purpose: Chance) -> Pcg32 {
     generator(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(purpose as u64))
 }
 
-/// The homes of a seed.
-pub fn homes(seed: u64) -> Homes {
-    Homes::random(&mut generator(seed), &mut HomeHeap::new(&CAPACITIES))
+/// The homes and commands of a seed, with all plans that were made in them: every agent meets the same.
+#[derive(Debug)]
+pub struct Places {
+    lessons: Vec<Place>,
+    tests: Vec<Place>,
 }
 
-/// Takes an agent through the course in these homes, with a trainer of these habits.
+impl Places {
+    /// Those of a course.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    pub fn new(course: Course, seed: u64) -> Result<Self, CourseError> {
+        let [lessons, tests] = course.exercises(seed)?;
+        Ok(Self { lessons: Place::all(&lessons)?, tests: Place::all(&tests)? })
+    }
+}
+
+/// Takes an agent through a course, with a trainer of these habits.
 ///
 /// # Errors
 /// [`CourseError`].
-pub fn run(learns: &Learns, habits: Habits, homes: &Homes, seed: u64) -> Result<Outcome, CourseError> {
-    let mut memory = HomeHeap::new(&CAPACITIES);
+pub fn run(learns: &Learns, habits: Habits, places: &mut Places, seed: u64) -> Result<Outcome, CourseError> {
     let mut words = chance(seed, Chance::Words);
     let mut learner = learns.begin(chance(seed, Chance::Agent))?;
-    let mut umpire = Umpire::new()?;
-    let mut outcome = Outcome::NONE;
-    for (exercise, outcome) in LESSONS.iter().zip(&mut outcome.lessons) {
-        let (home, start) = homes.layout(exercise.home).build(&mut memory)?;
-        let mut place = Place::new(home, start, exercise, &mut umpire)?;
-        *outcome = lesson(&mut *learner, &mut place, Listening::new(habits), &mut words)?;
-    }
-    for (exercise, outcome) in TESTS.iter().zip(&mut outcome.tests) {
-        let (home, start) = homes.layout(exercise.home).build(&mut memory)?;
-        *outcome = test(&mut *learner, &mut Place::new(home, start, exercise, &mut umpire)?)?;
-    }
-    Ok(outcome)
+    let mut lesson = |place| lesson(&mut *learner, place, habits, &mut words);
+    let lessons = places.lessons.iter_mut().map(&mut lesson).collect::<Result<_, _>>()?;
+    let tests = places.tests.iter_mut().map(|place| test(&mut *learner, place)).collect::<Result<_, _>>()?;
+    Ok(Outcome { lessons, tests })
 }
 
 /// What is right for the task that is meant, and where an action leads.
@@ -154,12 +150,7 @@ struct Step {
 }
 
 /// Lets the agent act; `None` where what is meant cannot be done any more.
-fn act(
-    learner: &mut dyn Learner,
-    place: &mut Place<'_, '_>,
-    state: &HomeState,
-    is_test: bool,
-) -> Result<Option<(Action, Step)>, CourseError> {
+fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test: bool) -> Result<Option<(Action, Step)>, CourseError> {
     let outlook = place.outlook(state)?;
     let meant = outlook.optimal[place.intended];
     if matches!(meant, OptimalSet::DeadEnd(_)) {
@@ -172,21 +163,23 @@ fn act(
     Ok(Some((action, Step { correct: right.contains(action), at_goal: meant == OptimalSet::Goal, next })))
 }
 
-/// Lets the agent ask until it has no question left. Gives how many were answered.
-fn ask(learner: &mut dyn Learner, place: &mut Place<'_, '_>, state: &HomeState, random: &mut Pcg32) -> Result<u16, CourseError> {
+/// Lets the agent ask until it has no question left. Gives how many were answered: each with the trainer's own error, and none by a
+/// trainer who never speaks.
+fn ask(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, habits: &Habits, random: &mut Pcg32) -> Result<u16, CourseError> {
+    let Some(mistaken) = habits.mistaken() else { return Ok(0) };
     let outlook = place.outlook(state)?;
     let now = Now { place, state, outlook: &outlook, is_test: false };
     let mut answers = 0;
     while let Some(question) = learner.asks(&now)? {
-        learner.answered(answer(&question, place.intended, random))?;
+        learner.answered(answer(&question, place.intended, mistaken, random))?;
         answers += 1;
     }
     Ok(answers)
 }
 
 /// What the trainer answers.
-fn answer(question: &Question, intended: usize, random: &mut Pcg32) -> Answer {
-    let is_wrong = unit(random) < WRONG_ANSWERS;
+fn answer(question: &Question, intended: usize, mistaken: f32, random: &mut Pcg32) -> Answer {
+    let is_wrong = unit(random) < mistaken;
     let others = usize::from(question.subject.choices());
     if others == 0 {
         return if question.yes.contains(intended) != is_wrong { Answer::Yes } else { Answer::No };
@@ -198,16 +191,12 @@ fn answer(question: &Question, intended: usize, random: &mut Pcg32) -> Answer {
 }
 
 /// Whether the agent is certain of a wrong task.
-fn is_wrongly_certain(learner: &dyn Learner, place: &Place<'_, '_>) -> Option<bool> {
-    learner.belief().map(|(task, probability)| task != place.intended && probability > CERTAIN)
+fn is_wrongly_certain(learner: &dyn Learner, place: &Place) -> bool {
+    learner.belief().iter().enumerate().any(|(task, &probability)| task != place.intended && probability > CERTAIN)
 }
 
-fn lesson(
-    learner: &mut dyn Learner,
-    place: &mut Place<'_, '_>,
-    mut trainer: Listening,
-    random: &mut Pcg32,
-) -> Result<LessonOutcome, CourseError> {
+fn lesson(learner: &mut dyn Learner, place: &mut Place, habits: Habits, random: &mut Pcg32) -> Result<LessonOutcome, CourseError> {
+    let mut trainer = Listening::new(habits);
     learner.hear(place)?;
     let mut state = place.start;
     let (mut rests, mut steps, mut words, mut answers) = (0, 0, 0, 0);
@@ -216,13 +205,13 @@ fn lesson(
         if steps >= MOST_STEPS {
             break Ending::TooLong;
         }
-        answers += ask(learner, place, &state, random)?;
+        answers += ask(learner, place, &state, &habits, random)?;
         let Some((action, step)) = act(learner, place, &state, false)? else { break Ending::DeadEnd };
         let word = trainer.says(step.correct, random);
         learner.told(word)?;
         steps += 1;
         words += u16::from(word != Feedback::Neutral);
-        wrongly_certain = wrongly_certain.zip(is_wrongly_certain(learner, place)).map(|(before, now)| before || now);
+        wrongly_certain = wrongly_certain || is_wrongly_certain(learner, place);
         rests = if step.at_goal && action == Action::NOOP { rests + 1 } else { 0 };
         if rests == RESTS {
             break Ending::Goal;
@@ -236,7 +225,7 @@ fn lesson(
     Ok(LessonOutcome { ending, steps, words: words + answers, answers, wrongly_certain })
 }
 
-fn test(learner: &mut dyn Learner, place: &mut Place<'_, '_>) -> Result<TestOutcome, CourseError> {
+fn test(learner: &mut dyn Learner, place: &mut Place) -> Result<TestOutcome, CourseError> {
     learner.hear(place)?;
     let wrongly_certain = is_wrongly_certain(learner, place);
     let mut state = place.start;
@@ -247,6 +236,5 @@ fn test(learner: &mut dyn Learner, place: &mut Place<'_, '_>) -> Result<TestOutc
         state = step.next;
         steps += 1;
     }
-    learner.forget();
     Ok(TestOutcome { right: rests == RESTS, wrongly_certain })
 }

@@ -1,37 +1,43 @@
 //! How the settings of the others were chosen: by one rule for all, on seeds that are not reported.
 //!
-//! Each setting of a grid goes through the course with four trainers on [`SEEDS`]. The one with the highest [`score`] is taken: the share of
+//! Each setting of a grid goes through the paper's course with four trainers on [`SEEDS`]. The one with the highest of the [`scores`] is taken: the share of
 //! tests that are right, less the share of the allowed steps that a lesson takes.
 
 use crate::study::agent::Learns;
+use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
-use crate::study::trial::{Ending, MOST_STEPS, homes, run};
+use crate::study::trial::{MOST_STEPS, Places, run};
 use goodbot_course::CourseError;
+use rayon::prelude::*;
 use std::ops::Range;
 
 /// The seeds: far from those that are reported.
 pub const SEEDS: Range<u64> = 9_000_000..9_000_016;
 /// The trainers.
 pub const TRAINED_BY: [&str; 4] = ["balanced", "punish-only", "reward-only", "population"];
+/// The agents whose settings were chosen: an inference with the role model, and the language with SABL. The other agents take these.
+pub const TUNED: [&str; 4] = ["tamer+roles", "coach+roles", "shaping+roles", "sabl+loglinear"];
 
-/// How well a setting does, from -1 to 1.
+/// How well each of some settings does, from -1 to 1.
 ///
 /// # Errors
 /// [`CourseError`].
-pub fn score(learns: &Learns) -> Result<f64, CourseError> {
+pub fn scores(grid: &[Learns]) -> Result<Vec<f64>, CourseError> {
     let population = Population::fitted();
-    let trainers = || TRAINERS.iter().filter(|trainer| TRAINED_BY.contains(&trainer.name));
-    let (mut sum, mut count) = (0.0, 0.0);
-    for seed in SEEDS {
-        let homes = homes(seed);
-        for trainer in trainers() {
-            let outcome = run(learns, trainer.habits(&population, seed), &homes, seed)?;
-            let steps = outcome.lessons.iter().map(|lesson| if lesson.ending == Ending::Goal { lesson.steps } else { MOST_STEPS });
-            let steps: f64 = steps.map(f64::from).sum::<f64>() / outcome.lessons.len() as f64;
-            sum += outcome.tests_right() as f64 / outcome.tests.len() as f64 - steps / f64::from(MOST_STEPS);
-            count += 1.0;
+    let of_seed = |seed: u64| -> Result<Vec<f64>, CourseError> {
+        let mut places = Places::new(Course::Paper, seed)?;
+        let mut scores = vec![0.0; grid.len()];
+        for (learns, score) in grid.iter().zip(&mut scores) {
+            for trainer in TRAINERS.iter().filter(|trainer| TRAINED_BY.contains(&trainer.name)) {
+                let outcome = run(learns, trainer.habits(&population, seed), &mut places, seed)?;
+                let steps = outcome.steps().map(f64::from).sum::<f64>() / outcome.lessons.len() as f64;
+                *score += outcome.tests_right() as f64 / outcome.tests.len() as f64 - steps / f64::from(MOST_STEPS);
+            }
         }
-    }
-    Ok(sum / count)
+        Ok(scores)
+    };
+    let seeds = SEEDS.into_par_iter().map(of_seed).collect::<Result<Vec<_>, _>>()?;
+    let count = (seeds.len() * TRAINED_BY.len()) as f64;
+    Ok((0..grid.len()).map(|at| seeds.iter().map(|scores| scores[at]).sum::<f64>() / count).collect())
 }

@@ -1,33 +1,30 @@
-//! Who learns.
-//!
-//! - [`goodbot`]: this project's agent;
-//! - [`tamer`], [`coach`], [`advise`], [`cobot`]: others that learn from a person's words, as people would build them for this course;
-//! - [`choices`]: what these choose from, and the weights that they learn;
-//! - [`pick`]: how they pick by a score.
+//! Who learns: an [`inference`], which turns what the trainer says in a lesson into a belief of what is meant, and a [`language`], which
+//! learns from that belief what words mean. Each inference goes with each language. [`whole`] has goodbot as it is used.
 
-pub mod advise;
-pub mod choices;
-pub mod coach;
-pub mod cobot;
-pub mod goodbot;
+pub mod inference;
+pub mod language;
 pub mod pick;
-pub mod tamer;
+pub mod whole;
 
 use crate::study::place::{Outlook, Place};
-use ::goodbot::asking::{Answer, Question};
-use ::goodbot::feedback::Feedback;
-use ::goodbot::home::HomeState;
-use ::goodbot::oomdp::Action;
-use choices::Form;
+use goodbot::asking::{Answer, Question};
+use goodbot::feedback::Feedback;
+use goodbot::home::HomeState;
+use goodbot::oomdp::Action;
 use goodbot_course::CourseError;
+use inference::{Infer, Inference, coach, shaping, tamer};
+use language::{Language, Speak, loglinear};
 use rand_pcg::Pcg32;
 use std::fmt;
 
+/// No task is held for less likely than this when a command is heard: feedback can still bring it back.
+const LEAST: f32 = 1e-6;
+
 /// The state that an agent must act in.
 #[derive(Clone, Copy, Debug)]
-pub struct Now<'p, 'm, 'u> {
+pub struct Now<'p> {
     /// The command, and where it was given.
-    pub place: &'p Place<'m, 'u>,
+    pub place: &'p Place,
     /// Where things stand.
     pub state: &'p HomeState,
     /// What is right here for each task. What is right for the one that is meant, it must not ask.
@@ -42,13 +39,13 @@ pub trait Learner {
     ///
     /// # Errors
     /// [`CourseError`].
-    fn hear(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError>;
+    fn hear(&mut self, place: &Place) -> Result<(), CourseError>;
 
     /// Decides what to do.
     ///
     /// # Errors
     /// [`CourseError`].
-    fn act(&mut self, now: &Now<'_, '_, '_>) -> Result<Action, CourseError>;
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError>;
 
     /// Hears what the trainer says, if anything, after the action.
     ///
@@ -60,7 +57,7 @@ pub trait Learner {
     ///
     /// # Errors
     /// [`CourseError`].
-    fn asks(&mut self, _now: &Now<'_, '_, '_>) -> Result<Option<Question>, CourseError> {
+    fn asks(&mut self, _now: &Now<'_>) -> Result<Option<Question>, CourseError> {
         Ok(None)
     }
 
@@ -72,32 +69,23 @@ pub trait Learner {
         Ok(())
     }
 
-    /// The most likely task, and how sure the agent is of it; `None` for one that has no such probability.
-    fn belief(&self) -> Option<(usize, f32)>;
+    /// How probable it holds each task.
+    fn belief(&self) -> Vec<f32>;
 
-    /// The lesson is over.
+    /// The lesson is over, and is learned from.
     ///
     /// # Errors
     /// [`CourseError`].
-    fn finish(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError>;
-
-    /// The test is over: nothing is learned from it.
-    fn forget(&mut self);
+    fn finish(&mut self, place: &Place) -> Result<(), CourseError>;
 }
 
-/// Which algorithm, with its settings.
+/// How an agent learns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Learns {
-    /// This project's agent.
-    Goodbot(goodbot::Settings),
-    /// TAMER.
-    Tamer(tamer::Settings),
-    /// COACH.
-    Coach(coach::Settings),
-    /// Advise.
-    Advise(advise::Settings),
-    /// A learner like Cobot.
-    Cobot(cobot::Settings),
+    /// goodbot as it is used.
+    Whole(whole::Settings),
+    /// An inference and a language.
+    Factors(Inference, Language),
 }
 
 impl Learns {
@@ -107,24 +95,21 @@ impl Learns {
     /// [`CourseError::Agent`] where it cannot be made.
     pub fn begin(&self, random: Pcg32) -> Result<Box<dyn Learner>, CourseError> {
         Ok(match *self {
-            Self::Goodbot(settings) => Box::new(goodbot::Goodbot::new(settings, random)?),
-            Self::Tamer(settings) => Box::new(tamer::Tamer::new(settings, random)),
-            Self::Coach(settings) => Box::new(coach::Coach::new(settings, random)),
-            Self::Advise(settings) => Box::new(advise::Advise::new(settings, random)),
-            Self::Cobot(settings) => Box::new(cobot::Cobot::new(settings, random)),
+            Self::Whole(settings) => Box::new(whole::Goodbot::new(settings, random)?),
+            Self::Factors(inference, language) => Box::new(Factors { infers: inference.begin(random)?, speaks: language.begin()? }),
         })
     }
-}
 
-impl Learns {
-    /// Whose idea it is, and in what it is simpler here.
-    pub const fn source(&self) -> (&'static str, &'static str) {
-        match self {
-            Self::Goodbot(_) => (goodbot::SOURCE, ""),
-            Self::Tamer(_) => (tamer::SOURCE, tamer::SIMPLER),
-            Self::Coach(_) => (coach::SOURCE, coach::SIMPLER),
-            Self::Advise(_) => (advise::SOURCE, advise::SIMPLER),
-            Self::Cobot(_) => (cobot::SOURCE, cobot::SIMPLER),
+    /// All settings that are tried for this inference, or for this language, itself included; none where there is nothing to choose.
+    pub fn grid(&self) -> Vec<Self> {
+        match *self {
+            Self::Whole(_) => Vec::new(),
+            Self::Factors(inference, Language::LogLinear(_)) => {
+                loglinear::grid().into_iter().map(|settings| Self::Factors(inference, Language::LogLinear(settings))).collect()
+            }
+            Self::Factors(inference, language) => {
+                inference.grid().into_iter().map(|inference| Self::Factors(inference, language)).collect()
+            }
         }
     }
 }
@@ -132,12 +117,40 @@ impl Learns {
 impl fmt::Display for Learns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Goodbot(settings) => settings.fmt(f),
-            Self::Tamer(settings) => settings.fmt(f),
-            Self::Coach(settings) => settings.fmt(f),
-            Self::Advise(settings) => settings.fmt(f),
-            Self::Cobot(settings) => settings.fmt(f),
+            Self::Whole(settings) => settings.fmt(f),
+            Self::Factors(inference, language) => write!(f, "{inference}; {language}"),
         }
+    }
+}
+
+/// An inference and a language together.
+struct Factors {
+    infers: Box<dyn Infer>,
+    speaks: Box<dyn Speak>,
+}
+
+impl Learner for Factors {
+    fn hear(&mut self, place: &Place) -> Result<(), CourseError> {
+        let mut prior = self.speaks.hear(place)?;
+        let whole: f32 = prior.iter().map(|share| share.max(LEAST)).sum();
+        prior.iter_mut().for_each(|share| *share = share.max(LEAST) / whole);
+        self.infers.begin(place, &prior)
+    }
+
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+        self.infers.act(now)
+    }
+
+    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+        self.infers.told(word)
+    }
+
+    fn belief(&self) -> Vec<f32> {
+        self.infers.belief()
+    }
+
+    fn finish(&mut self, place: &Place) -> Result<(), CourseError> {
+        self.speaks.learn(place, &self.infers.belief())
     }
 }
 
@@ -152,33 +165,32 @@ pub struct Contestant {
     pub learns: Learns,
 }
 
-impl Learns {
-    /// All settings that are tried for this algorithm in this form, itself included; none for goodbot, which is as it is.
-    pub fn grid(&self) -> Vec<Self> {
-        let forms = |form: Form| if form == Form::Tabular { &Form::TABLES[..] } else { &Form::SHARED[..] };
-        match self {
-            Self::Goodbot(_) => Vec::new(),
-            Self::Tamer(settings) => tamer::grid(forms(settings.form)).into_iter().map(Self::Tamer).collect(),
-            Self::Coach(settings) => coach::grid(forms(settings.form)).into_iter().map(Self::Coach).collect(),
-            Self::Advise(settings) => advise::grid(forms(settings.form)).into_iter().map(Self::Advise).collect(),
-            Self::Cobot(settings) => cobot::grid(forms(settings.form)).into_iter().map(Self::Cobot).collect(),
-        }
-    }
+macro_rules! agents {
+    (whole: $($whole:literal $is:literal $settings:expr,)* factors: $($name:literal $what:literal $inference:expr,)*) => {
+        &[
+            $(Contestant { name: $whole, is: $is, learns: Learns::Whole($settings) },)*
+            $(
+                Contestant { name: concat!($name, "+roles"), is: concat!($what, "; the role model"), learns: Learns::Factors($inference, Language::Roles) },
+                Contestant { name: concat!($name, "+model2"), is: concat!($what, "; Model 2"), learns: Learns::Factors($inference, Language::ModelTwo) },
+                Contestant { name: concat!($name, "+loglinear"), is: concat!($what, "; log-linear"), learns: Learns::Factors($inference, Language::LogLinear(loglinear::CHOSEN)) },
+                Contestant { name: concat!($name, "+none"), is: concat!($what, "; no language"), learns: Learns::Factors($inference, Language::Nothing) },
+            )*
+        ]
+    };
 }
 
 /// All agents, in the order of the tables.
-pub const AGENTS: [Contestant; 13] = [
-    Contestant { name: "goodbot", is: "goodbot as it comes", learns: Learns::Goodbot(goodbot::DEFAULT) },
-    Contestant { name: "any-action", is: "goodbot that takes any action that leads on", learns: Learns::Goodbot(goodbot::ANY_ACTION) },
-    Contestant { name: "people", is: "goodbot that expects trainers as people are", learns: Learns::Goodbot(goodbot::PEOPLE) },
-    Contestant { name: "asking", is: "goodbot that expects people, and asks", learns: Learns::Goodbot(goodbot::ASKING) },
-    Contestant { name: "paper", is: "goodbot with the paper's settings: SABL and IBM Model 2", learns: Learns::Goodbot(goodbot::PAPER) },
-    Contestant { name: "tamer-table", is: "TAMER, a table for each command", learns: Learns::Tamer(tamer::TABULAR) },
-    Contestant { name: "coach-table", is: "COACH, a table for each command", learns: Learns::Coach(coach::TABULAR) },
-    Contestant { name: "advise-table", is: "Advise, a table for each command", learns: Learns::Advise(advise::TABULAR) },
-    Contestant { name: "cobot-table", is: "like Cobot, a table for each command", learns: Learns::Cobot(cobot::TABULAR) },
-    Contestant { name: "tamer-shared", is: "TAMER over words and facts, with a planner", learns: Learns::Tamer(tamer::SHARED) },
-    Contestant { name: "coach-shared", is: "COACH over words and facts, with a planner", learns: Learns::Coach(coach::SHARED) },
-    Contestant { name: "advise-shared", is: "Advise over words and facts, with a planner", learns: Learns::Advise(advise::SHARED) },
-    Contestant { name: "cobot-shared", is: "like Cobot over words and facts, with a planner", learns: Learns::Cobot(cobot::SHARED) },
-];
+pub const AGENTS: &[Contestant] = agents! {
+    whole:
+    "goodbot" "goodbot as it comes" whole::DEFAULT,
+    "people" "goodbot that expects people" whole::PEOPLE,
+    "asking" "goodbot that expects people, and asks" whole::ASKING,
+    "paper" "goodbot with the paper's settings" whole::PAPER,
+    factors:
+    "this" "goodbot's inference, which expects people" Inference::This,
+    "sabl" "SABL, which expects a balanced trainer" Inference::Sabl,
+    "tamer" "TAMER" Inference::Tamer(tamer::CHOSEN),
+    "coach" "COACH" Inference::Coach(coach::CHOSEN),
+    "shaping" "policy shaping" Inference::Shaping(shaping::CHOSEN),
+    "none" "no inference" Inference::Nothing,
+};

@@ -34,12 +34,11 @@ impl Habits {
         Self { right: after(true), wrong: after(false), late: [1.0, 0.0, 0.0], leaves: [0.0; 2] }
     }
 
-    /// How much a word or a silence of this trainer tells whether an action was right, in bits, if as many are right as wrong.
-    pub fn information(&self) -> f64 {
-        let all = |[reward, punish]: [f32; 2]| [f64::from(reward), f64::from(punish), 1.0 - f64::from(reward) - f64::from(punish)];
-        let (right, wrong) = (all(self.right), all(self.wrong));
-        let bits = |share: f64, mean: f64| if share > 0.0 { 0.5 * share * (share / mean).log2() } else { 0.0 };
-        right.into_iter().zip(wrong).map(|(r, w)| bits(r, f64::midpoint(r, w)) + bits(w, f64::midpoint(r, w))).sum()
+    /// The share of its words that are mistaken, where as many actions are right as wrong; `None` if it never speaks.
+    pub fn mistaken(&self) -> Option<f32> {
+        let ([praise, blame], [spared, blamed]) = (self.right, self.wrong);
+        let whole = praise + blame + spared + blamed;
+        (whole > 0.0).then(|| (blame + spared) / whole)
     }
 }
 
@@ -114,15 +113,10 @@ mod tests {
     }
 
     #[test]
-    fn the_more_a_trainer_is_mistaken_the_less_its_words_tell() {
-        let habits = |mistaken| Habits {
-            right: [1.0 - mistaken, mistaken],
-            wrong: [mistaken, 1.0 - mistaken],
-            late: [1.0, 0.0, 0.0],
-            leaves: [0.0; 2],
-        };
-        assert!((habits(0.0).information() - 1.0).abs() < 1e-9);
-        assert!(habits(0.1).information() > habits(0.3).information());
-        assert!(habits(0.5).information().abs() < 1e-9);
+    fn a_trainer_answers_with_its_own_error_and_one_who_never_speaks_does_not_answer() {
+        assert_eq!(Habits::MUTE.mistaken(), None);
+        let near = |habits: Habits, error: f32| (habits.mistaken().expect("words") - error).abs() < 1e-6;
+        assert!(near(Habits::of(CourseTrainer::BALANCED), 0.1));
+        assert!(near(Habits::of(CourseTrainer::PUNISH_ONLY), 0.1));
     }
 }

@@ -39,7 +39,7 @@ pub enum Who {
 }
 
 /// All trainers, in the order of the tables.
-pub const TRAINERS: [Trainer; 10] = [
+pub const TRAINERS: [Trainer; 12] = [
     Trainer {
         name: "balanced",
         does: "is silent seven times out of ten, and takes right for wrong or wrong for right one time in ten",
@@ -70,6 +70,8 @@ pub const TRAINERS: [Trainer; 10] = [
         does: "is the same person, and leaves a lesson as often as real ones did",
         who: Who::Population { leaves: true },
     },
+    Trainer { name: "contrary", does: "speaks as often as balanced, and says the wrong word each time", who: Who::Even(0.7, 1.0) },
+    Trainer { name: "shuffled", does: "speaks as often as balanced, and a coin decides between good and bad", who: Who::Even(0.7, 0.5) },
 ];
 
 impl Trainer {

@@ -1,4 +1,4 @@
-//! This project's agent. It is not told which trainer it has: it expects the paper's balanced one, or people as they are.
+//! goodbot as it is used. It is not told which trainer it has: it expects the paper's balanced one, or people as they are.
 
 use super::{Learner, Now};
 use crate::study::place::{CAPACITIES, Place};
@@ -11,9 +11,6 @@ use goodbot::{Agent, Capacities, Options};
 use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 use std::fmt;
-
-/// Whose idea it is.
-pub const SOURCE: &str = "J. MacGlashan, M. L. Littman, R. Loftin, B. Peng, D. L. Roberts and M. E. Taylor (2014), Training an agent to ground commands with reward and punishment, AAAI workshop on machine learning for interactive systems";
 
 /// How it understands, whom it expects, and whether it asks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,8 +25,6 @@ pub struct Settings {
 
 /// As it comes.
 pub const DEFAULT: Settings = Settings { options: Options::DEFAULT, people: false, asking: Asking::NEVER };
-/// As it comes, but of the actions that lead on it takes any.
-pub const ANY_ACTION: Settings = Settings { options: Options { telling: false, ..Options::DEFAULT }, ..DEFAULT };
 /// It expects people as they are.
 pub const PEOPLE: Settings = Settings { options: Options::DEFAULT.for_people(), people: true, ..DEFAULT };
 /// It expects people, and asks.
@@ -45,8 +40,9 @@ impl fmt::Display for Settings {
     }
 }
 
-/// Room for what is expected of people.
-const ROOM: Capacities = Capacities { strategies: 16, beliefs: 256, ..CAPACITIES };
+/// Room for what is expected of people, and for the words of all courses.
+pub const ROOM: Capacities = TWICE.plus(TWICE).plus(Capacities { strategies: 16, beliefs: 256, ..Capacities::NONE });
+const TWICE: Capacities = CAPACITIES.plus(CAPACITIES);
 
 /// The agent, with a generator for ties.
 #[derive(Debug)]
@@ -72,11 +68,11 @@ impl Goodbot {
 }
 
 impl Learner for Goodbot {
-    fn hear(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError> {
-        Ok(self.agent.hear(&place.home, &place.start, place.exercise.command)?)
+    fn hear(&mut self, place: &Place) -> Result<(), CourseError> {
+        Ok(self.agent.hear(&place.home, &place.start, &place.command)?)
     }
 
-    fn act(&mut self, now: &Now<'_, '_, '_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
         let home = &now.place.home;
         self.agent.plan_fully(home, now.state)?;
         let action = self.agent.decide_by(home, now.state, &mut self.random)?.action;
@@ -89,7 +85,7 @@ impl Learner for Goodbot {
         Ok(())
     }
 
-    fn asks(&mut self, now: &Now<'_, '_, '_>) -> Result<Option<Question>, CourseError> {
+    fn asks(&mut self, now: &Now<'_>) -> Result<Option<Question>, CourseError> {
         self.agent.plan_fully(&now.place.home, now.state)?;
         Ok(self.agent.question(&now.place.home, now.state, &self.asking)?)
     }
@@ -99,18 +95,13 @@ impl Learner for Goodbot {
         Ok(())
     }
 
-    fn belief(&self) -> Option<(usize, f32)> {
-        let task = self.agent.most_likely()?;
-        Some((task, self.agent.belief().probability(task)))
+    fn belief(&self) -> Vec<f32> {
+        (0..self.agent.tasks().len()).map(|task| self.agent.belief().probability(task)).collect()
     }
 
-    fn finish(&mut self, place: &Place<'_, '_>) -> Result<(), CourseError> {
+    fn finish(&mut self, place: &Place) -> Result<(), CourseError> {
         let _ = self.agent.finish(&place.home)?;
         self.agent.learn_fully();
         Ok(())
-    }
-
-    fn forget(&mut self) {
-        self.agent.forget();
     }
 }

@@ -1,0 +1,101 @@
+//! COACH: a policy that a person's words move; a word says how much better an action was than what the policy does on average.
+//!
+//! Here the policy is a softmax over tasks, and the probability of an action is that of the tasks that would take it: the gradient reaches
+//! every task, and not only the one that was followed.
+
+use super::{Infer, Now, Tasks, label};
+use crate::study::agent::pick;
+use crate::study::place::Place;
+use goodbot::feedback::Feedback;
+use goodbot::oomdp::Action;
+use goodbot_course::CourseError;
+use std::fmt;
+
+/// Whose idea it is.
+pub const SOURCE: &str = "J. MacGlashan, M. K. Ho, R. Loftin, B. Peng, G. Wang, D. L. Roberts, M. E. Taylor and M. L. Littman (2017), Interactive learning from policy-dependent human feedback, ICML";
+/// In what this is simpler.
+pub const SIMPLER: &str = "there is one eligibility trace and no delay of reaction";
+
+/// How COACH learns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The step size.
+    pub rate: f32,
+    /// How much of the trace is left after a step.
+    pub trace: f32,
+    /// Whether it does what its policy holds best, instead of drawing.
+    pub best: bool,
+}
+
+/// The settings that were chosen.
+pub const CHOSEN: Settings = Settings { rate: 1.0, trace: 0.3, best: false };
+
+/// The step sizes that are tried.
+pub const RATES: [f32; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
+/// What is tried as left of the trace.
+pub const TRACES: [f32; 4] = [0.0, 0.3, 0.6, 0.8];
+
+/// All settings that are tried.
+pub fn grid() -> impl Iterator<Item = Settings> {
+    let traced = |rate| TRACES.into_iter().flat_map(move |trace| [false, true].map(|best| Settings { rate, trace, best }));
+    RATES.into_iter().flat_map(traced)
+}
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { rate, trace, best } = self;
+        write!(f, "rate {rate}, trace {trace}, {}", if *best { "best" } else { "drawn" })
+    }
+}
+
+/// The inference.
+#[derive(Debug)]
+pub struct Coach {
+    settings: Settings,
+    tasks: Tasks,
+    trace: Vec<f32>,
+}
+
+impl Coach {
+    /// One that has met no trainer yet.
+    pub const fn new(settings: Settings, tasks: Tasks) -> Self {
+        Self { settings, tasks, trace: Vec::new() }
+    }
+}
+
+impl Infer for Coach {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+        self.tasks.begin(prior);
+        self.trace = vec![0.0; prior.len()];
+        Ok(())
+    }
+
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+        let policy = self.belief();
+        let scores = self.tasks.logs.clone();
+        let action = self.tasks.act(now, &scores, self.settings.best);
+        // The gradient of the logarithm of the action's probability.
+        let takes = |task: usize| {
+            let right = now.outlook.right(task);
+            if right.contains(action) { 1.0 / right.len() as f32 } else { 0.0 }
+        };
+        let taken: Vec<f32> = policy.iter().enumerate().map(|(task, share)| share * takes(task)).collect();
+        let whole: f32 = taken.iter().sum();
+        for ((trace, taken), share) in self.trace.iter_mut().zip(&taken).zip(&policy) {
+            *trace = self.settings.trace * *trace + if whole > 0.0 { taken / whole - share } else { 0.0 };
+        }
+        Ok(action)
+    }
+
+    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+        let Some(label) = label(word) else { return Ok(()) };
+        for (log, trace) in self.tasks.logs.iter_mut().zip(&self.trace) {
+            *log += self.settings.rate * label * trace;
+        }
+        Ok(())
+    }
+
+    fn belief(&self) -> Vec<f32> {
+        pick::softmax(&self.tasks.logs)
+    }
+}

@@ -1,0 +1,86 @@
+//! Policy shaping, or Advise: a word is a label that is right with a known probability; counted labels give the probability that a task is
+//! meant.
+
+use super::{Infer, Now, Tasks, label, signs};
+use crate::study::agent::pick;
+use crate::study::place::Place;
+use goodbot::feedback::Feedback;
+use goodbot::oomdp::Action;
+use goodbot_course::CourseError;
+use std::fmt;
+
+/// Whose idea it is.
+pub const SOURCE: &str = "S. Griffith, K. Subramanian, J. Scholz, C. L. Isbell and A. L. Thomaz (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
+/// In what this is simpler.
+pub const SIMPLER: &str = "the environment gives no reward, so that the policy from the labels stands alone";
+
+/// How it learns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The probability that a label is right, more than 0.5.
+    pub consistency: f32,
+    /// Whether it does what is most probably right, instead of drawing.
+    pub best: bool,
+}
+
+/// The settings that were chosen.
+pub const CHOSEN: Settings = Settings { consistency: 0.9, best: false };
+
+/// The probabilities that are tried.
+pub const CONSISTENCIES: [f32; 8] = [0.52, 0.55, 0.6, 0.7, 0.8, 0.9, 0.97, 0.99];
+
+/// All settings that are tried.
+pub fn grid() -> impl Iterator<Item = Settings> {
+    CONSISTENCIES.into_iter().flat_map(|consistency| [false, true].map(|best| Settings { consistency, best }))
+}
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { consistency, best } = self;
+        write!(f, "consistency {consistency}, {}", if *best { "best" } else { "drawn" })
+    }
+}
+
+/// The inference.
+#[derive(Debug)]
+pub struct Shaping {
+    settings: Settings,
+    tasks: Tasks,
+    last: Vec<f32>,
+}
+
+impl Shaping {
+    /// One that has met no trainer yet.
+    pub const fn new(settings: Settings, tasks: Tasks) -> Self {
+        Self { settings, tasks, last: Vec::new() }
+    }
+}
+
+impl Infer for Shaping {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+        self.tasks.begin(prior);
+        self.last.clear();
+        Ok(())
+    }
+
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+        let scores = self.tasks.logs.clone();
+        let action = self.tasks.act(now, &scores, self.settings.best);
+        self.last = signs(now.outlook, action);
+        Ok(action)
+    }
+
+    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+        let Some(label) = label(word) else { return Ok(()) };
+        // C^labels (1 - C)^(labels of the others), so (C / (1 - C))^labels.
+        let weight = libm::logf(self.settings.consistency / (1.0 - self.settings.consistency));
+        for (log, sign) in self.tasks.logs.iter_mut().zip(&self.last) {
+            *log += weight * label * sign;
+        }
+        Ok(())
+    }
+
+    fn belief(&self) -> Vec<f32> {
+        pick::softmax(&self.tasks.logs)
+    }
+}

@@ -1,0 +1,41 @@
+//! The library's language models.
+
+use super::Speak;
+use crate::study::agent::whole::ROOM;
+use crate::study::place::Place;
+use goodbot::home::paper_tasks;
+use goodbot::memory::AgentHeap;
+use goodbot::session::Weights;
+use goodbot::{Agent, Options};
+use goodbot_course::CourseError;
+
+/// An agent that hears and learns, and never acts.
+#[derive(Debug)]
+pub struct Core(Agent<AgentHeap>);
+
+impl Core {
+    /// One that knows no word yet.
+    ///
+    /// # Errors
+    /// [`CourseError::Agent`].
+    pub fn new(options: Options) -> Result<Self, CourseError> {
+        let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
+        // With the paper's weights a session is weighed by its own evidence, and the posterior that it is given would count for nothing.
+        Ok(Self(Agent::new(AgentHeap::new(&ROOM), &lifted, Options { weights: Weights::Belief, ..options })?))
+    }
+}
+
+impl Speak for Core {
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError> {
+        self.0.hear(&place.home, &place.start, &place.command)?;
+        Ok((0..place.tasks.len()).map(|task| self.0.belief().probability(task)).collect())
+    }
+
+    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError> {
+        let share = |task: &_| place.position(task).map_or(0.0, |task| posterior[task]);
+        self.0.hear_with_prior(&place.home, &place.start, &place.command, |task, _| share(task))?;
+        let _ = self.0.finish(&place.home)?;
+        self.0.learn_fully();
+        Ok(())
+    }
+}

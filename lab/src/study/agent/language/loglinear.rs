@@ -1,0 +1,108 @@
+//! A log-linear model: a weight for each pair of a word of the command, or two neighbours, or none, and a fact of a task. Commands share
+//! words and tasks share facts, so what was learned of one command speaks for another.
+
+use super::{Speak, wordless};
+use crate::study::agent::pick;
+use crate::study::place::Place;
+use goodbot_course::CourseError;
+use std::collections::HashMap;
+use std::fmt;
+
+/// How it is trained.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Whether two words that follow each other count too.
+    pub neighbours: bool,
+    /// The size of the step that it takes after each lesson.
+    pub rate: f32,
+}
+
+/// The settings that were chosen. More steps than one a lesson were tried, with and without a decay of weights, and were worse.
+pub const CHOSEN: Settings = Settings { neighbours: true, rate: 1.0 };
+
+/// The step sizes that are tried.
+pub const RATES: [f32; 7] = [0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
+
+/// All settings that are tried.
+pub fn grid() -> Vec<Settings> {
+    RATES.into_iter().flat_map(|rate| [false, true].map(|neighbours| Settings { neighbours, rate })).collect()
+}
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { neighbours, rate } = self;
+        write!(f, "{}, rate {rate}", if *neighbours { "words and neighbours" } else { "words" })
+    }
+}
+
+/// A command with its tasks, in weights.
+#[derive(Debug)]
+struct Read {
+    /// For each task the weights that it adds up, each times the same value.
+    tasks: Vec<Vec<usize>>,
+    value: f32,
+    /// The logarithms of the tasks' shares without words.
+    logs: Vec<f32>,
+}
+
+/// The model.
+#[derive(Debug)]
+pub struct LogLinear {
+    settings: Settings,
+    known: HashMap<(String, String), usize>,
+    weights: Vec<f32>,
+}
+
+impl LogLinear {
+    /// One that knows no word yet.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings, known: HashMap::new(), weights: Vec::new() }
+    }
+
+    fn read(&mut self, place: &Place) -> Read {
+        let neighbours = place.words.windows(2).map(|two| two.join(" ")).filter(|_| self.settings.neighbours);
+        // Beside the words stands none at all: what is true of a fact whatever is said.
+        let said: Vec<String> = place.words.iter().cloned().chain(neighbours).chain([String::new()]).collect();
+        let mut tasks = Vec::new();
+        for facts in &place.facts {
+            let pairs = said.iter().flat_map(|word| facts.iter().map(move |fact| (word.clone(), fact.clone())));
+            tasks.push(pairs.map(|pair| self.weight(pair)).collect());
+        }
+        // Otherwise long commands would be learned faster.
+        let most = place.facts.iter().map(Vec::len).max().unwrap_or(1);
+        let logs = wordless(place).into_iter().map(|share| libm::logf(share.max(f32::MIN_POSITIVE))).collect();
+        Read { tasks, value: 1.0 / ((said.len() * most) as f32).sqrt(), logs }
+    }
+
+    fn weight(&mut self, pair: (String, String)) -> usize {
+        let next = self.weights.len();
+        let at = *self.known.entry(pair).or_insert(next);
+        if at == next {
+            self.weights.push(0.0);
+        }
+        at
+    }
+}
+
+/// How probable the tasks are.
+fn probabilities(weights: &[f32], lesson: &Read) -> Vec<f32> {
+    let score = |task: &Vec<usize>| task.iter().map(|&at| weights[at]).sum::<f32>() * lesson.value;
+    pick::softmax(&lesson.tasks.iter().zip(&lesson.logs).map(|(task, log)| log + score(task)).collect::<Vec<_>>())
+}
+
+impl Speak for LogLinear {
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError> {
+        let lesson = self.read(place);
+        Ok(probabilities(&self.weights, &lesson))
+    }
+
+    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError> {
+        let lesson = self.read(place);
+        let expected = probabilities(&self.weights, &lesson);
+        for ((task, believed), expected) in lesson.tasks.iter().zip(posterior).zip(expected) {
+            let step = self.settings.rate * lesson.value * (believed - expected);
+            task.iter().for_each(|&at| self.weights[at] += step);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,84 @@
+//! What the words of a command mean, from what was believed to be meant by earlier commands.
+//!
+//! - [`core`]: goodbot's role model, and the paper's Model 2;
+//! - [`loglinear`]: a weight for each word and each fact of a task.
+
+pub mod core;
+pub mod loglinear;
+
+use crate::study::place::Place;
+use goodbot::Options;
+use goodbot_course::CourseError;
+use std::fmt;
+
+/// Understands commands, and learns.
+pub trait Speak {
+    /// How probable each task of a command is.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError>;
+
+    /// Learns from a lesson at whose end each task was so probable.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError>;
+}
+
+/// Which language, with its settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Language {
+    /// goodbot's role model.
+    Roles,
+    /// The paper's IBM Model 2.
+    ModelTwo,
+    /// A log-linear model.
+    LogLinear(loglinear::Settings),
+    /// None: every command is new.
+    Nothing,
+}
+
+impl Language {
+    /// One that knows no word yet.
+    ///
+    /// # Errors
+    /// [`CourseError::Agent`] where it cannot be made.
+    pub fn begin(self) -> Result<Box<dyn Speak>, CourseError> {
+        Ok(match self {
+            Self::Roles => Box::new(core::Core::new(Options::DEFAULT)?),
+            Self::ModelTwo => Box::new(core::Core::new(Options::PAPER)?),
+            Self::LogLinear(settings) => Box::new(loglinear::LogLinear::new(settings)),
+            Self::Nothing => Box::new(Nothing),
+        })
+    }
+}
+
+impl fmt::Display for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Roles => f.write_str("roles"),
+            Self::ModelTwo => f.write_str("Model 2"),
+            Self::LogLinear(settings) => settings.fmt(f),
+            Self::Nothing => f.write_str("no language"),
+        }
+    }
+}
+
+/// The share that each task has without words.
+fn wordless(place: &Place) -> Vec<f32> {
+    place.tasks.iter().map(|task| task.prior).collect()
+}
+
+/// Knows no word.
+struct Nothing;
+
+impl Speak for Nothing {
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError> {
+        Ok(wordless(place))
+    }
+
+    fn learn(&mut self, _place: &Place, _posterior: &[f32]) -> Result<(), CourseError> {
+        Ok(())
+    }
+}
