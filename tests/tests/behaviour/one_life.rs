@@ -251,7 +251,8 @@ fn where_sessions_give_way_the_end_of_a_session_is_the_same_in_parts_of_any_size
 
 #[test]
 fn the_end_of_a_session_that_is_broken_off_anywhere_leaves_whole_commands() {
-    let interruptions: [fn(&mut Agent<AgentHeap>, &Home<&mut HomeHeap>); 7] = [
+    type Interruption = fn(&mut Agent<AgentHeap>, &Home<&mut HomeHeap>);
+    let interruptions: [Interruption; 7] = [
         |agent, home| match agent.hear(home, &home.numbered(0), "anything new at all") {
             Ok(()) => agent.forget(),
             // The session has joined the others, or another is going: it comes to its end first.

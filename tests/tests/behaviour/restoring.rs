@@ -284,7 +284,7 @@ fn what_is_refused_at_once_is_refused_in_parts_and_the_robot_is_as_before() {
         let mut damaged = other.clone();
         let at = pick(&mut random, damaged.len());
         damaged[at] ^= 1 << pick(&mut random, 8);
-        if random.next_u32() % 2 == 0 {
+        if random.next_u32().is_multiple_of(2) {
             // The check is right: what is said is wrong, or is another model.
             super::bit_flips::sign(&mut damaged);
         }
@@ -336,7 +336,8 @@ fn while_a_model_is_checked_the_robot_does_what_it_did_and_while_it_comes_back_i
 fn a_model_that_is_given_up_half_way_leaves_a_robot_that_can_learn() {
     let bytes = saved(&taught(Options::DEFAULT, 8));
     let other = saved(&taught(Options::DEFAULT, 9));
-    let interruptions: [fn(&mut Agent<AgentHeap>, &[u8]); 6] = [
+    type Interruption = fn(&mut Agent<AgentHeap>, &[u8]);
+    let interruptions: [Interruption; 6] = [
         |agent, _| agent.leave(),
         |agent, _| agent.begin_learning(),
         |agent, _| agent.forget(),
