@@ -199,7 +199,11 @@ impl<'a> Restoring<'a> {
                     return Some(0);
                 }
                 let session: SessionRecord = take(&mut self.rest)?;
-                let words: Vec<Symbol, WORDS_PER_COMMAND> = session.words.iter().map(|&word| Symbol(word)).collect();
+                // `collect` could panic, for all the linker knows.
+                let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+                for &word in &session.words {
+                    let _ = words.push(Symbol(word));
+                }
                 let _ = language.bitext_mut().add_session(&words);
                 self.of_session = session.pairs;
                 Some(words.len())
