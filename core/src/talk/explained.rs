@@ -109,9 +109,15 @@ impl<M: AgentMemory> Agent<M> {
         let (mut named, has_new_verb) = name(language.read(), wording, words, &said);
         let acts = named.acts();
         // "I want the bag in the red room" needs no word of a task.
+        // "Come back": nothing behind the verb tells which it is.
+        let points_with_verb = recalled.is_some() && matches!(new_verb(words), Some(None));
         let wishes = words.iter().any(|word| word.classes.contains(Class::Wish)) && !words.iter().any(|word| word.is_new);
-        if view.has_act || wishes {
+        if view.has_act || wishes || points_with_verb {
             named.act();
+        }
+        // "I want you in the red room", "into the red room with you".
+        if is_verbless(words) && (wishes || begins_with_way(words)) {
+            named.act_in_any_way();
         }
         if let Some(recalled) = &recalled {
             named.cover(recalled.has_place(), recalled.has_thing());
@@ -211,10 +217,23 @@ fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&G
 fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
+    // "All bags": a thing.
+    let is_thing = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::All));
     let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
     let behind = words.iter().skip(first).find(|word| !word.is_new);
-    (is_verb && !is_of_speaker && !asks).then_some(behind)
+    (is_verb && !is_thing && !is_of_speaker && !asks).then_some(behind)
+}
+
+/// Whether no word tells what to do, but at most where a way leads.
+fn is_verbless(words: Words<'_>) -> bool {
+    !words.iter().any(|word| word.may_act() && !word.is_toward)
+}
+
+/// Whether nothing but closed words stand before a word that tells where a way leads.
+fn begins_with_way(words: Words<'_>) -> bool {
+    let asks = words.iter().any(|word| word.classes.contains_any(&[Class::Asking, Class::Speaker]));
+    !asks && words.iter().find(|word| word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
 }
 
 /// How many different kinds of task.

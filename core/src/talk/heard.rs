@@ -166,6 +166,11 @@ impl Heard {
         self.is_new || self.is_mended
     }
 
+    /// Whether it was heard for the first time, and is no slip for a known word.
+    pub fn is_new_word(&self) -> bool {
+        self.is_strange() && !self.is_slip()
+    }
+
     /// Whether it is more probable as a slip for a known word than as a new word.
     pub fn is_slip(&self) -> bool {
         self.is_mended && self.factor > 1.0

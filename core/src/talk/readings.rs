@@ -40,6 +40,8 @@ pub(super) struct Rest<'w> {
     pub is_act: bool,
     /// The same where it is about a thing. "Leave the chair in the red room" says the opposite of "out of the red room".
     pub is_act_for_things: bool,
+    /// Whether it says what to leave.
+    pub is_out: bool,
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
@@ -83,14 +85,21 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
-    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but".
+    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none. "Do not forget to go" says
+    // to go: a new word turns the other one round again.
     // "Why don't you go" is no command.
     // "If it's not too much trouble" is none either.
     // "Anywhere" asks nothing: "n'importe où".
     let is_question = !has(Class::But) && is_question(words);
-    let is_clear = !(is_question || has(Class::If) || is_not && (is_out || has(Class::But)));
-    let is_act = is_out || rest.iter().any(Heard::may_act);
-    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things: is_act && (is_not || has(Class::From)) })
+    let at = |class| words.iter().position(|word| word.classes.contains(class));
+    let is_not_but = at(Class::But).zip(at(Class::Negation)).is_some_and(|(but, not)| not < but);
+    // "Go to the red room ... no": nothing is behind it that it could turn round.
+    let turns = !is_not || at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
+    let turns_again = rest.iter().any(Heard::is_new_word) && rest.iter().any(|word| word.is_of_task && !word.is_toward);
+    let is_clear = !(is_question || has(Class::If) || is_not && is_out || is_not_but || turns_again) && turns;
+    let is_act = is_out || has(Class::But) || rest.iter().any(Heard::may_act);
+    let is_act_for_things = is_act && (is_not || has(Class::From));
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, is_out })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.
@@ -102,20 +111,23 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
     let is_clear = !named.any(|word| word.is_new) && !words.iter().any(is_exception);
     let view = View { done: EITHER, ..View::PLAIN };
-    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false })
+    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false, is_out: false })
 }
 
 /// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command
 /// may have.
 pub(super) fn may_turn(words: Words<'_>, has_new_verb: bool) -> bool {
-    words.iter().filter(|word| word.is_strange() && !word.is_slip()).count() > usize::from(has_new_verb)
+    words.iter().filter(|word| word.is_new_word()).count() > usize::from(has_new_verb)
 }
 
-/// Whether a connective stands before words that may be a command of their own: who does a half of what is said does something else.
+/// Whether a connective stands between words that may be commands of their own: who does a half of what is said does something else. "Be a
+/// darling and go" has one command.
 pub(super) fn has_more(words: Words<'_>) -> bool {
-    let is_connective = |word: &Heard| word.classes.contains(Class::Connective);
-    let mut behind = words.iter().skip_while(|word| is_connective(word)).skip_while(|word| !is_connective(word) || word.count > 0.0);
-    behind.any(Heard::may_act)
+    let parts = |word: &Heard| word.classes.contains(Class::Connective) && word.count == 0.0;
+    let before = words.iter().take_while(|word| !parts(word)).count();
+    let is_command = words.iter().take(before).any(|word| word.is_of_task || word.is_name);
+    let mut behind = words.iter().skip(before);
+    if is_command { behind.any(Heard::may_act) } else { behind.skip(1).skip_while(|word| !parts(word)).any(Heard::may_act) }
 }
 
 /// Where an utterance parts: the words of the first command, and those behind them.

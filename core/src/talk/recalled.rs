@@ -135,7 +135,7 @@ fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (R
     let has = |class| words.iter().any(|word| word.classes.contains(class));
     let thing = if has(Class::Other) {
         Thing::Other
-    } else if has(Class::Same) {
+    } else if has(Class::Same) && !has(Class::There) {
         Thing::Named
     } else if has(Class::It) {
         Thing::Last

@@ -15,6 +15,8 @@ use crate::task::TaskSet;
 
 /// Not sure if a done task of the same kind explains the words a fifth as well.
 const RIVAL: f32 = 5.0;
+/// So many words from "if" on name a case.
+const NAMES_A_CASE: usize = 3;
 
 /// What comes of an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -95,7 +97,10 @@ impl<M: AgentMemory> Agent<M> {
             let (task, of_tasks) = self.negate(explained);
             self.plan_for(domain, self.task_count)?;
             let is_of_thing = self.place_of_thing(domain, task).is_some();
-            let has_act = explained.acts || place.is_rest || if is_of_thing { rest.is_act_for_things } else { rest.is_act };
+            let has_act = match is_of_thing {
+                true => rest.is_act_for_things || !rest.is_out && (explained.acts || place.is_rest),
+                false => rest.is_act || explained.acts || place.is_rest,
+            };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
             let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
@@ -119,7 +124,7 @@ impl<M: AgentMemory> Agent<M> {
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
-        let is_told = is_named && !is_choice && !is_question(words);
+        let is_told = is_named && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
         let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
@@ -146,6 +151,18 @@ fn has_new_name(words: Words<'_>) -> bool {
         has_known |= is_known;
         is_known && has_new
     })
+}
+
+/// Whether the speaker tells what they do themselves: "I go to the red room".
+fn tells(words: Words<'_>) -> bool {
+    let mut before = words.iter();
+    words.iter().skip(1).any(|word| before.next().is_some_and(|before| before.classes.contains(Class::Speaker)) && word.may_act())
+}
+
+/// Whether the words hold in a case alone that is not known: "if it rains". "If you like" says nothing.
+fn has_condition(words: Words<'_>) -> bool {
+    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If);
+    words.iter().skip_while(|word| !is_if(word)).take(NAMES_A_CASE).any(Heard::is_new_word)
 }
 
 /// Whether the words ask or tell something, with a word for it that no command had.

@@ -254,6 +254,11 @@ impl Named {
         }
     }
 
+    /// The words tell a task without a sign of its kind.
+    pub const fn act_in_any_way(&mut self) {
+        self.acts = u8::MAX;
+    }
+
     /// Whether there is a sign of any kind of task.
     pub fn acts(&self) -> bool {
         self.acts != 0
