@@ -233,7 +233,7 @@ fn is_verbless(words: Words<'_>) -> bool {
 /// Whether nothing but closed words stand before a word that tells where a way leads.
 fn begins_with_way(words: Words<'_>) -> bool {
     let asks = words.iter().any(|word| word.classes.contains_any(&[Class::Asking, Class::Speaker]));
-    !asks && words.iter().find(|word| word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
+    !asks && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
 }
 
 /// How many different kinds of task.

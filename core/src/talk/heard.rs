@@ -20,6 +20,8 @@ const POLITE: f32 = 0.6;
 const OTHER_CLOSED: f32 = 1e-3;
 /// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
 const TURNS: f32 = 0.01;
+/// A negation so many words behind "if", at most, is of the condition.
+const NEGATES_A_CONDITION: usize = 3;
 
 /// One word, with its classes.
 #[derive(Clone, Copy)]
@@ -154,6 +156,13 @@ impl Heard {
         }
     }
 
+    /// It is of a condition that is no more than politeness: "if you don't mind".
+    fn excuse(&mut self) {
+        if self.count == 0.0 {
+            (self.factor, self.said.chatter, self.classes, self.is_new) = (1.0, POLITE, Classes::of(Class::Polite), false);
+        }
+    }
+
     /// It stands among polite words alone.
     const fn make_polite(&mut self) {
         if self.classes.contains(Class::Connective) {
@@ -263,6 +272,13 @@ impl<M: AgentMemory> Agent<M> {
         let polite = [Class::Polite, Class::Greeting, Class::Connective];
         let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
         words.iter_mut().take(begin).for_each(Heard::make_polite);
+        // What "if you don't mind" says no to is no command.
+        let at = |class, from: usize| words.iter().skip(from).position(|word| word.classes.contains(class));
+        if let Some(condition) = at(Class::If, 0)
+            && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
+        {
+            words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
+        }
         Ok(())
     }
 }

@@ -156,7 +156,7 @@ fn has_new_name(words: Words<'_>) -> bool {
 /// Whether the speaker tells what they do themselves: "I go to the red room".
 fn tells(words: Words<'_>) -> bool {
     let mut before = words.iter();
-    words.iter().skip(1).any(|word| before.next().is_some_and(|before| before.classes.contains(Class::Speaker)) && word.may_act())
+    words.iter().skip(1).any(|word| before.next().is_some_and(|before| before.classes.contains(Class::Speaker)) && word.is_of_task)
 }
 
 /// Whether the words hold in a case alone that is not known: "if it rains". "If you like" says nothing.
