@@ -68,11 +68,13 @@ pub enum Class {
     Meant,
     /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like.
     Act,
+    /// "forget": a negation beside it asks for what follows.
+    Forget,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 30] = [
+    pub const ALL: [Self; 31] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -103,6 +105,7 @@ impl Class {
         Self::Wish,
         Self::Meant,
         Self::Act,
+        Self::Forget,
     ];
 
     /// Its name in a table.
@@ -138,6 +141,7 @@ impl Class {
             Self::Wish => "wish",
             Self::Meant => "meant",
             Self::Act => "act",
+            Self::Forget => "forget",
         }
     }
 
@@ -172,7 +176,7 @@ impl Classes {
 
     /// The classes of words that speak about commands, without those of words that commands have themselves.
     pub const fn about_commands(self) -> Self {
-        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Meant).with(Class::Act);
+        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Meant).with(Class::Act).with(Class::Forget);
         Self(self.0 & !of_commands.0)
     }
 

@@ -40,6 +40,8 @@ pub(super) struct Heard {
     pub is_mended: bool,
     /// Whether it tells where a way leads, as "to" does.
     pub is_toward: bool,
+    /// Whether it is "forget".
+    is_forgetting: bool,
     /// The piece of the utterance that it is of, from 0.
     pub piece: u8,
     /// Whether it is of some task sooner than of the background.
@@ -102,7 +104,7 @@ impl<'w> Words<'w> {
 
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
-        let is_toward = classes.contains(Class::Toward);
+        let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -138,6 +140,7 @@ impl Heard {
             is_new,
             is_mended: false,
             is_toward,
+            is_forgetting,
             piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
@@ -156,7 +159,7 @@ impl Heard {
         }
     }
 
-    /// It is of a condition that is no more than politeness: "if you don't mind".
+    /// It says nothing against a command: "if you don't mind", "don't forget to".
     fn excuse(&mut self) {
         if self.count == 0.0 {
             (self.factor, self.said.chatter, self.classes, self.is_new) = (1.0, POLITE, Classes::of(Class::Polite), false);
@@ -278,6 +281,12 @@ impl<M: AgentMemory> Agent<M> {
             && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
         {
             words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
+        }
+        // Who says "don't forget to go" says to go.
+        let forgets =
+            |pair: &[Heard]| pair.iter().any(|word| word.is_forgetting) && pair.iter().any(|word| word.classes.contains(Class::Negation));
+        if let Some(not) = words.windows(2).position(forgets) {
+            words.iter_mut().skip(not).take(2).for_each(Heard::excuse);
         }
         Ok(())
     }

@@ -85,8 +85,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
-    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none. "Do not forget to go" says
-    // to go: a new word turns the other one round again.
+    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none.
     // "Why don't you go" is no command.
     // "If it's not too much trouble" is none either.
     // "Anywhere" asks nothing: "n'importe où".
@@ -95,8 +94,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let is_not_but = at(Class::But).zip(at(Class::Negation)).is_some_and(|(but, not)| not < but);
     // "Go to the red room ... no": nothing is behind it that it could turn round.
     let turns = !is_not || at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
-    let turns_again = rest.iter().any(Heard::is_new_word) && rest.iter().any(|word| word.is_of_task && !word.is_toward);
-    let is_clear = !(is_question || has(Class::If) || is_not && is_out || is_not_but || turns_again) && turns;
+    let is_clear = !(is_question || has(Class::If) || is_not && is_out || is_not_but) && turns;
     let is_act = is_out || has(Class::But) || rest.iter().any(Heard::may_act);
     let is_act_for_things = is_act && (is_not || has(Class::From));
     Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, is_out })
