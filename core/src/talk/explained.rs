@@ -232,8 +232,10 @@ fn is_verbless(words: Words<'_>) -> bool {
 
 /// Whether nothing but closed words stand before a word that tells where a way leads.
 fn begins_with_way(words: Words<'_>) -> bool {
-    let asks = words.iter().any(|word| word.classes.contains_any(&[Class::Asking, Class::Speaker]));
-    !asks && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
+    // "Everything to the red room" is about things.
+    let others = [Class::Asking, Class::Speaker, Class::All, Class::It, Class::Other, Class::Same];
+    !words.iter().any(|word| word.classes.contains_any(&others))
+        && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
 }
 
 /// How many different kinds of task.

@@ -40,8 +40,8 @@ pub(super) struct Rest<'w> {
     pub is_act: bool,
     /// The same where it is about a thing. "Leave the chair in the red room" says the opposite of "out of the red room".
     pub is_act_for_things: bool,
-    /// Whether it says what to leave.
-    pub is_out: bool,
+    /// Whether it may say that a thing stays: "leave the chair in the red room".
+    pub stays: bool,
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
@@ -96,8 +96,9 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let turns = !is_not || at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
     let is_clear = !(is_question || has(Class::If) || is_not && is_out || is_not_but) && turns;
     let is_act = is_out || has(Class::But) || rest.iter().any(Heard::may_act);
+    let stays = is_out && rest.iter().any(|word| word.is_toward);
     let is_act_for_things = is_act && (is_not || has(Class::From));
-    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, is_out })
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that.
@@ -109,7 +110,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
     let is_clear = !named.any(|word| word.is_new) && !words.iter().any(is_exception);
     let view = View { done: EITHER, ..View::PLAIN };
-    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false, is_out: false })
+    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
 }
 
 /// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command

@@ -98,7 +98,7 @@ impl<M: AgentMemory> Agent<M> {
             self.plan_for(domain, self.task_count)?;
             let is_of_thing = self.place_of_thing(domain, task).is_some();
             let has_act = match is_of_thing {
-                true => rest.is_act_for_things || !rest.is_out && (explained.acts || place.is_rest),
+                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest),
                 false => rest.is_act || explained.acts || place.is_rest,
             };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
