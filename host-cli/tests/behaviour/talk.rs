@@ -388,6 +388,23 @@ fn what_only_sounds_like_a_negation_is_not_followed() {
 }
 
 #[test]
+fn a_command_needs_no_verb_and_other_sentences_with_one_are_no_command() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("into the green room with you", "sure", "agentInRoom(agent0,room2)"),
+        ("don't forget to go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("go to the blue room if you don't mind", "sure", "agentInRoom(agent0,room1)"),
+        ("anywhere but the red room", "sure", "!agentInRoom(agent0,room0)"),
+        ("remove the yellow bag from the green room", "sure", "!blockInRoom(block0,room2)"),
+        ("if it rains, go to the blue room", "unsure", ""),
+        ("I go to the blue room", "unsure", ""),
+        ("go to the green room ... no, stop", "unsure", ""),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
 fn commands_one_after_another_are_each_heard_where_the_one_before_leads_to() {
     let (_folder, model) = taught(120, &ENGLISH);
     let home = three_rooms();
