@@ -43,7 +43,7 @@ fn what_cannot_be_is_refused_and_changes_nothing() {
         (&[sensed(c"agent0", 5, 2), sensed(c"room0", 3, 3)], GoodbotStatus::Unknown),
         (&[sensed(c"agent0", 5, 2), sensed(c"block1", 3, 3)], GoodbotStatus::Unknown),
         (&[sensed(c"agent0", 5, 2), GoodbotSensed { name: null(), x: 3, y: 3 }], GoodbotStatus::Null),
-        (&[sensed(c"agent0", 5, 2); 10], GoodbotStatus::Number),
+        (&[sensed(c"agent0", 5, 2); 100], GoodbotStatus::Number),
     ] {
         assert_eq!(sense(owned.robot, things), status);
         assert_eq!((cell(owned.robot, c"agent0"), cell(owned.robot, c"block0")), ((4, 2), (6, 2)));
