@@ -250,7 +250,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
             let heard = Heard::new(language, symbol, of_word.1);
-            let is_cue = heard.is_new && !of_word.1.contains(Class::Act) && slip_for(language, piece, SLIP).is_none();
+            let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();
             let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
             let left = signs.len().saturating_sub(position);
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
