@@ -13,7 +13,6 @@ use board::report;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 use goodbot::planning::Progress;
-use goodbot::snapshot::{Restoring, Saving};
 use goodbot::{Agent, AgentError, Capacities, Options};
 
 /// Sessions that it keeps.
@@ -113,16 +112,10 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     while longest(&mut ended, || agent.finish_on(home, 1))?.is_none() {}
     report("finish", ended);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
-    let mut saving = Saving::new();
-    let length = loop {
-        if let Some(length) = longest(&mut saved, || agent.save_on(&mut saving, model, 1)).map_err(|_| no_task)? {
-            break length;
-        }
-    };
+    let length = longest(&mut saved, || agent.save(model)).map_err(|_| no_task)?;
     report("save", saved);
     report("model", length as u32);
-    let mut restoring = Restoring::of(model.get(..length).unwrap_or(&[]));
-    while longest(&mut restored, || agent.restore_on(&mut restoring, 1)).map_err(|_| no_task)? == Progress::Working {}
+    longest(&mut restored, || agent.restore(model.get(..length).unwrap_or(&[]))).map_err(|_| no_task)?;
     report("restore", restored);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
     report("learn", learned);

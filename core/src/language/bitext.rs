@@ -77,27 +77,6 @@ impl Extent {
     pub(crate) const NONE: Self = Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, changes: 0 };
 }
 
-/// So many pairs are moved at once.
-const PAIRS_AT_ONCE: usize = 1024;
-
-/// How far a session is removed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Removal {
-    /// Its English command goes.
-    Session(u16),
-    /// Its pairs go: the next of those behind them, and where it moves to.
-    Pairs {
-        session: u16,
-        from: u32,
-        to: u32,
-    },
-    /// Machine commands that no pair has are looked for below this one.
-    Unused(u16),
-    /// This machine command goes.
-    Command(u16),
-    Done,
-}
-
 /// The training data.
 #[derive(Debug)]
 pub struct Bitext<'t> {
@@ -354,40 +333,10 @@ impl<'t> Bitext<'t> {
 
     /// Forgets a session and its pairs. Those after it move up by one. Another session of the same English command remembers that it was
     /// heard before.
-    #[cfg(feature = "layer")]
     pub(super) fn remove_session(&mut self, session: u16) {
-        let mut removal = Removal::Session(session);
-        while removal != Removal::Done {
-            removal = self.remove_on(removal);
-        }
-    }
-
-    /// Goes on removing a session, and says what is next. Only when all is done do the tables fit together again.
-    pub(super) fn remove_on(&mut self, removal: Removal) -> Removal {
-        match removal {
-            Removal::Session(session) => self.remove_command_of(session),
-            Removal::Pairs { session, from, to } => self.remove_pairs(session, from as usize, to as usize),
-            Removal::Unused(0) | Removal::Done => Removal::Done,
-            Removal::Unused(after) => {
-                let command = after.saturating_sub(1);
-                let is_used = self.read().pairs().iter().any(|pair| pair.command == command);
-                if is_used { Removal::Unused(command) } else { Removal::Command(command) }
-            }
-            Removal::Command(command) => {
-                let tokens = (&mut *self.memory.command_tokens, &mut self.used.command_tokens);
-                remove_span(self.memory.commands, &mut self.used.commands, tokens.0, tokens.1, usize::from(command));
-                for pair in self.memory.pairs.iter_mut().take(self.used.pairs).filter(|pair| pair.command > command) {
-                    pair.command = pair.command.saturating_sub(1);
-                }
-                Removal::Unused(command)
-            }
-        }
-    }
-
-    fn remove_command_of(&mut self, session: u16) -> Removal {
         let position = usize::from(session);
         if position >= self.used.sessions {
-            return Removal::Done;
+            return;
         }
         self.count_change();
         let same = |&other: &u16| other != session && self.read().sentence(other) == self.read().sentence(session);
@@ -395,29 +344,36 @@ impl<'t> Bitext<'t> {
             self.set_heard_again(heir);
         }
         remove_span(self.memory.sessions, &mut self.used.sessions, self.memory.sentence_words, &mut self.used.sentence_words, position);
-        let first = self.read().pairs().partition_point(|pair| pair.session < session) as u32;
-        Removal::Pairs { session, from: first, to: first }
-    }
-
-    /// Moves some pairs up over those of the session.
-    fn remove_pairs(&mut self, session: u16, from: usize, to: usize) -> Removal {
-        let (end, mut to) = (from.saturating_add(PAIRS_AT_ONCE).min(self.used.pairs), to);
-        for from in from..end {
+        let mut kept = 0_usize;
+        for from in 0..self.used.pairs {
             let Some(mut pair) = self.memory.pairs.get(from).copied() else { continue };
             if pair.session == session {
                 continue;
             }
-            pair.session = pair.session.saturating_sub(1);
-            if let Some(slot) = self.memory.pairs.get_mut(to) {
+            if pair.session > session {
+                pair.session = pair.session.saturating_sub(1);
+            }
+            if let Some(slot) = self.memory.pairs.get_mut(kept) {
                 *slot = pair;
             }
-            to = to.saturating_add(1);
+            kept = kept.saturating_add(1);
         }
-        if end < self.used.pairs {
-            return Removal::Pairs { session, from: end as u32, to: to as u32 };
+        self.used.pairs = kept;
+        self.remove_unused_commands();
+    }
+
+    /// Forgets the machine commands that no pair has.
+    fn remove_unused_commands(&mut self) {
+        for command in (0..self.used.commands as u16).rev() {
+            if self.read().pairs().iter().any(|pair| pair.command == command) {
+                continue;
+            }
+            let tokens = (&mut *self.memory.command_tokens, &mut self.used.command_tokens);
+            remove_span(self.memory.commands, &mut self.used.commands, tokens.0, tokens.1, usize::from(command));
+            for pair in self.memory.pairs.iter_mut().take(self.used.pairs).filter(|pair| pair.command > command) {
+                pair.command = pair.command.saturating_sub(1);
+            }
         }
-        self.used.pairs = to;
-        Removal::Unused(self.used.commands as u16)
     }
 
     /// The words of all sessions.

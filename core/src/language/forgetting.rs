@@ -18,7 +18,6 @@
 //!
 //! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
 
-use super::bitext::Removal;
 use super::model::LanguageMut;
 use super::settings::Model;
 use super::{ibm2, roles};
@@ -48,70 +47,15 @@ pub(super) const LIGHT: f32 = 0.1;
 /// The least of a session's weight that must be kept.
 pub(super) const LEAST_KEPT: f32 = 0.5;
 
-/// How far room is made for a session.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Making {
-    /// The session is added where it has room.
-    Add,
-    /// Another session is chosen to give way.
-    Choose(Choice),
-    /// The chosen one goes, for the sake of this.
-    Remove(Removal, Want),
-    /// Words that no session has are looked for below this one.
-    Words(u16),
-    /// Whether the vocabulary is full, now that they are gone.
-    Vocabulary,
-    /// Machine tokens that nothing has are looked for below this one.
-    Tokens(u16),
-    /// Whether the vocabulary is still full.
-    StillFull,
-    /// There is room for everything.
-    Done,
+/// What came of one try to keep a session.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use]
+pub(crate) enum Room {
+    /// It has room.
+    Found,
+    /// This session gave way, because this table was full; whether that is enough is not known yet.
+    Made(u16, Capacity),
 }
-
-impl Making {
-    /// Whether the training data are between two states.
-    pub(crate) const fn is_removing(self) -> bool {
-        matches!(self, Self::Remove(..))
-    }
-}
-
-/// A session that gives way, and the table that was full.
-pub(crate) type Gone = Option<(u16, Capacity)>;
-
-/// The choice of a session to give way, from one part to the next.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Choice {
-    want: Want,
-    full: Capacity,
-    /// One of the first so many.
-    among: u16,
-    /// The session that is looked at next.
-    next: u16,
-    /// The first strange one, and how many there are so far.
-    strange: Option<u16>,
-    strange_ones: u16,
-    best: Option<(u16, Rank)>,
-}
-
-impl Choice {
-    const fn new(want: Want, full: Capacity, among: usize) -> Self {
-        Self { want, full, among: among as u16, next: 0, strange: None, strange_ones: 0, best: None }
-    }
-
-    /// The session that gives way, once it is known.
-    fn chosen(&self) -> Option<u16> {
-        let most = match self.want {
-            Want::Session => STRANGE.max(usize::from(self.among) / STRANGE_PART),
-            Want::Lengths(_) | Want::Vocabulary => 0,
-        };
-        let best = self.best.filter(|_| self.next >= self.among).map(|(session, _)| session);
-        self.strange.filter(|_| usize::from(self.strange_ones) > most).or(best)
-    }
-}
-
-/// How little is lost with a session: the highest goes.
-type Rank = [u16; 4];
 
 /// A session by itself.
 pub(crate) struct Alone {
@@ -125,29 +69,30 @@ pub(crate) struct Alone {
 
 /// Why a session has to give way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Want {
+enum Want {
     /// Room for one more session.
     Session,
     /// Room for the alignment tables of a command of so many words.
-    Lengths(u8),
+    Lengths(usize),
     /// Room for words and machine tokens.
     Vocabulary,
 }
 
 impl LanguageMut<'_> {
-    /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full begins to choose one that
-    /// gives way: go on by [`make_room_on`](Self::make_room_on). Words that found no room when they were heard are left out.
+    /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full lets one other session
+    /// give way: call again until room is found. Words that found no room when they were heard are left out.
+    /// [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
     ///
     /// `session_tokens` are the machine tokens that must stay.
     ///
     /// # Errors
     /// A [`CapacityError`] where the session could not be kept even alone; nothing is forgotten then.
-    pub(crate) fn add_or_choose<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    pub(crate) fn add_session_or_make_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &mut self,
         sentence: &[Option<Symbol>],
         session_tokens: &[Symbol],
         pairs: impl Fn() -> I,
-    ) -> Result<Making, CapacityError> {
+    ) -> Result<Room, CapacityError> {
         let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in sentence.iter().flatten() {
             let too_long = CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len());
@@ -155,80 +100,18 @@ impl LanguageMut<'_> {
         }
         self.check_alone(&words, session_tokens, pairs())?;
         let (extent, wanted) = (self.bitext.extent(), self.tables.trained.wanted);
-        let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(self.tidied()) };
+        let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
         self.bitext.rewind(extent);
         self.tables.trained.wanted = wanted;
         let want = match error.capacity {
-            Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len() as u8),
+            Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
             _ => Want::Session,
         };
         let others = if cfg!(feature = "forgetting") { self.bitext.sessions() } else { 0 };
-        if others == 0 { Err(error) } else { Ok(Making::Choose(Choice::new(want, error.capacity, others))) }
-    }
-
-    /// Begins to make sure that the vocabulary fits the tables and has an eighth free, as it must when a session was added.
-    pub(crate) const fn tidied(&self) -> Making {
-        Making::Words(self.words.len() as u16)
-    }
-
-    /// Goes on making room: says what is next, and which session gives way, where one was chosen now. Symbols may change: those of the
-    /// session, in `sentence` and `session_tokens`, are renamed with the rest. A training must follow when all is done.
-    ///
-    /// # Errors
-    /// A [`CapacityError`] that [`add_or_choose`](Self::add_or_choose) would have given.
-    pub(crate) fn make_room_on(
-        &mut self,
-        making: Making,
-        sentence: &mut [Option<Symbol>],
-        session_tokens: &mut [Symbol],
-    ) -> Result<(Making, Gone), CapacityError> {
-        let mut gone = None;
-        let next = match making {
-            Making::Add | Making::Done => making,
-            Making::Choose(mut choice) => {
-                self.choose_on(&mut choice);
-                match choice.chosen() {
-                    Some(session) => {
-                        gone = Some((session, choice.full));
-                        Making::Remove(Removal::Session(session), choice.want)
-                    }
-                    None => Making::Choose(choice),
-                }
-            }
-            Making::Remove(Removal::Done, Want::Vocabulary) => self.tidied(),
-            Making::Remove(Removal::Done, _) => {
-                self.rebuild_wanted()?;
-                Making::Add
-            }
-            Making::Remove(removal, want) => Making::Remove(self.remove_on(removal), want),
-            Making::Words(0) => Making::Vocabulary,
-            Making::Words(after) => {
-                let word = Symbol(after.saturating_sub(1));
-                self.remove_unused_word(word, sentence);
-                Making::Words(word.0)
-            }
-            Making::Vocabulary if self.full_of_vocabulary().is_some() => Making::Tokens(self.tokens.len() as u16),
-            Making::Vocabulary => self.found()?,
-            Making::Tokens(0) => Making::StillFull,
-            Making::Tokens(after) => {
-                let token = Symbol(after.saturating_sub(1));
-                self.remove_unused_token(token, session_tokens);
-                Making::Tokens(token.0)
-            }
-            Making::StillFull => {
-                let others = if cfg!(feature = "forgetting") { self.bitext.sessions().saturating_sub(1) } else { 0 };
-                match self.full_of_vocabulary().filter(|_| others > 0) {
-                    Some(full) => Making::Choose(Choice::new(Want::Vocabulary, full, others)),
-                    None => self.found()?,
-                }
-            }
-        };
-        Ok((next, gone))
-    }
-
-    fn found(&mut self) -> Result<Making, CapacityError> {
-        self.data_replaced()?;
-        Ok(Making::Done)
+        let Some(session) = self.least(want, others) else { return Err(error) };
+        self.remove_session(session);
+        self.rebuild_wanted()?;
+        Ok(Room::Made(session, error.capacity))
     }
 
     fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
@@ -263,19 +146,38 @@ impl LanguageMut<'_> {
         Capacities { sessions: 1, sentence_words: sentence, translations, ..needs }.fits_in(&self.read().rooms())
     }
 
+    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
+    /// way for that: call again until room is found. Symbols may change: those of the session, in `sentence` and `session_tokens`, are
+    /// renamed with the rest. A training must follow.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] that [`add_session_or_make_room`](Self::add_session_or_make_room) would have given.
+    pub(crate) fn tidy_vocabulary(
+        &mut self,
+        sentence: &mut [Option<Symbol>],
+        session_tokens: &mut [Symbol],
+    ) -> Result<Room, CapacityError> {
+        self.remove_unused_words(sentence);
+        if self.full_of_vocabulary().is_some() {
+            self.remove_unused_tokens(session_tokens);
+        }
+        if let Some(full) = self.full_of_vocabulary() {
+            let others = if cfg!(feature = "forgetting") { self.bitext.sessions().saturating_sub(1) } else { 0 };
+            if let Some(session) = self.least(Want::Vocabulary, others) {
+                self.remove_session(session);
+                return Ok(Room::Made(session, full));
+            }
+        }
+        self.data_replaced()?;
+        Ok(Room::Found)
+    }
+
     /// Takes a session out of the training data, with the words and machine tokens that no other has. Training begins.
     pub(crate) fn unlearn(&mut self, session: u16) {
         self.forget_unlearned();
-        let mut removal = Removal::Session(session);
-        while removal != Removal::Done {
-            removal = self.remove_on(removal);
-        }
-        for word in (0..self.words.len() as u16).rev() {
-            self.remove_unused_word(Symbol(word), &mut []);
-        }
-        for token in (0..self.tokens.len() as u16).rev() {
-            self.remove_unused_token(Symbol(token), &mut []);
-        }
+        self.remove_session(session);
+        self.remove_unused_words(&mut []);
+        self.remove_unused_tokens(&mut []);
         // It is less than before, so it fits.
         let _ = self.data_replaced();
         self.begin_training();
@@ -298,44 +200,34 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Looks at one more session that may give way.
-    fn choose_on(&self, choice: &mut Choice) {
-        let session = choice.next;
-        choice.next = session.saturating_add(1);
+    /// The session to give way among the first so many.
+    fn least(&self, want: Want, among: usize) -> Option<u16> {
+        let sessions = || (0..among).map(|session| session as u16);
+        let strange = || sessions().filter(|&session| self.is_strange(session));
+        match want {
+            Want::Lengths(new) => {
+                let length = |session| self.bitext.read().sentence(session).len();
+                let others = || sessions().filter(|&session| length(session) != new);
+                let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
+                let rarest = || oldest_with_most(others(), |session| usize::MAX.saturating_sub(as_long(length(session))));
+                others().find(|&session| self.is_strange(session)).or_else(rarest)
+            }
+            Want::Vocabulary => strange().next().or_else(|| oldest_with_most(sessions(), |session| self.own_words(session))),
+            Want::Session => strange().next().filter(|_| strange().nth(STRANGE.max(among / STRANGE_PART)).is_some()),
+        }
+        .or_else(|| oldest_with_most(sessions(), |session| self.repeated(session)))
+    }
+
+    /// Whether the command was heard once, and has a word that no other session has.
+    fn is_strange(&self, session: u16) -> bool {
         let data = self.bitext.read();
-        let is_other = match choice.want {
-            Want::Lengths(new) => data.sentence(session).len() != usize::from(new),
-            _ => true,
-        };
-        let rarest = self.rarest(session);
-        // Its command was heard once, and has a word that no other session has.
-        if is_other && rarest <= 1 && !data.heard_again(session) {
-            choice.strange = choice.strange.or(Some(session));
-            choice.strange_ones = choice.strange_ones.saturating_add(1);
-            if choice.chosen().is_some() {
-                return;
-            }
-        }
-        let rank = match choice.want {
-            Want::Lengths(_) if is_other => {
-                let length = data.sentence(session).len();
-                let as_long = (0..choice.among).filter(|&other| data.sentence(other).len() == length).count();
-                [1, u16::MAX.saturating_sub(as_long as u16), 0, 0]
-            }
-            Want::Vocabulary => [1, self.own_words(session) as u16, 0, 0],
-            Want::Lengths(_) | Want::Session => self.repeated(session, rarest),
-        };
-        // Of equals the oldest goes.
-        if choice.best.is_none_or(|(_, best)| rank > best) {
-            choice.best = Some((session, rank));
-        }
+        !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
     }
 
     /// How little is lost with a session.
-    fn repeated(&self, session: u16, rarest: usize) -> Rank {
+    fn repeated(&self, session: u16) -> (bool, usize, usize) {
         let times = self.times_kept(session);
-        let pairs = self.bitext.read().pairs_of(session).len();
-        [0, u16::from(times > 1), times.saturating_add(rarest) as u16, pairs.min(usize::from(u16::MAX)) as u16]
+        (times > 1, times.saturating_add(self.rarest(session)), self.bitext.read().pairs_of(session).len())
     }
 
     /// How many sessions have the same command, itself included.
@@ -358,36 +250,52 @@ impl LanguageMut<'_> {
 
     /// In how many sessions the rarest word of a session stands, itself included; a well-known one stands in [`WELL_KNOWN`].
     fn rarest(&self, session: u16) -> usize {
-        let words = self.bitext.read().sentence(session);
-        // No more sessions need be gone through than have a word that is rarer.
-        words.iter().fold(WELL_KNOWN, |least, &word| if least > 1 { self.sessions_with(word, least) } else { least })
+        self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
 
-    /// Forgets a word if no session has it.
-    fn remove_unused_word(&mut self, word: Symbol, sentence: &mut [Option<Symbol>]) {
-        if self.bitext.words_mut().contains(&word) {
-            return;
-        }
-        self.words.remove(word);
-        self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
-        for heard in sentence {
-            *heard = heard.filter(|&heard| heard != word);
-            heard.iter_mut().for_each(|other| close_up(other, word));
+    /// Forgets the words that no session has.
+    fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>]) {
+        for position in (0..self.words.len() as u16).rev() {
+            let word = Symbol(position);
+            if self.bitext.words_mut().contains(&word) {
+                continue;
+            }
+            self.words.remove(word);
+            self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
+            for heard in sentence.iter_mut() {
+                *heard = heard.filter(|&heard| heard != word);
+                heard.iter_mut().for_each(|other| close_up(other, word));
+            }
         }
     }
 
-    /// Forgets a machine token if neither a machine command nor the session has it.
-    fn remove_unused_token(&mut self, token: Symbol, session_tokens: &mut [Symbol]) {
-        if self.bitext.tokens_mut().contains(&token) || session_tokens.contains(&token) {
-            return;
+    /// Forgets the machine tokens that neither a machine command nor the session has.
+    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) {
+        for position in (0..self.tokens.len() as u16).rev() {
+            let token = Symbol(position);
+            if self.bitext.tokens_mut().contains(&token) || session_tokens.contains(&token) {
+                continue;
+            }
+            #[cfg(feature = "layer")]
+            if let Some(layer) = &mut self.layer.room {
+                layer.remove_token(token);
+            }
+            self.tokens.remove(token);
+            self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }
-        #[cfg(feature = "layer")]
-        if let Some(layer) = &mut self.layer.room {
-            layer.remove_token(token);
-        }
-        self.tokens.remove(token);
-        self.bitext.tokens_mut().iter_mut().chain(session_tokens).for_each(|other| close_up(other, token));
     }
+}
+
+/// The first session of the highest rank.
+fn oldest_with_most<K: PartialOrd>(sessions: impl Iterator<Item = u16>, rank: impl Fn(u16) -> K) -> Option<u16> {
+    let mut best: Option<(u16, K)> = None;
+    for session in sessions {
+        let rank = rank(session);
+        if best.as_ref().is_none_or(|(_, other)| rank > *other) {
+            best = Some((session, rank));
+        }
+    }
+    best.map(|(session, _)| session)
 }
 
 /// Moves a symbol up where one before it was removed.

@@ -1,6 +1,6 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
-use super::bitext::{Bitext, BitextRef, Extent, Removal};
+use super::bitext::{Bitext, BitextRef, Extent};
 use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::layer::LayerRef;
@@ -413,13 +413,13 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Goes on forgetting a session and its pairs, and says what is next. Those after it move up by one.
-    pub(super) fn remove_on(&mut self, removal: Removal) -> Removal {
+    /// Forgets a session and its pairs. Those after it move up by one.
+    pub(super) fn remove_session(&mut self, session: u16) {
+        self.bitext.remove_session(session);
         #[cfg(feature = "layer")]
-        if let (Removal::Session(session), Some(layer)) = (removal, &mut self.layer.room) {
+        if let Some(layer) = &mut self.layer.room {
             layer.possible.remove_session(session);
         }
-        self.bitext.remove_on(removal)
     }
 
     #[cfg(all(feature = "layer", feature = "snapshot"))]

@@ -119,9 +119,6 @@ impl<M: AgentMemory> Agent<M> {
         if let phase @ (Phase::Learning | Phase::Restoring) = self.phase() {
             return Err(AgentError::NotNow(phase));
         }
-        if self.is_changing_data() {
-            return Err(AgentError::NotNow(Phase::Finishing));
-        }
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
         self.forget_plan();
         self.forget_questions();

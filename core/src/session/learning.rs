@@ -6,7 +6,7 @@ use super::error::AgentError;
 use super::options::Weights;
 use super::phase::{Phase, Position, Progressed};
 use crate::capacity::Capacity;
-use crate::language::forgetting::Making;
+use crate::language::forgetting::Room;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
@@ -109,7 +109,11 @@ impl<M: AgentMemory> Agent<M> {
         match self.progressed {
             // Half heard, it is no session.
             Progressed::Hearing(..) => self.end_session(),
-            _ => self.complete_data(),
+            Progressed::Tidying => {
+                // It has joined the training data already.
+                while let Ok(Progress::Working) = self.tidy() {}
+            }
+            _ => {}
         }
         self.set_ended();
         self.forget_plan();
@@ -239,22 +243,19 @@ impl<M: AgentMemory> Agent<M> {
                 Progressed::Weighing(..) => {
                     if self.weigh_on(domain, &mut left)? == Progress::Done {
                         self.workspace_to_training();
-                        self.progressed = Progressed::Keeping(Making::Add);
+                        self.progressed = Progressed::Keeping;
                     }
                 }
-                Progressed::Keeping(Making::Add) => {
+                Progressed::Keeping => {
                     if self.keep()? == Progress::Done {
                         #[cfg(feature = "layer")]
                         self.add_possible(domain);
+                        self.progressed = Progressed::Tidying;
                     }
                     left = left.saturating_sub(self.kept_cells());
                 }
-                Progressed::Keeping(making) => {
-                    self.progressed = Progressed::Keeping(self.make_room(making)?);
-                    left = left.saturating_sub(self.kept_cells());
-                }
-                Progressed::Tidying(making) => {
-                    if self.tidy(making)? == Progress::Done {
+                Progressed::Tidying => {
+                    if self.tidy()? == Progress::Done {
                         self.set_ended();
                         return Ok(Some(Finished { gave_way: self.gave_way }));
                     }
@@ -266,9 +267,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(None)
     }
 
-    /// About the work of a step of keeping a session or making room for it, in table cells.
+    /// About the work of keeping a session or making room for it once, in table cells.
     fn kept_cells(&self) -> u32 {
-        (self.language().bitext().pairs().len() as u32).max(1)
+        self.language().bitext().pairs().len() as u32
     }
 
     /// Lets the session's machine commands join the training data, by their weights, or lets one other session give way.
@@ -280,23 +281,17 @@ impl<M: AgentMemory> Agent<M> {
         let candidates = Candidates::new(session.candidates, &mut self.candidates);
         let candidates = candidates.read();
         let pairs = shares(candidates, self.options.least_weight);
-        match language.add_or_choose(&self.sentence, candidates.all_tokens(), || pairs.clone()) {
-            Ok(making @ Making::Choose(_)) => {
-                self.progressed = Progressed::Keeping(making);
+        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), || pairs.clone()) {
+            Ok(Room::Found) => Ok(Progress::Done),
+            Ok(Room::Made(session, full)) => {
+                self.gave_way.add(session, full);
                 Ok(Progress::Working)
-            }
-            Ok(making) => {
-                self.progressed = Progressed::Tidying(making);
-                Ok(Progress::Done)
             }
             Err(error) => {
                 self.start = None;
                 language.forget_unlearned();
                 if self.sentence.iter().all(Option::is_none) {
-                    let mut making = language.tidied();
-                    while making != Making::Done {
-                        (making, _) = language.make_room_on(making, &mut self.sentence, &mut [])?;
-                    }
+                    while let Room::Made(..) = language.tidy_vocabulary(&mut self.sentence, &mut [])? {}
                     language.begin_training();
                 }
                 Err(error.into())
@@ -304,64 +299,26 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Makes the training data whole again, where a part of their change is done.
-    pub(super) fn complete_data(&mut self) {
-        loop {
-            match self.progressed {
-                Progressed::Keeping(making) if making.is_removing() => match self.make_room(making) {
-                    Ok(making) => self.progressed = Progressed::Keeping(making),
-                    Err(_) => break,
-                },
-                // The session has joined the training data already.
-                Progressed::Tidying(making) => match self.tidy(making) {
-                    Ok(Progress::Working) => {}
-                    _ => break,
-                },
-                _ => break,
-            }
-        }
-    }
-
-    /// Whether the end of the session is changing the training data: another session goes, or this one has joined them, but its words and
-    /// tokens are not yet among those that were learned.
-    pub(super) const fn is_changing_data(&self) -> bool {
-        match self.progressed {
-            Progressed::Keeping(making) => making.is_removing(),
-            Progressed::Tidying(_) => true,
-            _ => false,
-        }
-    }
-
-    /// Whether there is no whole model to save: the training data are changing, or a model is coming back.
+    /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
+    /// that were learned, or a model is coming back.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
-        self.is_changing_data() || matches!(self.progressed, Progressed::Restoring(_))
+        matches!(self.progressed, Progressed::Tidying | Progressed::Restoring(_))
     }
 
-    /// Goes on making room, and says what is next.
+    /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.
     #[inline(never)]
-    fn make_room(&mut self, making: Making) -> Result<Making, AgentError> {
+    fn tidy(&mut self) -> Result<Progress, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let (next, gone) = language.make_room_on(making, &mut self.sentence, candidates.all_tokens_mut())?;
-        if making == Making::Tokens(0) {
-            candidates.renamed();
-        }
-        if let Some((session, full)) = gone {
+        let room = language.tidy_vocabulary(&mut self.sentence, candidates.all_tokens_mut())?;
+        candidates.renamed();
+        if let Room::Made(session, full) = room {
             self.gave_way.add(session, full);
-        }
-        Ok(next)
-    }
-
-    /// Goes on giving the vocabulary room again; then training begins.
-    fn tidy(&mut self, making: Making) -> Result<Progress, AgentError> {
-        let next = self.make_room(making)?;
-        self.progressed = Progressed::Tidying(next);
-        if next != Making::Done {
             return Ok(Progress::Working);
         }
-        self.language_mut().begin_training();
+        language.begin_training();
         self.take_usage();
         Ok(Progress::Done)
     }

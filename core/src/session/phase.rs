@@ -2,7 +2,6 @@
 
 use super::agent::Agent;
 use super::options::Weights;
-use crate::language::forgetting::Making;
 use crate::probability::Scaled;
 use core::fmt;
 
@@ -58,9 +57,9 @@ pub(crate) enum Progressed {
     /// The machine commands get their weights, from this one on.
     Weighing(Position, Weights),
     /// The session joins the training data; the others give way.
-    Keeping(Making),
+    Keeping,
     /// The vocabulary gets room again.
-    Tidying(Making),
+    Tidying,
     Ended,
     /// A model comes back. The number says which, and how far it has come.
     #[cfg(feature = "snapshot")]
@@ -103,7 +102,7 @@ impl<M> Agent<M> {
     pub fn phase(&self) -> Phase {
         match self.progressed {
             Progressed::Hearing(..) => Phase::Hearing,
-            Progressed::Weighing(..) | Progressed::Keeping(_) | Progressed::Tidying(_) => Phase::Finishing,
+            Progressed::Weighing(..) | Progressed::Keeping | Progressed::Tidying => Phase::Finishing,
             Progressed::Idle | Progressed::Ready | Progressed::Ended if self.language.is_training() => Phase::Learning,
             Progressed::Idle => Phase::Idle,
             #[cfg(feature = "snapshot")]

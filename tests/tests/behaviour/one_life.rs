@@ -2,11 +2,9 @@
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Strategy;
-use goodbot::home::{Home, paper_tasks};
-use goodbot::memory::{AgentHeap, AgentMemory, HomeHeap};
-use goodbot::oomdp::Domain;
-use goodbot::session::{AgentError, Phase};
-use goodbot::snapshot::Contents;
+use goodbot::home::paper_tasks;
+use goodbot::memory::AgentMemory;
+use goodbot::session::AgentError;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, Lesson, tests_passed, train};
 use rand_core::Rng;
@@ -202,99 +200,4 @@ fn words_beyond_a_full_vocabulary_are_left_out_and_the_rest_is_learned() {
     let language = agent.language();
     let words: Vec<&str> = language.bitext().sentence(0).iter().map(|&word| language.words().text(word)).collect();
     assert_eq!(words, ["please", "go", "at", "once", "to", "the"]);
-}
-
-/// Commands of a life in small memory, with words that never come again; each session is ended by `end`.
-fn ends(options: Options, mut end: impl FnMut(&mut Agent<AgentHeap>, &Home<&mut HomeHeap>, usize)) -> Agent<AgentHeap> {
-    let mut agent = Agent::new(AgentHeap::new(&Capacities::TINY), &paper_tasks().unwrap(), options).unwrap();
-    let (mut memory, mut random) = (HeapMemory::new(&Capacities::SMALL), Pcg32::new(5, 5));
-    for session in 0..40 {
-        let lesson = [with_slips, half_of_it_noise][session % 2](session, &mut random);
-        let (home, state) = lesson.home(&mut memory.home);
-        agent.hear(&home, &state, &lesson.command).unwrap();
-        end(&mut agent, &home, session);
-        agent.learn_fully();
-    }
-    agent
-}
-
-/// The commands that it keeps, in words.
-fn kept(agent: &Agent<AgentHeap>) -> Vec<String> {
-    let (words, bitext) = (agent.language().words(), agent.language().bitext());
-    let command = |session| bitext.sentence(session).iter().map(|&word| words.text(word)).collect::<Vec<_>>().join(" ");
-    (0..bitext.sessions() as u16).map(command).collect()
-}
-
-#[test]
-fn where_sessions_give_way_the_end_of_a_session_is_the_same_in_parts_of_any_size() {
-    for options in [Options::DEFAULT, Options::PAPER] {
-        let mut gone = Vec::new();
-        let whole = ends(options, |agent, home, _| gone.push(agent.finish(home).unwrap().gave_way));
-        assert!(gone.iter().filter(|gone| gone.count() > 0).count() > 10, "memory was full");
-        for budget in [1, 40, 1_000] {
-            let (mut parts, mut gone_in_parts) = (0, Vec::new());
-            let other = ends(options, |agent, home, _| {
-                agent.begin_finishing(home).unwrap();
-                gone_in_parts.push(loop {
-                    parts += 1;
-                    if let Some(finished) = agent.finish_on(home, budget).unwrap() {
-                        break finished.gave_way;
-                    }
-                });
-            });
-            assert_eq!(gone_in_parts, gone);
-            assert_eq!(other.saved().unwrap(), whole.saved().unwrap());
-            assert!(budget > 1 || parts > 40 * 20, "{parts} parts");
-        }
-    }
-}
-
-#[test]
-fn the_end_of_a_session_that_is_broken_off_anywhere_leaves_whole_commands() {
-    type Interruption = fn(&mut Agent<AgentHeap>, &Home<&mut HomeHeap>);
-    let interruptions: [Interruption; 7] = [
-        |agent, home| match agent.hear(home, &home.numbered(0), "anything new at all") {
-            Ok(()) => agent.forget(),
-            // The session has joined the others, or another is going: it comes to its end first.
-            Err(error) => {
-                assert_eq!(error, AgentError::NotNow(Phase::Finishing));
-                while agent.finish_on(home, 1).unwrap().is_none() {}
-            }
-        },
-        |agent, _| agent.forget(),
-        |agent, _| agent.leave(),
-        |agent, _| agent.begin_learning(),
-        |agent, _| agent.set_options(*agent.options()).unwrap(),
-        |agent, _| agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).unwrap(),
-        |agent, _| assert!(agent.unlearn(0)),
-    ];
-    for (which, interrupt) in interruptions.into_iter().enumerate() {
-        let (mut said, mut random) = (Vec::new(), Pcg32::new(6, which as u64));
-        let mut agent = ends(Options::DEFAULT, |agent, home, session| {
-            let words = agent.sentence().iter().flatten().map(|&word| agent.language().words().text(word)).collect::<Vec<_>>();
-            said.push(words.join(" "));
-            agent.begin_finishing(home).unwrap();
-            for _ in 0..draw(90, &mut random) {
-                if agent.finish_on(home, 1).unwrap().is_some() {
-                    break;
-                }
-            }
-            if agent.phase() == Phase::Finishing && session > 2 {
-                interrupt(agent, home);
-                assert_ne!(agent.phase(), Phase::Finishing);
-            }
-            while agent.phase() == Phase::Finishing {
-                let _ = agent.finish_on(home, 1).unwrap();
-            }
-            agent.learn_fully();
-            for command in kept(agent) {
-                assert!(said.contains(&command), "{which}: {command} was never said");
-            }
-            assert_eq!(Contents::read(&agent.saved().unwrap()).map(|_| ()), Ok(()));
-        });
-        let model = agent.saved().unwrap();
-        agent.restore(&model).unwrap();
-        agent.learn_fully();
-        assert_eq!(agent.saved().unwrap(), model);
-    }
 }
