@@ -5,8 +5,8 @@ use super::contents::{Section, symbols, take};
 use super::error::{Part, RestoreError};
 use super::record::{CommandRecord, PairRecord, SessionRecord};
 use crate::capacity::WORDS_PER_COMMAND;
-use crate::language::LanguageMut;
 use crate::language::model::{LanguageState, Unlearned};
+use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::LanguageTables;
 use crate::planning::Progress;
 use crate::symbols::Symbol;
@@ -84,13 +84,13 @@ impl<'a> Restoring<'a> {
                 }
             }
             Stage::Room => {
-                language.read(tables.read(), workspace.len()).check_room(&self.checking.contents()?)?;
+                self.check_room(language.read(tables.read(), workspace.len()))?;
                 self.stage = Stage::DistinctWord(0);
                 *left = left.saturating_sub(1);
             }
             Stage::DistinctWord(_) | Stage::DistinctToken(_) => *left = left.saturating_sub(self.distinct()?),
             Stage::Begin => {
-                language.with(tables, workspace).forget_for(&self.checking.contents()?);
+                self.forget(&mut language.with(tables, workspace))?;
                 self.begin(language);
                 *left = left.saturating_sub(1);
             }
@@ -102,6 +102,18 @@ impl<'a> Restoring<'a> {
             }
             _ => self.take(language, tables, workspace, left),
         }
+        Ok(())
+    }
+
+    /// Apart from the other stages, as what follows is: what a file has in it takes a few hundred bytes of the stack.
+    #[inline(never)]
+    fn check_room(&self, language: LanguageRef<'_>) -> Result<(), RestoreError> {
+        language.check_room(&self.checking.contents()?)
+    }
+
+    #[inline(never)]
+    fn forget(&self, language: &mut LanguageMut<'_>) -> Result<(), RestoreError> {
+        language.forget_for(&self.checking.contents()?);
         Ok(())
     }
 
@@ -140,6 +152,7 @@ impl<'a> Restoring<'a> {
     }
 
     /// Takes over some records, with about as much work as there is `left`. They are not learned until all are there.
+    #[inline(never)]
     fn take(&mut self, language: &mut LanguageState, tables: LanguageTables<'_>, workspace: &mut [u64], left: &mut u32) {
         language.exchange(&mut self.unlearned);
         let mut model = language.with(tables, workspace);
