@@ -4,7 +4,6 @@
 //! every task, and not only the one that was followed.
 
 use super::{Infer, Now, Tasks, label};
-use crate::study::agent::pick;
 use crate::study::place::Place;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
@@ -72,8 +71,7 @@ impl Infer for Coach {
 
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
         let policy = self.belief();
-        let scores = self.tasks.logs.clone();
-        let action = self.tasks.act(now, &scores, self.settings.best);
+        let action = self.tasks.act_by_belief(now, self.settings.best);
         // The gradient of the logarithm of the action's probability.
         let takes = |task: usize| {
             let right = now.outlook.right(task);
@@ -89,13 +87,11 @@ impl Infer for Coach {
 
     fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
         let Some(label) = label(word) else { return Ok(()) };
-        for (log, trace) in self.tasks.logs.iter_mut().zip(&self.trace) {
-            *log += self.settings.rate * label * trace;
-        }
+        self.tasks.add(self.settings.rate * label, &self.trace);
         Ok(())
     }
 
     fn belief(&self) -> Vec<f32> {
-        pick::softmax(&self.tasks.logs)
+        self.tasks.belief()
     }
 }

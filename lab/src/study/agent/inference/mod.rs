@@ -133,6 +133,24 @@ impl Tasks {
         (self.followed, self.last) = (None, None);
     }
 
+    /// How probable each task is by the logarithms.
+    fn belief(&self) -> Vec<f32> {
+        pick::softmax(&self.logs)
+    }
+
+    /// Adds a number to the logarithm of each task, so many times.
+    fn add(&mut self, times: f32, numbers: &[f32]) {
+        for (log, number) in self.logs.iter_mut().zip(numbers) {
+            *log += times * number;
+        }
+    }
+
+    /// Acts by the logarithms alone.
+    fn act_by_belief(&mut self, now: &Now<'_>, best: bool) -> Action {
+        let scores = self.logs.clone();
+        self.act(now, &scores, best)
+    }
+
     /// Acts for the task with the highest score, or for one that is drawn by these as logarithms. It goes straight on where it can, so that
     /// a late word still judges the right kind of action.
     fn act(&mut self, now: &Now<'_>, scores: &[f32], best: bool) -> Action {
@@ -180,8 +198,7 @@ impl Infer for Nothing {
     }
 
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
-        let scores = self.0.logs.clone();
-        Ok(self.0.act(now, &scores, true))
+        Ok(self.0.act_by_belief(now, true))
     }
 
     fn told(&mut self, _word: Feedback) -> Result<(), CourseError> {
@@ -189,6 +206,6 @@ impl Infer for Nothing {
     }
 
     fn belief(&self) -> Vec<f32> {
-        pick::softmax(&self.0.logs)
+        self.0.belief()
     }
 }

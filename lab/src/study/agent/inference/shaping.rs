@@ -2,7 +2,6 @@
 //! meant.
 
 use super::{Infer, Now, Tasks, label, signs};
-use crate::study::agent::pick;
 use crate::study::place::Place;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
@@ -64,8 +63,7 @@ impl Infer for Shaping {
     }
 
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
-        let scores = self.tasks.logs.clone();
-        let action = self.tasks.act(now, &scores, self.settings.best);
+        let action = self.tasks.act_by_belief(now, self.settings.best);
         self.last = signs(now.outlook, action);
         Ok(action)
     }
@@ -74,13 +72,11 @@ impl Infer for Shaping {
         let Some(label) = label(word) else { return Ok(()) };
         // C^labels (1 - C)^(labels of the others), so (C / (1 - C))^labels.
         let weight = libm::logf(self.settings.consistency / (1.0 - self.settings.consistency));
-        for (log, sign) in self.tasks.logs.iter_mut().zip(&self.last) {
-            *log += weight * label * sign;
-        }
+        self.tasks.add(weight * label, &self.last);
         Ok(())
     }
 
     fn belief(&self) -> Vec<f32> {
-        pick::softmax(&self.tasks.logs)
+        self.tasks.belief()
     }
 }
