@@ -23,7 +23,7 @@ use crate::task::TaskSet;
 const MOST_EXPANSIONS: u32 = 1 << 15;
 /// The same for a task that is hardly likely, where there are more tasks than one word tells apart: for 200 of them together no more than their
 /// lower bounds take in ten rooms.
-const FEW_EXPANSIONS: u32 = 1 << 10;
+const FEW_EXPANSIONS: u32 = 1 << 8;
 
 /// Which tasks are left to bound, and what is under way.
 #[derive(Clone, Copy, Debug)]
