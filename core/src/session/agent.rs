@@ -226,6 +226,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::Strategy`] or [`AgentError::Capacity`]; the strategies are then as before.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
         self.belief_mut().set_strategies(strategies)?;
+        self.complete_joining();
         (self.start, self.progressed) = (None, Progressed::Idle);
         Ok(())
     }
@@ -239,6 +240,7 @@ impl<M: AgentMemory> Agent<M> {
         let options = Options { language: self.options.language, ..options };
         options.check()?;
         self.options = options;
+        self.complete_joining();
         (self.start, self.progressed) = (None, Progressed::Idle);
         Ok(())
     }
@@ -337,6 +339,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Ends a session under way, and forgets which tasks it had.
     pub(crate) fn end_session(&mut self) {
+        self.complete_joining();
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
         self.forget_plan();
         self.forget_questions();

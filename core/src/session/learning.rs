@@ -109,11 +109,7 @@ impl<M: AgentMemory> Agent<M> {
         match self.progressed {
             // Half heard, it is no session.
             Progressed::Hearing(..) => self.end_session(),
-            Progressed::Tidying => {
-                // It has joined the training data already.
-                while let Ok(Progress::Working) = self.tidy() {}
-            }
-            _ => {}
+            _ => self.complete_joining(),
         }
         self.set_ended();
         self.forget_plan();
@@ -304,6 +300,14 @@ impl<M: AgentMemory> Agent<M> {
     #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying | Progressed::Restoring(_))
+    }
+
+    /// Gives a session that has joined the training data its words for good. What forgets new words would take them from it otherwise.
+    #[inline(never)]
+    pub(super) fn complete_joining(&mut self) {
+        if matches!(self.progressed, Progressed::Tidying) {
+            while let Ok(Progress::Working) = self.tidy() {}
+        }
     }
 
     /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.

@@ -2,7 +2,7 @@
 
 use crate::rooms;
 
-use goodbot::feedback::Feedback;
+use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home;
 use goodbot::language::Settings;
 use goodbot::memory::AgentArrays;
@@ -191,4 +191,43 @@ fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
     assert_eq!(phases, [Idle, Hearing, Ready, Finishing, Learning, Ended, Ready]);
     let refused = AgentError::NotNow(Finishing).to_string();
     assert_eq!(refused, "the session is not finished; finish on until it is");
+}
+
+/// The commands that it keeps, in words.
+fn kept(agent: &Agent<&mut AgentArrays<Memory>>) -> Vec<String> {
+    let (words, bitext) = (agent.language().words(), agent.language().bitext());
+    let command = |session| bitext.sentence(session).iter().map(|&word| words.text(word)).collect::<Vec<_>>().join(" ");
+    (0..bitext.sessions() as u16).map(command).collect()
+}
+
+#[test]
+fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
+    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+    let (home, start) = rooms(&mut rooms_memory.home, None);
+    let interruptions: [fn(&mut Agent<&mut AgentArrays<Memory>>); 5] = [
+        |_| {},
+        |agent| agent.leave(),
+        |agent| agent.forget(),
+        |agent| agent.set_options(*agent.options()).unwrap(),
+        |agent| agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).unwrap(),
+    ];
+    for (which, interrupt) in interruptions.into_iter().enumerate() {
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        agent.begin_finishing(&home).unwrap();
+        while agent.language().bitext().sessions() == 0 {
+            assert_eq!(agent.finish_on(&home, 1), Ok(None));
+        }
+        assert_eq!(agent.phase(), Phase::Finishing);
+        interrupt(&mut agent);
+        let heard = agent.hear(&home, &start, "take that star now please");
+        assert_eq!(kept(&agent), ["go to the red room"], "{which}");
+        assert!(matches!(heard, Err(AgentError::NotNow(_))), "{which}: the session is to be learned from first");
+        while agent.phase() == Phase::Finishing {
+            let _ = agent.finish_on(&home, 1).unwrap();
+        }
+        agent.learn_fully();
+        assert!(agent.hear(&home, &start, "take that star now please").is_ok(), "{which}");
+        assert_eq!(kept(&agent), ["go to the red room"], "{which}");
+    }
 }
