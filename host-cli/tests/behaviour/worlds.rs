@@ -70,6 +70,49 @@ fn the_group_that_a_log_names_is_left_out_together() {
     assert!(too_many.code == 2 && too_many.messages.contains("group by group there are 2"), "{}", too_many.messages);
 }
 
+/// Three rooms with a lamp and a fan each.
+const HOUSE: &str = r#"{"type":"world","name":"flat","classes":["lamp","fan","place"],"attributes":{"room":["lamp","fan"],"kind":["lamp","fan"]},"propositions":{"lampOn":["lamp"],"lampOff":["lamp"],"fanOn":["fan"],"fanOff":["fan"]},"objects":[{"name":"kitchen","class":"place"},{"name":"bath","class":"place"},{"name":"hall","class":"place"},{"name":"lamp_kitchen","class":"lamp","attributes":{"room":"kitchen","kind":"lamp"}},{"name":"lamp_bath","class":"lamp","attributes":{"room":"bath","kind":"lamp"}},{"name":"lamp_hall","class":"lamp","attributes":{"room":"hall","kind":"lamp"}},{"name":"fan_kitchen","class":"fan","attributes":{"room":"kitchen","kind":"fan"}},{"name":"fan_bath","class":"fan","attributes":{"room":"bath","kind":"fan"}},{"name":"fan_hall","class":"fan","attributes":{"room":"hall","kind":"fan"}}],"facts":[],"task_kinds":["lampOn(?x)","lampOff(?x)","fanOn(?x)","fanOff(?x)"]}"#;
+
+/// Sentences in French, drawn at random from many ways to say the same, some meanings often and some once: the group, the meaning, the words.
+const SAID: &str = "\
+lampOnkitchen lampOn(lamp_kitchen) allume la lumiere dans le cuisine
+lampOnkitchen lampOn(lamp_kitchen) mets la lampe du cuisine
+lampOnkitchen lampOn(lamp_kitchen) mets le lampe du cuisine
+lampOnkitchen lampOn(lamp_kitchen) demarre le lumiere de la cuisine
+lampOnkitchen lampOn(lamp_kitchen) demarre la lumiere du cuisine
+lampOnkitchen lampOn(lamp_kitchen) mets la lumiere du cuisine
+lampOnkitchen lampOn(lamp_kitchen) demarre la lumiere du cuisine
+lampOnkitchen lampOn(lamp_kitchen) allume le lampe du cuisine
+lampOnbath lampOn(lamp_bath) demarre la lumiere de la bain
+lampOnhall lampOn(lamp_hall) allume le lampe de la couloir
+lampOffbath lampOff(lamp_bath) eteins la lumiere du bain
+lampOffbath lampOff(lamp_bath) arrete la lampe du bain
+lampOffbath lampOff(lamp_bath) coupe le lumiere dans le bain
+lampOffbath lampOff(lamp_bath) coupe le lampe de la bain
+lampOffbath lampOff(lamp_bath) arrete la lumiere de la bain
+lampOffbath lampOff(lamp_bath) arrete le lampe de la bain
+lampOffbath lampOff(lamp_bath) arrete la lumiere du bain
+lampOffbath lampOff(lamp_bath) eteins la lumiere dans le bain
+lampOffhall lampOff(lamp_hall) eteins la lampe dans le couloir
+lampOffhall lampOff(lamp_hall) eteins le lampe du couloir
+fanOnhall fanOn(fan_hall) mets le ventilateur de la couloir
+fanOnhall fanOn(fan_hall) allume le ventilateur de la couloir
+fanOffkitchen fanOff(fan_kitchen) coupe le air de la cuisine
+fanOffbath fanOff(fan_bath) eteins le air de la bain
+fanOffhall fanOff(fan_hall) arrete la ventilateur dans le couloir";
+
+#[test]
+fn a_meaning_that_was_never_told_is_put_together_from_the_words_for_its_parts() {
+    let mut log = vec![HOUSE.to_owned()];
+    for (number, line) in SAID.lines().enumerate() {
+        let [group, meant, words] = line.splitn(3, ' ').collect::<Vec<_>>()[..] else { panic!("{line}") };
+        log.push(command(group, words, meant).replacen(words, &number.to_string(), 1));
+    }
+    let left_out = last_line(&goodbot(&["evaluate", "-", "--json"], log.join("\n").as_bytes()));
+    assert_eq!(left_out["asked"].as_u64(), Some(25));
+    assert!(left_out["right"].as_u64() > Some(20), "as many as where each word counts for the values that it names alone: {left_out}");
+}
+
 #[test]
 fn what_is_wrong_with_a_world_is_told_by_line_and_field() {
     for (from, to, told) in [

@@ -1,7 +1,7 @@
 //! A command as the layer hears it: which words speak of values, and what stands around them.
 
 use super::parts::Part;
-use super::weights::{Context, of_context, of_kind, of_kind_word, of_value_word};
+use super::weights::{Context, of_context, of_kind, of_kind_word, of_told, of_value_word};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::roles::names::Names;
 use crate::language::tables::TablesRef;
@@ -26,6 +26,8 @@ struct Mention {
 pub(super) struct Command<'s, 't> {
     words: &'s [Option<Symbol>],
     names: Names<'t>,
+    /// Whether it is of a world that is told.
+    is_told: bool,
     /// In order.
     mentions: Vec<Mention, WORDS_PER_COMMAND>,
 }
@@ -34,7 +36,7 @@ impl<'s, 't> Command<'s, 't> {
     /// A command, after a training on data of so many words, each as often as it was `said`.
     pub fn new(tables: TablesRef<'t>, said: f32, words: &'s [Option<Symbol>]) -> Self {
         let names = Names::new(tables, said);
-        let mut command = Self { words, names, mentions: Vec::new() };
+        let mut command = Self { words, names, is_told: tables.layout().has_names(), mentions: Vec::new() };
         for (position, word) in words.iter().enumerate() {
             let Some(word) = *word else { continue };
             let best =
@@ -61,6 +63,10 @@ impl<'s, 't> Command<'s, 't> {
             tell(of_kind(value), 1.0);
             self.different(0).for_each(|word| tell(of_kind_word(value, word), 1.0));
             return;
+        }
+        if self.is_told {
+            tell(of_told(role, value, None), 1.0);
+            self.different(0).for_each(|word| tell(of_told(role, value, Some(word)), 1.0));
         }
         for word in self.different(0).filter(|&word| self.names.share(word, value) > SPEAKS) {
             tell(of_value_word(role, value, word), 1.0);

@@ -10,7 +10,9 @@
 //! The parts of a task are its kind, and each value of what it speaks of, with the role (`parts`). g(w,v) is how often the role model took the
 //! word w for the value v, of all times that it was heard. U of a kind is a constant, and a weight for each word. U of a value is, over the
 //! words with g > 0.05, a weight of the word, and g times a weight for each thing that stands around the word (`contexts`); all values of a
-//! role share those. So the layer learns "avoid" from one color and knows it with another.
+//! role share those. So the layer learns "avoid" from one color and knows it with another. Where tasks are told by words of names, U of a
+//! value also has a constant and a weight for each word, whatever its g: with few meanings a word and a value often occur only together, and
+//! the role model takes the word for one of several. A meaning told n times teaches there as much as the root of n.
 //!
 //! So it weighs the tasks of kinds that were meant before. The tasks of all other kinds are weighed among themselves: of those kinds nothing
 //! was learned, and they keep the probability that the role model gives them together. Where tasks have ways, a new scene is an exception

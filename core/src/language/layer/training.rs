@@ -14,7 +14,7 @@ use super::posterior::{Weighed, weigh};
 use super::speaking::{Found, Speaking};
 use super::tables::Room;
 use super::weights::{PULLS, TRUST, Weights};
-use crate::language::bitext::BitextRef;
+use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::TablesRef;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -103,9 +103,13 @@ impl Room<'_> {
         let (of_met, of_others) = (wanted_of(true), wanted_of(false));
 
         parts.each().for_each(|(_, number)| *number = 0.0);
+        // Where tasks are told, a meaning counts as the root of how often it was told, as it does for the role model.
+        let sum = |weight: &dyn Fn(&Pair) -> f32| bitext.pairs_of(session).iter().map(weight).sum::<f32>();
+        let (counts, whole) = (sum(&|pair| tables.layout().weight(bitext, pair)), sum(&|pair| pair.weight));
+        let counts = if whole > 0.0 { counts / whole } else { 1.0 };
         let mut of_trust = 0.0;
         for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
-            let slope = if task.met { of_met } else { of_others } * task.within - wanted;
+            let slope = counts * (if task.met { of_met } else { of_others } * task.within - wanted);
             parts.add(position, slope);
             of_trust += slope * task.logarithm;
         }

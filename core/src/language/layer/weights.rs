@@ -14,12 +14,15 @@ const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, where a is how much the role model counts.
 pub(super) const TRUST: usize = CONSTANTS.end;
+/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it.
+const TOLD: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// How many weights there are.
-pub(super) const CELLS: usize = TRUST + 1;
+pub(super) const CELLS: usize = TOLD.end;
 
 /// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
 /// so that what all values of a role share is learned first.
-pub(super) const PULLS: [(Range<usize>, f32); 5] = [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..CELLS, 10.0)];
+pub(super) const PULLS: [(Range<usize>, f32); 6] =
+    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (TOLD, 10.0)];
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +70,11 @@ pub(super) fn of_kind_word(form: Symbol, word: Symbol) -> usize {
 /// The cell of a word together with a value in a role.
 pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize {
     cell(VALUES, [role.0, value.0, word.0])
+}
+
+/// The cell of a value in a role, alone or with a word that need not speak of it.
+pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usize {
+    cell(TOLD, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
 }
 
 /// The cell of a context, for all values of a role.

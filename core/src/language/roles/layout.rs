@@ -180,7 +180,7 @@ impl Layout {
     }
 
     /// How much a pair counts.
-    pub(super) fn weight(&self, bitext: BitextRef<'_>, pair: &Pair) -> f32 {
+    pub(in crate::language) fn weight(&self, bitext: BitextRef<'_>, pair: &Pair) -> f32 {
         if self.has_names() { bitext.weight_of_meaning(pair) } else { pair.weight }
     }
 
