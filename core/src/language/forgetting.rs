@@ -172,10 +172,9 @@ impl LanguageMut<'_> {
         Ok(Room::Found)
     }
 
-    /// Takes a session out of the training data, with the words and machine tokens that no other has. Training begins.
-    pub(crate) fn unlearn(&mut self, session: u16) {
+    /// Forgets the words and machine tokens that no session has any more. Training begins.
+    pub(crate) fn forget_unused(&mut self) {
         self.forget_unlearned();
-        self.remove_session(session);
         self.remove_unused_words(&mut []);
         self.remove_unused_tokens(&mut []);
         // It is less than before, so it fits.

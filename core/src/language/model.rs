@@ -414,7 +414,7 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Forgets a session and its pairs. Those after it move up by one.
-    pub(super) fn remove_session(&mut self, session: u16) {
+    pub(crate) fn remove_session(&mut self, session: u16) {
         self.bitext.remove_session(session);
         #[cfg(feature = "layer")]
         if let Some(layer) = &mut self.layer.room {

@@ -181,9 +181,11 @@ impl<M: AgentMemory> Agent<M> {
         if usize::from(session) >= self.language().bitext().sessions() {
             return false;
         }
+        // First: its position is another one where sessions give way for one that is finished.
+        self.language_mut().remove_session(session);
         self.end_session();
         self.workspace_to_training();
-        self.language_mut().unlearn(session);
+        self.language_mut().forget_unused();
         true
     }
 
@@ -297,7 +299,6 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
     /// that were learned, or a model is coming back.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying | Progressed::Restoring(_))
     }
@@ -343,7 +344,10 @@ impl<M: AgentMemory> Agent<M> {
                 Err(error) => break Err(error),
             }
         };
-        self.progressed = progressed;
+        // A session that is being finished has these weights now, and is not to add to them.
+        if !matches!(progressed, Progressed::Weighing(..)) {
+            self.progressed = progressed;
+        }
         result
     }
 

@@ -5,7 +5,7 @@ use crate::rooms;
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::home;
 use goodbot::language::Settings;
-use goodbot::memory::AgentArrays;
+use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
@@ -194,7 +194,7 @@ fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
 }
 
 /// The commands that it keeps, in words.
-fn kept(agent: &Agent<&mut AgentArrays<Memory>>) -> Vec<String> {
+fn kept<M: AgentMemory>(agent: &Agent<M>) -> Vec<String> {
     let (words, bitext) = (agent.language().words(), agent.language().bitext());
     let command = |session| bitext.sentence(session).iter().map(|&word| words.text(word)).collect::<Vec<_>>().join(" ");
     (0..bitext.sessions() as u16).map(command).collect()
@@ -229,5 +229,52 @@ fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
         agent.learn_fully();
         assert!(agent.hear(&home, &start, "take that star now please").is_ok(), "{which}");
         assert_eq!(kept(&agent), ["go to the red room"], "{which}");
+    }
+}
+
+#[test]
+fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() {
+    let learned = |looks: bool| {
+        let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
+        let (home, start) = rooms(&mut rooms_memory.home, None);
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+        agent.hear(&home, &start, "go to the red room").unwrap();
+        agent.begin_finishing(&home).unwrap();
+        let _ = agent.finish_on(&home, 1).unwrap();
+        if looks {
+            agent.weigh(&home).unwrap();
+        }
+        while agent.finish_on(&home, 1).unwrap().is_none() {}
+        let pairs = agent.language().bitext().pairs();
+        pairs.iter().map(|pair| (pair.command, pair.weight.to_bits())).collect::<Vec<_>>()
+    };
+    assert_eq!(learned(true), learned(false));
+}
+
+#[test]
+fn no_other_session_is_unlearned_where_one_is_about_to_give_way() {
+    goodbot::memory! { struct FewWords = Capacities { words: 20, ..Capacities::SMALL }; }
+    for learned in 2..8 {
+        let (mut memory, mut rooms_memory) = (FewWords::new(), Memory::new());
+        let (home, start) = rooms(&mut rooms_memory.home, None);
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        for number in 0..=learned {
+            let words: Vec<String> = (b'a'..=b'e').map(|letter| format!("{}{number}", char::from(letter).to_string().repeat(3))).collect();
+            agent.hear(&home, &start, &words.join(" ")).unwrap();
+            if number < learned {
+                let _ = agent.finish(&home).unwrap();
+                agent.learn_fully();
+            }
+        }
+        agent.begin_finishing(&home).unwrap();
+        let joined = format!("eee{learned}");
+        while !kept(&agent).iter().any(|command| command.ends_with(&joined)) {
+            assert_eq!(agent.finish_on(&home, 1), Ok(None));
+        }
+        let mut rest = kept(&agent);
+        rest.remove(1);
+        assert!(agent.unlearn(1), "{learned}");
+        assert_eq!(kept(&agent), rest, "{learned}");
+        agent.learn_fully();
     }
 }
