@@ -21,7 +21,7 @@ use crate::task::TaskSet;
 
 /// Expansions of A* for one task at most.
 const MOST_EXPANSIONS: u32 = 1 << 15;
-/// The same for a task that is hardly likely, where there are more tasks than one word tells apart: for 200 of them together no more than their
+/// The same for a task that is hardly likely, where there are more tasks than one word tells apart: 200 of them together get fewer than their
 /// lower bounds take in ten rooms.
 const FEW_EXPANSIONS: u32 = 1 << 8;
 

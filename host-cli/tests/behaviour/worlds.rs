@@ -73,7 +73,8 @@ fn the_group_that_a_log_names_is_left_out_together() {
 /// Three rooms with a lamp and a fan each.
 const HOUSE: &str = r#"{"type":"world","name":"flat","classes":["lamp","fan","place"],"attributes":{"room":["lamp","fan"],"kind":["lamp","fan"]},"propositions":{"lampOn":["lamp"],"lampOff":["lamp"],"fanOn":["fan"],"fanOff":["fan"]},"objects":[{"name":"kitchen","class":"place"},{"name":"bath","class":"place"},{"name":"hall","class":"place"},{"name":"lamp_kitchen","class":"lamp","attributes":{"room":"kitchen","kind":"lamp"}},{"name":"lamp_bath","class":"lamp","attributes":{"room":"bath","kind":"lamp"}},{"name":"lamp_hall","class":"lamp","attributes":{"room":"hall","kind":"lamp"}},{"name":"fan_kitchen","class":"fan","attributes":{"room":"kitchen","kind":"fan"}},{"name":"fan_bath","class":"fan","attributes":{"room":"bath","kind":"fan"}},{"name":"fan_hall","class":"fan","attributes":{"room":"hall","kind":"fan"}}],"facts":[],"task_kinds":["lampOn(?x)","lampOff(?x)","fanOn(?x)","fanOff(?x)"]}"#;
 
-/// Sentences in French, drawn at random from many ways to say the same, some meanings often and some once: the group, the meaning, the words.
+/// Sentences in French: the group, the meaning, the words. Some meanings are told often and some once. Of twelve draws from many ways to say the
+/// same, this is one in which the weights of all words decide.
 const SAID: &str = "\
 lampOnkitchen lampOn(lamp_kitchen) allume la lumiere dans le cuisine
 lampOnkitchen lampOn(lamp_kitchen) mets la lampe du cuisine
