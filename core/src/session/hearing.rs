@@ -117,7 +117,7 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     pub(crate) fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, done: f32) -> Result<(), AgentError> {
         let phase = self.phase();
-        if phase == Phase::Learning || self.is_between_models() {
+        if matches!(self.progressed, Progressed::Tidying) || matches!(phase, Phase::Learning | Phase::Restoring) {
             return Err(AgentError::NotNow(phase));
         }
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);

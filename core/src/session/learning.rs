@@ -299,6 +299,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
     /// that were learned, or a model is coming back.
+    #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying | Progressed::Restoring(_))
     }
