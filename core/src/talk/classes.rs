@@ -10,7 +10,7 @@ use core::fmt;
 pub enum Class {
     /// "not", "never", "except".
     Negation,
-    /// "leave", "out", "away".
+    /// "leave", "out", "away". One that is a polite word as well, such as "away", is of this class before "from" alone.
     Out,
     /// "of", "from": behind a word such as "out".
     From,
@@ -54,7 +54,7 @@ pub enum Class {
     Same,
     /// "undo".
     Undo,
-    /// "I", "we": a word behind it tells what the speaker does.
+    /// "I", "we", "she": a word behind it tells what somebody does, and asks for nothing.
     Speaker,
     /// "if".
     If,

@@ -115,8 +115,8 @@ impl<M: AgentMemory> Agent<M> {
         if view.has_act || wishes || points_with_verb {
             named.act();
         }
-        // "I want you in the red room", "into the red room with you".
-        if is_verbless(words) && (wishes || begins_with_way(words)) {
+        // "I want you in the red room", "into the red room with you", "the bag to the red room".
+        if is_verbless(words) && (wishes || begins_with_way(words) || names_thing_and_way(words)) {
             named.act_in_any_way();
         }
         if let Some(recalled) = &recalled {
@@ -231,11 +231,19 @@ fn is_verbless(words: Words<'_>) -> bool {
 }
 
 /// Whether nothing but closed words stand before a word that tells where a way leads.
-fn begins_with_way(words: Words<'_>) -> bool {
+pub(super) fn begins_with_way(words: Words<'_>) -> bool {
     // "Everything to the red room" is about things.
     let others = [Class::Asking, Class::Speaker, Class::All, Class::It, Class::Other, Class::Same];
     !words.iter().any(|word| word.classes.contains_any(&others))
         && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
+}
+
+/// Whether a word that tells where a way leads stands between names. "The chair next to the red room" is a thing.
+fn names_thing_and_way(words: Words<'_>) -> bool {
+    let Some(way) = words.iter().position(|word| word.is_toward) else { return false };
+    let mut thing = words.iter().take(way);
+    let is_thing = thing.clone().all(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite));
+    is_thing && thing.any(|word| word.is_name) && words.iter().skip(way).any(|word| word.is_name)
 }
 
 /// How many different kinds of task.

@@ -58,20 +58,28 @@ pub(super) type Utterance = Vec<Heard, WORDS_PER_COMMAND>;
 pub(super) struct Words<'w> {
     all: &'w [Heard],
     kept: u64,
+    /// The word that comes first. Those before it come last.
+    first: usize,
 }
 
 const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
 
 impl<'w> Words<'w> {
     /// No word.
-    pub const NONE: Self = Self { all: &[], kept: 0 };
+    pub const NONE: Self = Self { all: &[], kept: 0, first: 0 };
 
     pub const fn new(all: &'w [Heard]) -> Self {
-        Self { all, kept: u64::MAX }
+        Self { all, kept: u64::MAX, first: 0 }
+    }
+
+    /// The words with their places in the utterance.
+    fn placed(self) -> impl Iterator<Item = (usize, &'w Heard)> + Clone {
+        let placed = self.all.iter().enumerate();
+        placed.clone().skip(self.first).chain(placed.take(self.first)).filter(move |(at, _)| self.kept >> at & 1 == 1)
     }
 
     pub fn iter(self) -> impl Iterator<Item = &'w Heard> + Clone {
-        self.all.iter().enumerate().filter(move |(at, _)| self.kept >> at & 1 == 1).map(|(_, word)| word)
+        self.placed().map(|(_, word)| word)
     }
 
     pub fn len(self) -> usize {
@@ -88,8 +96,18 @@ impl<'w> Words<'w> {
 
     /// Those that are wanted; each is asked for once, in order.
     pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
-        let bits = self.all.iter().enumerate().filter(|(at, word)| self.kept >> at & 1 == 1 && is_wanted(word));
+        let bits = self.placed().filter(|(_, word)| is_wanted(word));
         Self { kept: bits.fold(0, |bits, (at, _)| bits | 1 << at), ..self }
+    }
+
+    /// The same words, but those before a position come last.
+    pub fn turned(self, position: usize) -> Self {
+        Self { first: self.placed().nth(position).map_or(0, |(at, _)| at), ..self }
+    }
+
+    /// These words and those of another part of the same utterance.
+    pub const fn with(self, other: Self) -> Self {
+        Self { kept: self.kept | other.kept, ..self }
     }
 
     /// Those from a position up to another.
@@ -242,8 +260,11 @@ impl<M: AgentMemory> Agent<M> {
         for_each_piece(utterance, |piece| {
             // A command begins with the name of no thing: "range le panier" has no slip for "orange".
             let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE);
-            let is_no_name =
-                |symbol: &Symbol| !(is_name(language.tables(), Some(*symbol)) && is_slip(language.words().text(*symbol), piece));
+            // But "chairs" is no slip.
+            let is_no_name = |symbol: &Symbol| {
+                let known = language.words().text(*symbol);
+                !(is_name(language.tables(), Some(*symbol)) && is_slip(known, piece) && !piece.starts_with(known))
+            };
             let symbol = sentence.get(position).copied().flatten().filter(|symbol| !is_first || is_no_name(symbol));
             if of_word.0 == 0 {
                 of_word = closed.of_signs(signs.get(position..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
@@ -281,6 +302,13 @@ impl<M: AgentMemory> Agent<M> {
             && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
         {
             words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
+        }
+        // "Away" takes something out before "from" alone: "right away".
+        let leads_out = [Class::Out, Class::Polite];
+        let is_away = |word: &Heard| leads_out.into_iter().all(|class| word.classes.contains(class));
+        for at in 0..words.len() {
+            let is_from = words.get(at.saturating_add(1)).is_some_and(|next| next.classes.contains(Class::From));
+            words.iter_mut().skip(at).take(1).filter(|word| !is_from && is_away(word)).for_each(Heard::excuse);
         }
         // Who says "don't forget to go" says to go.
         let forgets =

@@ -82,7 +82,7 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         explained: &Explained,
         place: Place<'_>,
-        parting: Option<Parting>,
+        parting: Option<Parting<'_>>,
     ) -> Result<(Hypothesis, f32, f32), AgentError> {
         let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
         let mut add = |hypothesis: Hypothesis, weight: Scaled| match hypotheses.iter_mut().find(|(known, _)| *known == hypothesis) {

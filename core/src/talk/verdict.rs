@@ -71,7 +71,7 @@ impl<M: AgentMemory> Agent<M> {
         let (Hypothesis::Several, Some(parting)) = (best, parting) else {
             return self.judge_one(domain, words, explained, wording, place, (best, share, command));
         };
-        let first = words.part(0, parting.end);
+        let first = parting.first;
         self.explain_all(domain, first, wording, place.view(View::PLAIN), explained)?;
         let taken = self.hypotheses(domain, first, wording, explained, place, None)?;
         let part = self.judge_one(domain, first, explained, wording, place, taken)?;

@@ -29,6 +29,7 @@ use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, in_known_words};
+use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
 use goodbot_console::starter::StarterOptions;
@@ -102,7 +103,7 @@ Tasks that are done already are possible meanings too; the plan is for the most 
 tells the kind of sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. With fewer \
 lessons, each unknown word makes the answer less sure.
 
-With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json.
+A command that is refused is told on standard error, and the others are asked. With --json it has a line of the type \"error\". With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json.
 
 Examples:
   goodbot ask --with words.goodbot --environment home.json go to the orange room
@@ -174,13 +175,26 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let closed = closed.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let mut state = None;
-    for (number, question) in questions(options)?.iter().enumerate() {
+    let questions = questions(options)?;
+    let mut refused = 0_usize;
+    for (number, question) in questions.iter().enumerate() {
         let mut memory = home::memory();
         let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
             Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
         })?;
         let start = state.unwrap_or(start);
-        let answer = answer(&mut agent, &home, &start, question, synonyms, closed)?;
+        let answer = match answer(&mut agent, &home, &start, question, synonyms, closed) {
+            // The other commands are asked none the less.
+            Err(Failure::Input(message)) if questions.len() > 1 => {
+                refused += 1;
+                eprintln!("{}", printable(&format!("{:?}: {message}", question.command)));
+                if options.json {
+                    writeln!(out, "{}", json!({"type": "error", "command": question.command, "message": message}))?;
+                }
+                continue;
+            }
+            answer => answer?,
+        };
         if options.conversation && ["sure", "done"].contains(&answer.verdict(options.threshold)) {
             answer.steps.iter().for_each(|(task, before)| agent.remember(&home, before, task));
             state = Some(answer.end);
@@ -194,7 +208,11 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         }
         print(&mut out, options, question, &answer, &Map::new(&home, &start))?;
     }
-    Ok(out.flush()?)
+    out.flush()?;
+    match refused {
+        0 => Ok(()),
+        _ => Err(Failure::Input(format!("{refused} of {} were refused", counted(questions.len(), "command")))),
+    }
 }
 
 fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {

@@ -281,3 +281,14 @@ fn a_way_that_was_taught_is_answered_in_words_and_planned_for() {
     let asked = goodbot(&["ask", "--with", model, "--routes", "-e", home, "go to the green room but avoid the red room"], b"");
     assert!(asked.output.contains("go to the green room, but not through the red room"), "{}{}", asked.output, asked.messages);
 }
+
+#[test]
+fn a_command_that_is_refused_keeps_no_other_from_being_asked() {
+    let asked = Asked::new();
+    let long = "x".repeat(60);
+    let commands = format!("go to the red room\n{long}\ngo to the blue room\n");
+    let run = asked.ask(&["--environment", &example("home.json"), "--json", "-"], &commands);
+    let types: Vec<Value> = run.output.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["type"].clone()).collect();
+    assert_eq!((run.code, types), (2, vec!["answer".into(), "error".into(), "answer".into()]));
+    assert!(run.messages.contains(&format!("{long:?}: ")) && run.messages.contains("1 of 3 commands were refused"), "{}", run.messages);
+}

@@ -397,11 +397,45 @@ fn a_command_needs_no_verb_and_other_sentences_with_one_are_no_command() {
         ("go to the blue room if you don't mind", "sure", "agentInRoom(agent0,room1)"),
         ("anywhere but the red room", "sure", "!agentInRoom(agent0,room0)"),
         ("remove the yellow bag from the green room", "sure", "!blockInRoom(block0,room2)"),
+        ("the yellow bag to the blue room", "sure", "blockInRoom(block0,room1)"),
+        ("I'd like the yellow bag in the blue room", "sure", "blockInRoom(block0,room1)"),
+        ("the red chair next to the blue room", "unsure", ""),
+        ("she brought the yellow bag to the blue room", "unsure", ""),
         ("if it rains, go to the blue room", "unsure", ""),
         ("I go to the blue room", "unsure", ""),
         ("go to the green room ... no, stop", "unsure", ""),
     ];
     check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn what_is_said_in_front_of_the_verb_belongs_to_its_command() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("into the blue room put the yellow bag", "sure", "blockInRoom(block0,room1)"),
+        ("to the blue room, please take the yellow bag", "sure", "blockInRoom(block0,room1)"),
+        ("right away go to the green room", "sure", "agentInRoom(agent0,room2)"),
+        ("stay away from the red room", "sure", "!agentInRoom(agent0,room0)"),
+        ("in the blue room there was a yellow bag", "none", ""),
+    ];
+    check(&model, &three_rooms(), &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    check(&model, &three_rooms(), &[("in das blaue Zimmer stell die gelbe Tasche", "sure", "blockInRoom(block0,room1)")]);
+}
+
+#[test]
+fn two_things_may_share_the_place_that_is_named_once() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let both = "blockInRoom(block0,room1) then blockInRoom(block1,room1)";
+    let cases = [
+        ("take the yellow bag and the red chair to the blue room", "sure", both),
+        ("the yellow bag and the red chair into the blue room", "sure", both),
+        ("take the yellow bag and the piano to the blue room", "unsure", ""),
+        ("take the yellow bag and go to the blue room", "unsure", ""),
+    ];
+    check(&model, &three_rooms(), &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    check(&model, &three_rooms(), &[("bring die gelbe Tasche und die rote Bank ins blaue Zimmer", "sure", both)]);
 }
 
 #[test]
