@@ -321,12 +321,6 @@ impl Goodbot {
         self.0.finish().map_err(thrown)
     }
 
-    /// How many sessions have given way to new ones in this robot's life, because its memory was full.
-    #[wasm_bindgen(js_name = gaveWay)]
-    pub fn gave_way(&self) -> usize {
-        self.0.gave_way()
-    }
-
     /// Goes on learning, with about `budget` table cells of work. Gives whether it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
         self.0.learn(budget)

@@ -30,7 +30,7 @@ pub enum Class {
     Again,
     /// "and", "then".
     Connective,
-    /// "or".
+    /// "or", "any": leaves a choice to the robot.
     Or,
     /// "all", "both", "everything".
     All,
@@ -54,8 +54,10 @@ pub enum Class {
     Same,
     /// "undo".
     Undo,
-    /// "I", "we", "she": a word behind it tells what somebody does, and asks for nothing.
+    /// "I", "she", "my": a word behind it tells what somebody does, and asks for nothing.
     Speaker,
+    /// "you": who is told, so that "I want you to go" asks for something.
+    You,
     /// "if".
     If,
     /// "to", "into", "towards": a way leads where the words behind it say. Commands have such words themselves.
@@ -74,7 +76,7 @@ pub enum Class {
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 31] = [
+    pub const ALL: [Self; 32] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -99,6 +101,7 @@ impl Class {
         Self::Same,
         Self::Undo,
         Self::Speaker,
+        Self::You,
         Self::If,
         Self::Toward,
         Self::Clitic,
@@ -135,6 +138,7 @@ impl Class {
             Self::Same => "same",
             Self::Undo => "undo",
             Self::Speaker => "speaker",
+            Self::You => "you",
             Self::If => "if",
             Self::Toward => "toward",
             Self::Clitic => "clitic",

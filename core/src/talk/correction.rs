@@ -135,7 +135,7 @@ impl<M: AgentMemory> Agent<M> {
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);
         let mut explained = Explained::NEW;
         let view = View { done: EITHER, has_act: true, ..View::PLAIN };
-        self.explain_all(domain, Words::new(words), &wording, view, &mut explained)?;
+        self.explain_all(domain, Words::new(words, false), &wording, view, &mut explained)?;
         self.share(domain, View::PLAIN.done);
         let most =
             explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });

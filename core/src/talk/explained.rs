@@ -240,10 +240,15 @@ pub(super) fn begins_with_way(words: Words<'_>) -> bool {
 
 /// Whether a word that tells where a way leads stands between names. "The chair next to the red room" is a thing.
 fn names_thing_and_way(words: Words<'_>) -> bool {
-    let Some(way) = words.iter().position(|word| word.is_toward) else { return false };
-    let mut thing = words.iter().take(way);
-    let is_thing = thing.clone().all(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite));
-    is_thing && thing.any(|word| word.is_name) && words.iter().skip(way).any(|word| word.is_name)
+    let mut words = words.iter();
+    let mut is_named = false;
+    while let Some(word) = words.next().filter(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite)) {
+        if word.is_toward {
+            return is_named && words.any(|word| word.is_name);
+        }
+        is_named |= word.is_name;
+    }
+    false
 }
 
 /// How many different kinds of task.

@@ -20,6 +20,8 @@ const POLITE: f32 = 0.6;
 const OTHER_CLOSED: f32 = 1e-3;
 /// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
 const TURNS: f32 = 0.01;
+/// Who is spoken to is named so many words from "but" on, at most, if it excepts nothing.
+const SPOKEN_TO: usize = 2;
 /// A negation so many words behind "if", at most, is of the condition.
 const NEGATES_A_CONDITION: usize = 3;
 
@@ -48,6 +50,8 @@ pub(super) struct Heard {
     pub is_of_task: bool,
     /// Whether it names a value.
     pub is_name: bool,
+    /// Whether it is most probably the plural of a name: "chairs".
+    pub is_plural: bool,
 }
 
 /// The words of an utterance.
@@ -60,26 +64,22 @@ pub(super) struct Words<'w> {
     kept: u64,
     /// The word that comes first. Those before it come last.
     first: usize,
+    /// Whether a question mark ends them.
+    pub is_asked: bool,
 }
 
 const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
 
 impl<'w> Words<'w> {
     /// No word.
-    pub const NONE: Self = Self { all: &[], kept: 0, first: 0 };
+    pub const NONE: Self = Self { all: &[], kept: 0, first: 0, is_asked: false };
 
-    pub const fn new(all: &'w [Heard]) -> Self {
-        Self { all, kept: u64::MAX, first: 0 }
+    pub const fn new(all: &'w [Heard], is_asked: bool) -> Self {
+        Self { all, kept: u64::MAX, first: 0, is_asked }
     }
 
-    /// The words with their places in the utterance.
-    fn placed(self) -> impl Iterator<Item = (usize, &'w Heard)> + Clone {
-        let placed = self.all.iter().enumerate();
-        placed.clone().skip(self.first).chain(placed.take(self.first)).filter(move |(at, _)| self.kept >> at & 1 == 1)
-    }
-
-    pub fn iter(self) -> impl Iterator<Item = &'w Heard> + Clone {
-        self.placed().map(|(_, word)| word)
+    pub const fn iter(self) -> Iter<'w> {
+        Iter { words: self, passed: 0, at: 0 }
     }
 
     pub fn len(self) -> usize {
@@ -96,13 +96,18 @@ impl<'w> Words<'w> {
 
     /// Those that are wanted; each is asked for once, in order.
     pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
-        let bits = self.placed().filter(|(_, word)| is_wanted(word));
-        Self { kept: bits.fold(0, |bits, (at, _)| bits | 1 << at), ..self }
+        let (mut words, mut kept) = (self.iter(), 0);
+        while let Some(word) = words.next() {
+            kept |= u64::from(is_wanted(word)) << words.at;
+        }
+        Self { kept, ..self }
     }
 
     /// The same words, but those before a position come last.
     pub fn turned(self, position: usize) -> Self {
-        Self { first: self.placed().nth(position).map_or(0, |(at, _)| at), ..self }
+        let mut words = self.iter();
+        let _ = words.nth(position);
+        Self { first: words.at, ..self }
     }
 
     /// These words and those of another part of the same utterance.
@@ -117,6 +122,34 @@ impl<'w> Words<'w> {
             at = at.saturating_add(1);
             begin < at && at <= end
         })
+    }
+}
+
+/// Goes through words. It is one function for all who look for words: adapters would be one each.
+#[derive(Clone)]
+pub(super) struct Iter<'w> {
+    words: Words<'w>,
+    /// How many words of the utterance were passed, kept or not.
+    passed: usize,
+    /// The place of the last word in the utterance.
+    at: usize,
+}
+
+impl<'w> Iterator for Iter<'w> {
+    type Item = &'w Heard;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<&'w Heard> {
+        let Words { all, kept, first, .. } = self.words;
+        while self.passed < all.len() {
+            let at = first.saturating_add(self.passed);
+            self.at = if at < all.len() { at } else { at.saturating_sub(all.len()) };
+            self.passed = self.passed.saturating_add(1);
+            if kept >> self.at & 1 == 1 {
+                return all.get(self.at);
+            }
+        }
+        None
     }
 }
 
@@ -162,6 +195,7 @@ impl Heard {
             piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
+            is_plural: false,
         }
     }
 
@@ -229,6 +263,7 @@ impl Heard {
             is_mended: true,
             is_of_task: meant.is_of_task,
             is_name: meant.is_name,
+            is_plural: false,
             ..self
         }
     }
@@ -292,6 +327,13 @@ impl<M: AgentMemory> Agent<M> {
         })?;
         // "Then go on" has nothing before it.
         words.iter_mut().take(1).for_each(Heard::begin);
+        // "Is the bag here" asks, though commands had "is" in another place.
+        let begins = |word: Symbol| {
+            let bitext = language.bitext();
+            (0..bitext.sessions() as u16).any(|session| bitext.sentence(session).first() == Some(&word))
+        };
+        let asks = |word: &&mut Heard| word.classes.contains(Class::Asking) && !word.said.symbol.is_some_and(begins);
+        words.iter_mut().take(1).filter(asks).for_each(|word| word.count = 0.0);
         // "Be so kind and go" has no command before it.
         let polite = [Class::Polite, Class::Greeting, Class::Connective];
         let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
@@ -303,12 +345,18 @@ impl<M: AgentMemory> Agent<M> {
         {
             words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
         }
-        // "Away" takes something out before "from" alone: "right away".
-        let leads_out = [Class::Out, Class::Polite];
-        let is_away = |word: &Heard| leads_out.into_iter().all(|class| word.classes.contains(class));
-        for at in 0..words.len() {
-            let is_from = words.get(at.saturating_add(1)).is_some_and(|next| next.classes.contains(Class::From));
-            words.iter_mut().skip(at).take(1).filter(|word| !is_from && is_away(word)).for_each(Heard::excuse);
+        let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
+        let mut is_from = false;
+        for at in (0..words.len()).rev() {
+            let Some(word) = words.get_mut(at) else { continue };
+            let is_of = |class| word.classes.contains(class);
+            // "Away" takes something out before "from" alone: "right away". "Sorry, but could you go" excepts nothing.
+            let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
+            let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
+            is_from = is_of(Class::From);
+            if is_away || is_sorry {
+                word.excuse();
+            }
         }
         // Who says "don't forget to go" says to go.
         let forgets =

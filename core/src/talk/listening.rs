@@ -2,7 +2,7 @@
 
 use super::classes::{Class, Classes, ClosedWords};
 use super::explained::{Explained, begins_with_way};
-use super::heard::{Heard, Utterance, Words};
+use super::heard::{Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
 use super::slips::mend;
@@ -59,17 +59,27 @@ const PART: u32 = 1_000;
 /// The words from the verb on, and those before it behind them, if something is named in front: "take the bag to the red room". The words that
 /// turn or soften a command stay with its verb.
 fn fronted(words: Words<'_>) -> Option<Words<'_>> {
-    let name = words.iter().position(|word| word.is_name)?;
-    let is_verb = |word: &Heard| word.may_act() && !word.is_toward;
-    if !begins_with_way(words) && words.iter().take(name).any(is_verb) {
-        return None;
+    let has_way = begins_with_way(words);
+    let (mut is_named, mut behind) = (false, 0);
+    for (position, word) in words.iter().enumerate() {
+        let is_verb = word.may_act() && !word.is_toward;
+        if is_verb && is_named {
+            return Some(words.turned(behind)).filter(|_| behind > 0);
+        }
+        if is_verb && !has_way || word.classes.contains_any(&[Class::Connective, Class::Out]) {
+            return None;
+        }
+        is_named |= word.is_name;
+        if word.classes == Classes::NONE || word.is_toward {
+            behind = position.saturating_add(1);
+        }
     }
-    let verb = words.iter().skip(name).position(is_verb)?.saturating_add(name);
-    let is_open = |word: &Heard| word.classes == Classes::NONE || word.is_toward;
-    let front = words.iter().take(verb).enumerate();
-    let parts = |(_, word): (usize, &Heard)| word.classes.contains_any(&[Class::Connective, Class::Out]);
-    let last = front.clone().filter(|(_, word)| is_open(word)).last().filter(|_| !front.clone().any(parts));
-    last.map(|(last, _)| words.turned(last.saturating_add(1)))
+    None
+}
+
+/// Whether a text ends with a question mark after one more letter.
+const fn ends_with_question_mark(did: bool, letter: char) -> bool {
+    matches!(letter, '?' | '？') || did && letter == ' '
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -195,10 +205,13 @@ impl<M: AgentMemory> Agent<M> {
         let language = self.language();
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, utterance, &words, &mut mended)?;
-        let (mut words, mut explained) = (Words::new(&words), Explained::NEW);
+        // The first of several commands may be polite for all: "could you ... and then ...?"
+        let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
+        let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
         for turn in [false, true] {
-            let other = if turn { fronted(words).map(|words| (words, FRONTED)) } else { has_slips.then_some((Words::new(&mended), 1.0)) };
+            let other =
+                if turn { fronted(words).map(|words| (words, FRONTED)) } else { has_slips.then_some((Words::new(&mended, is_asked), 1.0)) };
             let Some((other, prior)) = other else { continue };
             let here = explained.here;
             self.explain_all(domain, other, &wording, place.view(View::PLAIN), &mut explained)?;

@@ -23,6 +23,8 @@ pub(super) const EITHER: f32 = 0.5;
 const CHANGE: f32 = 0.65;
 /// "All" things need no name: e^4.
 const UNNAMED: f32 = 54.598_15;
+/// The same for a plural, and how much sooner its word is one than a slip of the pen.
+const PLURAL: f32 = 1_000.0;
 /// So many clauses may be one command at most: "the bag and the chair".
 const CLAUSES_PER_COMMAND: usize = 2;
 /// How probable it is that two commands share the place that the second names: "the bag and the chair to the red room".
@@ -107,16 +109,33 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays })
 }
 
-/// The words read as a command about all things of a kind, if there is a sign of that.
+/// The words read as a command about all things of a kind, if there is a sign of that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
-    let (rest, probability) = without(words, &[Class::All])?;
-    let cue = words.iter().position(|word| word.classes.contains(Class::All))?;
-    let mut named = words.iter().skip(cue.saturating_add(1)).take(NAME_OF_ALL);
-    // "Everything but the red bag" is not followed.
     let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
-    let is_clear = !named.any(|word| word.is_new) && !words.iter().any(is_exception);
+    // "Everything but the red bag" is not followed.
+    let has_exception = words.iter().any(is_exception);
+    let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
+        let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
+        (rest, UNNAMED * probability, !behind.skip(1).take(NAME_OF_ALL).any(|word| word.is_new))
+    } else {
+        let plural = words.iter().position(|word| word.is_plural)?;
+        (words, PLURAL, has_one_article(words.part(0, plural)))
+    };
     let view = View { done: EITHER, ..View::PLAIN };
-    Some(Rest { words: rest, prior: ALL * UNNAMED * probability, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
+    let is_clear = is_clear && !has_exception;
+    Some(Rest { words: rest, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
+}
+
+/// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.
+fn has_one_article(words: Words<'_>) -> bool {
+    let mut articles = 0_usize;
+    let mut has_verb = false;
+    for word in words.iter().filter(|word| !word.is_name) {
+        let is_verb = word.is_of_task || word.is_new && !has_verb;
+        articles = if is_verb { 0 } else { articles.saturating_add(if word.is_new { 2 } else { 1 }) };
+        has_verb |= is_verb;
+    }
+    articles <= 1 && !words.iter().any(|word| word.classes.contains(Class::Or))
 }
 
 /// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command

@@ -25,7 +25,7 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
     for position in 0..language.tables().words() {
         let (symbol, known) = (Symbol(position as u16), language.words().text(Symbol(position as u16)));
         let length = known.chars().count();
-        if length < 2 || !(is_slip_of_any_length(piece, known) || is_plural(piece, known)) {
+        if length < 2 || !(is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
         // So many slips of a word there are: an exchange, a letter left out, put in or taken for another.
@@ -38,16 +38,18 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
     best
 }
 
-/// Whether a word is the plural of another, as in German: Stühle, Stuhl.
-fn is_plural(piece: &str, known: &str) -> bool {
+/// Whether a word is the plural of another: chairs; as in German, Stühle, Stuhl. Gives the letters of its ending.
+#[inline(never)]
+fn ending_of_plural<'p>(piece: &'p str, known: &str) -> Option<&'p str> {
     let plain = |letter: char| match letter {
         'ä' => 'a',
         'ö' => 'o',
         'ü' => 'u',
         other => other,
     };
-    let mut rest = piece.chars().map(plain);
-    known.chars().map(plain).all(|letter| rest.next() == Some(letter)) && rest.count() <= LONGEST_ENDING
+    let mut rest = piece.chars();
+    let is_begun = known.chars().map(plain).all(|letter| rest.next().map(plain) == Some(letter));
+    Some(rest.as_str()).filter(|ending| is_begun && ending.len() <= LONGEST_ENDING)
 }
 
 /// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
@@ -68,6 +70,9 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
             {
                 slips = slips.saturating_add(usize::from(rate == SLIP));
                 *slot = word.mended(language, symbol, slip);
+                // In the languages of the tables a plural ends in these letters.
+                let is_plural = |ending: &str| ending.bytes().all(|letter| matches!(letter, b'e' | b's' | b'n' | b'r' | b'x'));
+                slot.is_plural = slot.is_name && ending_of_plural(piece, language.words().text(symbol)).is_some_and(is_plural);
             }
             position = position.saturating_add(1);
             Ok(())

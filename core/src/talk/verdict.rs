@@ -1,6 +1,6 @@
 //! What words are taken for: the likeliest hypothesis, its tasks, and whether anything stands against them.
 
-use super::classes::Class;
+use super::classes::{Class, Classes};
 use super::explained::Explained;
 use super::heard::{Heard, Words};
 use super::hypothesis::Hypothesis;
@@ -153,23 +153,42 @@ fn has_new_name(words: Words<'_>) -> bool {
     })
 }
 
-/// Whether the speaker tells what they do themselves: "I go to the red room".
+/// Whether the words tell what somebody does: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" asks for it,
+/// and a new word that begins a command is an exclamation.
 fn tells(words: Words<'_>) -> bool {
-    let mut before = words.iter();
-    words.iter().skip(1).any(|word| before.next().is_some_and(|before| before.classes.contains(Class::Speaker)) && word.is_of_task)
+    let (mut is_speaker, mut is_other) = (false, false);
+    let mut before: Option<&Heard> = None;
+    let mut tells = false;
+    for word in words.iter().take_while(|word| !word.is_name) {
+        let is_of = |class| word.classes.contains(class);
+        tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && word.is_of_task);
+        let goes_on = is_of(Class::Polite) || is_of(Class::Asking);
+        is_speaker = is_speaker && goes_on || is_of(Class::Speaker);
+        // "Of fire", "dad is".
+        let is_new = |word: &Heard| word.is_new_word() && word.classes == Classes::NONE;
+        is_other = is_other && goes_on
+            || before.is_some_and(|before| {
+                let is_open = before.classes == Classes::NONE || before.classes.contains(Class::From);
+                is_open && is_new(word) || is_new(before) && is_of(Class::Asking)
+            });
+        before = Some(word);
+    }
+    tells && !words.iter().any(|word| word.classes.contains(Class::You))
 }
 
-/// Whether the words hold in a case alone that is not known: "if it rains". "If you like" says nothing.
+/// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.
 fn has_condition(words: Words<'_>) -> bool {
     let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If);
-    words.iter().skip_while(|word| !is_if(word)).take(NAMES_A_CASE).any(Heard::is_new_word)
+    let mut case = words.iter().skip_while(|word| !is_if(word)).take(NAMES_A_CASE);
+    case.clone().any(Heard::is_new_word) || case.nth(1).is_some_and(|word| word.classes.contains(Class::Speaker))
 }
 
-/// Whether the words ask or tell something, with a word for it that no command had.
+/// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.
 pub(super) fn is_question(words: Words<'_>) -> bool {
     let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains(Class::Polite);
+    let is_polite = |word: &Heard| word.classes.contains(Class::Polite) && !word.classes.contains(Class::Speaker);
     let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
     // "The bag was there", and a particle at the end: 吗.
-    let mut words = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
-    words.any(|word| word.count == 0.0 && asks(word))
+    let mut known = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
+    known.any(|word| word.count == 0.0 && asks(word)) || words.is_asked && !words.iter().any(is_polite)
 }

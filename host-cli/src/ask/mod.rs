@@ -303,7 +303,8 @@ fn answer(
     // The blank between is a part of the rest.
     let first = first.trim_end();
     let unheard = question.command.get(first.len()..).unwrap_or("");
-    let heard = in_known_words(synonyms, agent.language(), first)? + unheard;
+    let mark = if unheard.is_empty() && first.ends_with(['?', '？']) { "?" } else { "" };
+    let heard = in_known_words(synonyms, agent.language(), first)? + mark + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
     let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed).map_err(fault)?;

@@ -424,6 +424,46 @@ fn what_is_said_in_front_of_the_verb_belongs_to_its_command() {
 }
 
 #[test]
+fn who_tells_or_asks_something_commands_nothing() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("my sister went to the blue room", "unsure", ""),
+        ("in case of fire go to the blue room", "unsure", ""),
+        ("I could go to the blue room", "unsure", ""),
+        ("she said she would go to the blue room later", "unsure", ""),
+        ("wait until I tell you to go to the blue room", "unsure", ""),
+        ("can you go to the blue room?", "sure", "agentInRoom(agent0,room1)"),
+        ("I want you to go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("sorry, but could you go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("first go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("you aren't allowed in the blue room", "done", "!agentInRoom(agent0,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    let cases = [
+        ("passt die gelbe Tasche in das blaue Zimmer?", "unsure", ""),
+        ("Geh ins blaue Zimmer, wenn ich es sage", "unsure", ""),
+        ("kannst du die gelbe Tasche ins blaue Zimmer bringen?", "sure", "blockInRoom(block0,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn a_plural_means_all_things_of_its_kind() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let both = "blockInRoom(block0,room1) then blockInRoom(block1,room1)";
+    let cases = [
+        ("take the bags to the blue room", "sure", both),
+        ("take all bags to the blue room", "sure", both),
+        ("take one of the bags to the blue room", "none", ""),
+        ("take any bags to the blue room", "unsure", ""),
+        ("take three bags to the blue room", "unsure", ""),
+    ];
+    let blocks = vec![("yellow", "bag", 2), ("red", "bag", 0), ("green", "chair", 1)];
+    check(&model, &Home { blocks, ..three_rooms() }, &cases);
+}
+
+#[test]
 fn two_things_may_share_the_place_that_is_named_once() {
     let (_folder, model) = taught(120, &ENGLISH);
     let both = "blockInRoom(block0,room1) then blockInRoom(block1,room1)";

@@ -195,7 +195,7 @@ impl Named {
     pub fn places(&self, layout: &Layout, description: &[Symbol]) -> bool {
         let is_goal = |position: usize| layout.roles().get(position).is_some_and(|role| role.kind() == RoleKind::Goal);
         let mut places = false;
-        named_of(layout, self, description, None, |role, share| {
+        named_of(layout, self, description, None, &mut |role, share| {
             places |= share > 0 && role.checked_sub(1).is_some_and(is_goal);
         });
         places
@@ -204,7 +204,7 @@ impl Named {
     /// Whether all is named that a task is about.
     pub fn is_whole(&self, layout: &Layout, description: &[Symbol]) -> bool {
         let mut whole = true;
-        named_of(layout, self, description, None, |role, share| whole &= role == 0 || share == 2);
+        named_of(layout, self, description, None, &mut |role, share| whole &= role == 0 || share == 2);
         whole
     }
 
@@ -353,7 +353,7 @@ impl Coverage {
                 let description = bitext.command(pair.command);
                 let Some(row) = form(description).and_then(|token| layout.form(token)) else { continue };
                 let Some(counts) = coverage.counts.get_mut(row) else { continue };
-                named_of(layout, &named, description, None, |role, share| {
+                named_of(layout, &named, description, None, &mut |role, share| {
                     if let Some(count) = counts.get_mut(role).and_then(|counts| counts.get_mut(share)) {
                         *count += pair.weight;
                     }
@@ -368,7 +368,7 @@ impl Coverage {
         let Some(row) = form(description).and_then(|token| layout.form(token)) else { return Scaled::ONE };
         let Some(counts) = self.counts.get(row) else { return Scaled::ONE };
         let (mut of_task, mut of_roles) = (1.0_f32, Scaled::ONE);
-        named_of(layout, named, description, ghost, |role, share| {
+        named_of(layout, named, description, ghost, &mut |role, share| {
             let Some(counts) = counts.get(role) else { return };
             let probability = counts.get(share).copied().unwrap_or(0.0) / counts.iter().sum::<f32>();
             if role == 0 { of_task = probability } else { of_roles = of_roles.scaled_by(probability) }
@@ -388,7 +388,7 @@ impl Coverage {
 
 /// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. Of the task itself at the position 0, of its roles behind that.
 /// One word names one thing.
-fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, mut tell: impl FnMut(usize, usize)) {
+fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, tell: &mut dyn FnMut(usize, usize)) {
     tell(0, if named.acts_for(layout, description) { 2 } else { 0 });
     let mut left = named.values.clone();
     let mut new = named.new;
