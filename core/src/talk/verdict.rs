@@ -164,12 +164,11 @@ fn tells(words: Words<'_>) -> bool {
         tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && word.is_of_task);
         let goes_on = is_of(Class::Polite) || is_of(Class::Asking);
         is_speaker = is_speaker && goes_on || is_of(Class::Speaker);
-        // "Of fire", "dad is".
+        // "The dog", "dad is".
         let is_new = |word: &Heard| word.is_new_word() && word.classes == Classes::NONE;
         is_other = is_other && goes_on
             || before.is_some_and(|before| {
-                let is_open = before.classes == Classes::NONE || before.classes.contains(Class::From);
-                is_open && is_new(word) || is_new(before) && is_of(Class::Asking)
+                before.count > 0.0 && before.classes == Classes::NONE && is_new(word) || is_new(before) && is_of(Class::Asking)
             });
         before = Some(word);
     }
