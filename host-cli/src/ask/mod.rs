@@ -103,7 +103,10 @@ Tasks that are done already are possible meanings too; the plan is for the most 
 tells the kind of sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. With fewer \
 lessons, each unknown word makes the answer less sure.
 
-A command that is refused is told on standard error, and the others are asked. With --json it has a line of the type \"error\". With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json.
+A command that is refused is told on standard error, and the others are asked.
+
+With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json. A \
+command that is refused has a line of the type \"error\".
 
 Examples:
   goodbot ask --with words.goodbot --environment home.json go to the orange room

@@ -429,6 +429,7 @@ fn who_tells_or_asks_something_commands_nothing() {
     let cases = [
         ("my sister went to the blue room", "unsure", ""),
         ("I could go to the blue room", "unsure", ""),
+        ("the postman will go to the blue room", "unsure", ""),
         ("she said she would go to the blue room later", "unsure", ""),
         ("wait until I tell you to go to the blue room", "unsure", ""),
         ("can you go to the blue room?", "sure", "agentInRoom(agent0,room1)"),
