@@ -146,8 +146,7 @@ impl World {
         (self.file, self.start) = (environment, walk.start);
         if learn {
             let (agent, home, _) = self.lesson.parts();
-            // The page does not show which older sessions gave way.
-            let _ = agent.finish(home).map_err(Refusal::from)?;
+            self.gave_way += agent.finish(home).map_err(Refusal::from)?.gave_way.count();
         } else {
             self.lesson.agent.forget();
         }

@@ -233,9 +233,13 @@ impl World {
     /// Where no session is under way or something is full; what was learned before is kept.
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
-        // The page does not show which older sessions gave way.
-        let _ = self.lesson.finish().map_err(Refusal::from)?;
+        self.gave_way += self.lesson.finish().map_err(Refusal::from)?.gave_way.count();
         Ok(log)
+    }
+
+    /// How many sessions have given way to new ones in this robot's life, because its memory was full.
+    pub fn gave_way(&self) -> usize {
+        self.gave_way
     }
 
     /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.

@@ -49,6 +49,8 @@ pub struct World {
     pub(crate) file: EnvironmentFile,
     pub(crate) moves: Moves,
     pub(crate) start: HomeState,
+    /// How many sessions have given way to new ones in this robot's life.
+    pub(crate) gave_way: usize,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
     pub(crate) replaying: Option<Replaying>,
@@ -130,6 +132,7 @@ impl World {
             file,
             moves,
             start,
+            gave_way: 0,
             ahead: None,
             random: Pcg32::new(seed, 1),
             replaying: None,
@@ -186,6 +189,7 @@ impl World {
         let expected = self.expected();
         self.lesson.replace_agent(new_mind(&MIND, self.ways())?);
         self.lesson.put(self.start);
+        self.gave_way = 0;
         expected.map_or(Ok(()), |strategies| self.set_strategies(&strategies))
     }
 
