@@ -1,5 +1,5 @@
 // A link to copy, and the same as a QR code.
-import { generate } from 'lean-qr';
+import { generate } from 'lean-qr/nano';
 import { t } from './language.js';
 import { $, draw, tell } from './state.js';
 

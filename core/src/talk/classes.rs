@@ -180,7 +180,7 @@ impl Classes {
 
     /// The classes of words that speak about commands, without those of words that commands have themselves.
     pub const fn about_commands(self) -> Self {
-        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Meant).with(Class::Act).with(Class::Forget);
+        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Act).with(Class::Forget);
         Self(self.0 & !of_commands.0)
     }
 

@@ -1,7 +1,7 @@
 //! The words of an utterance: how probable each is in a command and beside it.
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::slips::{SLIP, slip_for};
+use super::slips::{SLIP, is_plural, slip_for};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
 use crate::language::roles::talk::{Said, background, common, is_name, is_of_task};
@@ -305,7 +305,10 @@ impl<M: AgentMemory> Agent<M> {
                 of_word = closed.of_signs(signs.get(position..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
-            let heard = Heard::new(language, symbol, of_word.1);
+            let mut heard = Heard::new(language, symbol, of_word.1);
+            // "Grünen" is none.
+            let may_be_plural = heard.is_name && piece.ends_with(['s', 'x']);
+            heard.is_plural = may_be_plural && symbol.is_some_and(|symbol| is_plural(piece, language.words().text(symbol)));
             let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();
             let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
             let left = signs.len().saturating_sub(position);

@@ -2,7 +2,7 @@
 
 use super::classes::{Class, Classes, ClosedWords};
 use super::explained::{Explained, begins_with_way};
-use super::heard::{Utterance, Words};
+use super::heard::{Heard, Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
 use super::slips::mend;
@@ -20,8 +20,10 @@ use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// How probable it is that a command has its place in front: "to the red room take the bag".
-const FRONTED: f32 = 0.2;
+/// How probable it is that a command has its place in front, "to the red room take the bag", or corrects itself.
+const TURNED: f32 = 0.2;
+/// So many words stand before "it" in "and bring it to", at most.
+const MOST_BEFORE_IT: usize = 3;
 /// How often a thing that is there already is meant, where all are to be brought.
 const NOT_MEANT: f32 = 1e-4;
 
@@ -75,6 +77,53 @@ fn fronted(words: Words<'_>) -> Option<Words<'_>> {
         }
     }
     None
+}
+
+/// The words without those that a correction takes back: "go to the red room, no, the green one" is "go to the room the green one", and "go to the
+/// green room, not the red one" is "go to the green room". A whole command behind "no" takes back all: "no, go to the green room".
+fn corrected(words: Words<'_>) -> Option<Words<'_>> {
+    // The names before it, whether they tell where a way leads, and where they begin and end.
+    let (mut has_way, mut is_place, mut begin, mut end) = (false, false, 0, 0);
+    let corrects = |(position, word): (usize, &Heard)| {
+        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant]);
+        if is_no || is_place && word.classes.contains(Class::Negation) {
+            return Some((position, is_no));
+        }
+        has_way |= word.is_toward;
+        if word.is_name {
+            begin = if end < position { position } else { begin };
+            end = position.saturating_add(1);
+            is_place = has_way;
+        }
+        None
+    };
+    let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
+    let behind = words.part(correction.saturating_add(1), words.len());
+    let has_verb = behind.iter().any(|word| word.may_act() && !word.is_toward && !word.is_name);
+    // "With no chairs", "do not touch the bag".
+    if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
+        return None;
+    }
+    let before = words.part(0, if is_no { begin } else { correction });
+    Some(match (is_no, has_verb) {
+        (false, _) => before,
+        (true, true) => behind,
+        (true, false) => before.with(words.part(end, correction)).with(behind),
+    })
+}
+
+/// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
+fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
+    let at = |class| words.iter().position(|word| word.classes.contains(class));
+    let (and, it) = (at(Class::Connective)?, at(Class::It)?);
+    let (front, behind) = (words.part(0, and), words.part(it.saturating_add(1), words.len()));
+    let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
+    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
+    if !is_near || !names(front) || !names(behind) || front.iter().any(|word| word.is_toward) {
+        return None;
+    }
+    let verb = words.part(and.saturating_add(1), it).only(|word| word.is_of_task);
+    Some(front.only(|word| verb.is_empty() || !word.is_new).with(verb).with(behind))
 }
 
 /// Whether a text ends with a question mark after one more letter.
@@ -209,14 +258,17 @@ impl<M: AgentMemory> Agent<M> {
         let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        for turn in [false, true] {
-            let other =
-                if turn { fronted(words).map(|words| (words, FRONTED)) } else { has_slips.then_some((Words::new(&mended, is_asked), 1.0)) };
-            let Some((other, prior)) = other else { continue };
+        for reading in 0..4 {
+            let (other, prior) = match reading {
+                0 => (has_slips.then_some(Words::new(&mended, is_asked)), 1.0),
+                1 => (corrected(words), TURNED),
+                2 => (taken_up(words), TURNED),
+                _ => (fronted(words), TURNED),
+            };
+            let Some(other) = other else { continue };
             let here = explained.here;
             self.explain_all(domain, other, &wording, place.view(View::PLAIN), &mut explained)?;
-            explained.here = explained.here.scaled_by(prior);
-            if explained.here.exceeds(here) {
+            if explained.here.scaled_by(prior).exceeds(here) {
                 words = other;
             } else {
                 // Once more, not kept: two explanations would take a controller's stack.

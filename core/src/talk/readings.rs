@@ -132,7 +132,7 @@ fn has_one_article(words: Words<'_>) -> bool {
     let mut has_verb = false;
     for word in words.iter().filter(|word| !word.is_name) {
         let is_verb = word.is_of_task || word.is_new && !has_verb;
-        articles = if is_verb { 0 } else { articles.saturating_add(if word.is_new { 2 } else { 1 }) };
+        articles = if is_verb { 0 } else { articles.saturating_add(if word.is_strange() { 2 } else { 1 }) };
         has_verb |= is_verb;
     }
     articles <= 1 && !words.iter().any(|word| word.classes.contains(Class::Or))

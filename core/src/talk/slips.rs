@@ -52,6 +52,12 @@ fn ending_of_plural<'p>(piece: &'p str, known: &str) -> Option<&'p str> {
     Some(rest.as_str()).filter(|ending| is_begun && ending.len() <= LONGEST_ENDING)
 }
 
+/// Whether a word is the plural of another, in the languages of the tables.
+pub(super) fn is_plural(piece: &str, known: &str) -> bool {
+    let is_of_plural = |letter| matches!(letter, b'e' | b's' | b'n' | b'r' | b'x');
+    ending_of_plural(piece, known).is_some_and(|ending| !ending.is_empty() && ending.bytes().all(is_of_plural))
+}
+
 /// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
 pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
     let mut slips = 0_usize;
@@ -70,9 +76,7 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
             {
                 slips = slips.saturating_add(usize::from(rate == SLIP));
                 *slot = word.mended(language, symbol, slip);
-                // In the languages of the tables a plural ends in these letters.
-                let is_plural = |ending: &str| ending.bytes().all(|letter| matches!(letter, b'e' | b's' | b'n' | b'r' | b'x'));
-                slot.is_plural = slot.is_name && ending_of_plural(piece, language.words().text(symbol)).is_some_and(is_plural);
+                slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
             }
             position = position.saturating_add(1);
             Ok(())

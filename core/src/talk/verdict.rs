@@ -153,23 +153,27 @@ fn has_new_name(words: Words<'_>) -> bool {
     })
 }
 
-/// Whether the words tell what somebody does: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" asks for it,
-/// and a new word that begins a command is an exclamation.
+/// Whether the words tell what somebody does: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" and "I want the
+/// bag there" ask for it, and a new word that begins a command is an exclamation.
 fn tells(words: Words<'_>) -> bool {
-    let (mut is_speaker, mut is_other) = (false, false);
+    let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
     let mut tells = false;
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
-        tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && word.is_of_task);
+        // "I want to go" tells of oneself.
+        let is_wished = before.is_some_and(|before| before.classes.contains(Class::Wish)) && !word.is_toward;
+        is_speaker &= !is_wished;
+        tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && !has_verb && word.is_of_task);
         let goes_on = is_of(Class::Polite) || is_of(Class::Asking);
         is_speaker = is_speaker && goes_on || is_of(Class::Speaker);
-        // "The dog", "dad is".
+        // "The dog", "dad is". Behind a verb it is a thing.
         let is_new = |word: &Heard| word.is_new_word() && word.classes == Classes::NONE;
         is_other = is_other && goes_on
             || before.is_some_and(|before| {
                 before.count > 0.0 && before.classes == Classes::NONE && is_new(word) || is_new(before) && is_of(Class::Asking)
             });
+        has_verb |= word.is_of_task && !word.is_toward;
         before = Some(word);
     }
     tells && !words.iter().any(|word| word.classes.contains(Class::You))

@@ -434,6 +434,8 @@ fn who_tells_or_asks_something_commands_nothing() {
         ("wait until I tell you to go to the blue room", "unsure", ""),
         ("can you go to the blue room?", "sure", "agentInRoom(agent0,room1)"),
         ("I want you to go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("I want the red chair in the blue room", "sure", "blockInRoom(block1,room1)"),
+        ("I'll take the red chair to the blue room myself", "unsure", ""),
         ("sorry, but could you go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("first go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("you aren't allowed in the blue room", "done", "!agentInRoom(agent0,room1)"),
@@ -461,6 +463,46 @@ fn a_plural_means_all_things_of_its_kind() {
     ];
     let blocks = vec![("yellow", "bag", 2), ("red", "bag", 0), ("green", "chair", 1)];
     check(&model, &Home { blocks, ..three_rooms() }, &cases);
+    // A plural that is spelled nearly as its known word.
+    let cases = [
+        ("take the chairs to the blue room", "sure", both),
+        ("take two chairs to the blue room", "unsure", ""),
+        ("take the red chairs to the blue room", "sure", "blockInRoom(block1,room1)"),
+    ];
+    let blocks = vec![("yellow", "chair", 2), ("red", "chair", 0), ("green", "bag", 1)];
+    check(&model, &Home { blocks, ..three_rooms() }, &cases);
+}
+
+#[test]
+fn who_corrects_a_command_in_the_same_sentence_is_taken_by_the_correction() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("go to the red room, no, the blue one", "sure", "agentInRoom(agent0,room1)"),
+        ("go to the green room, no, go to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("take the yellow bag, I mean the red chair, to the blue room", "sure", "blockInRoom(block1,room1)"),
+        ("go to the blue room, not the green one", "sure", "agentInRoom(agent0,room1)"),
+        ("go to the red room and don't go to the blue room", "done", "agentInRoom(agent0,room0) then !agentInRoom(agent0,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    let cases = [
+        ("geh ins rote Zimmer, nein, ins blaue", "sure", "agentInRoom(agent0,room1)"),
+        ("geh ins blaue Zimmer, nicht ins grüne", "sure", "agentInRoom(agent0,room1)"),
+        ("bring die gelbe Tasche nicht ins rote Zimmer", "done", "!blockInRoom(block0,room0)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn who_takes_a_thing_up_first_gives_one_command() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("pick up the yellow bag and bring it to the blue room", "sure", "blockInRoom(block0,room1)"),
+        ("grab the red chair and carry it to the blue room", "sure", "blockInRoom(block1,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    check(&model, &three_rooms(), &[("nimm die rote Bank und bring sie ins blaue Zimmer", "sure", "blockInRoom(block1,room1)")]);
 }
 
 #[test]
