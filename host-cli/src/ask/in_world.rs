@@ -1,7 +1,8 @@
 //! Commands in a world from a file: what they mean there, and where a robot acts there, how it does that.
 
-use super::{AskOptions, SURE, lines};
+use super::{AskOptions, SURE, end, lines, tell_refused};
 use goodbot::Capacities;
+use goodbot::language::{LanguageModel, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot_console::lessons::{Lesson, restored, training, worlds};
 use goodbot_console::load::content::Content;
@@ -23,7 +24,8 @@ const TOLD: usize = 10;
 /// The commands, and the world where it is one with actions.
 #[derive(Debug, Default)]
 pub struct Questions {
-    lessons: Vec<Lesson>,
+    /// Each as it is asked, or the command and why it is refused.
+    lessons: Vec<Result<Lesson, (String, String)>>,
     world: Option<WorldFile>,
     /// Whether a robot acts in each of the worlds.
     act: bool,
@@ -59,7 +61,8 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         if lessons.is_empty() {
             return Err(Failure::Input(format!("{name}: has no such command; check its id")));
         }
-        return Ok(Some(Questions { act: lessons.iter().all(|lesson| lesson.acts), lessons, world: None }));
+        let act = lessons.iter().all(|lesson| lesson.acts);
+        return Ok(Some(Questions { act, lessons: lessons.into_iter().map(Ok).collect(), world: None }));
     }
     let bytes = input::rest(name, opened).map_err(fault)?;
     let text = String::from_utf8(bytes).map_err(|_| fault(Fault::new(name, Problem::NotUtf8)))?;
@@ -68,7 +71,11 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         [only] if only == "-" => lines()?,
         words => vec![words.join(" ")],
     };
-    let question = |command: &String| worlds::question(name, &world, command, agent).map_err(fault);
+    let question = |command: &String| match worlds::question(name, &world, command, agent) {
+        // The others are asked none the less.
+        Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
+        question => question.map(Ok).map_err(fault),
+    };
     let lessons = commands.iter().map(question).collect::<Result<_, _>>()?;
     Ok(Some(Questions { lessons, act: !world.actions.is_empty(), world: Some(world).filter(|world| !world.actions.is_empty()) }))
 }
@@ -83,21 +90,21 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let synonyms = options.synonyms.read()?;
     let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
+    let mut refused = 0_usize;
     for (number, lesson) in questions.lessons.iter().enumerate() {
-        let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
-        let asked = Lesson { command: heard, ..lesson.clone() };
-        let posterior = training::posterior(&mut model, &asked).map_err(|error| Failure::Input(refusal::in_words(&error.into())))?;
-        let mut meanings: Vec<(String, f32)> =
-            lesson.readings.iter().zip(&posterior).map(|(reading, &share)| (reading.name.to_string(), share)).collect();
-        meanings.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let lesson = match lesson {
+            Ok(lesson) => lesson,
+            Err((command, message)) => {
+                refused += 1;
+                tell_refused(&mut out, options, command, message)?;
+                continue;
+            }
+        };
+        let (meanings, plan) = answer(&mut model, synonyms, lesson, questions.world.as_ref())?;
         let Some((best, share)) = meanings.first() else { continue };
         let verdict = if *share >= options.threshold.unwrap_or(SURE) { "sure" } else { "unsure" };
         let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
         let told = meanings.iter().take(TOLD);
-        let plan = match (&questions.world, best.parse::<GroundTaskText>()) {
-            (Some(world), Ok(task)) => robot::plan(world, &task).map_err(|flaw| Failure::Input(format!("{}: {flaw}", world.name)))?,
-            _ => None,
-        };
         if options.json {
             let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
             let line = json!({
@@ -124,5 +131,29 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
             writeln!(out, "meant was {meant}")?;
         }
     }
-    Ok(out.flush()?)
+    out.flush()?;
+    end(refused, questions.lessons.len())
+}
+
+/// The tasks that a command may mean, the most probable first, with their probabilities; and the plan for that one, where a robot acts.
+type Answer = (Vec<(String, f32)>, Option<Vec<String>>);
+
+fn answer(
+    model: &mut LanguageModel<&mut AgentHeap>,
+    synonyms: Synonyms<'_>,
+    lesson: &Lesson,
+    world: Option<&WorldFile>,
+) -> Result<Answer, Failure> {
+    let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
+    let asked = Lesson { command: heard, ..lesson.clone() };
+    let posterior = training::posterior(model, &asked).map_err(|error| Failure::Input(refusal::in_words(&error.into())))?;
+    let mut meanings: Vec<(String, f32)> =
+        lesson.readings.iter().zip(&posterior).map(|(reading, &share)| (reading.name.to_string(), share)).collect();
+    meanings.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let best = meanings.first().and_then(|(best, _)| best.parse::<GroundTaskText>().ok());
+    let plan = match (world, best) {
+        (Some(world), Some(task)) => robot::plan(world, &task).map_err(|flaw| Failure::Input(format!("{}: {flaw}", world.name)))?,
+        _ => None,
+    };
+    Ok((meanings, plan))
 }

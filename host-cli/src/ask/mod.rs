@@ -190,10 +190,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
             // The other commands are asked none the less.
             Err(Failure::Input(message)) if questions.len() > 1 => {
                 refused += 1;
-                eprintln!("{}", printable(&format!("{:?}: {message}", question.command)));
-                if options.json {
-                    writeln!(out, "{}", json!({"type": "error", "command": question.command, "message": message}))?;
-                }
+                tell_refused(&mut out, options, &question.command, &message)?;
                 continue;
             }
             answer => answer?,
@@ -212,9 +209,23 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         print(&mut out, options, question, &answer, &Map::new(&home, &start))?;
     }
     out.flush()?;
+    end(refused, questions.len())
+}
+
+/// Tells why a command was refused.
+fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, message: &str) -> std::io::Result<()> {
+    eprintln!("{}", printable(&format!("{command:?}: {message}")));
+    if options.json {
+        writeln!(out, "{}", json!({"type": "error", "command": command, "message": message}))?;
+    }
+    Ok(())
+}
+
+/// How a run ends of whose commands some were refused.
+fn end(refused: usize, commands: usize) -> Result<(), Failure> {
     match refused {
         0 => Ok(()),
-        _ => Err(Failure::Input(format!("{refused} of {} were refused", counted(questions.len(), "command")))),
+        _ => Err(Failure::Input(format!("{refused} of {} were refused", counted(commands, "command")))),
     }
 }
 

@@ -123,6 +123,20 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
     }
 }
 
+#[test]
+fn a_command_in_a_world_that_is_refused_keeps_no_other_from_being_asked() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let course = COURSES.first().expect("a course");
+    let (model, _) = taught(folder.path(), course);
+    let (command, long) = (course.asked.0, "x".repeat(60));
+    let model = model.to_str().expect("a name");
+    let ask = ["ask", "--with", model, "--environment", &world_file(course.world), "--json", "-"];
+    let run = goodbot(&ask, format!("{command}\n{long}\n{command}\n").as_bytes());
+    let types: Vec<Value> = run.output.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON")["type"].clone()).collect();
+    assert_eq!((run.code, types), (2, vec!["answer".into(), "error".into(), "answer".into()]), "{}", run.messages);
+    assert!(run.messages.contains(&format!("{long:?}: ")) && run.messages.contains("1 of 3 commands were refused"), "{}", run.messages);
+}
+
 /// The probabilities of the tasks of an answer, or of a belief, to the bit.
 fn beliefs(tasks: impl Iterator<Item = (String, f64)>) -> BTreeMap<String, u32> {
     tasks.map(|(task, probability)| (task, (probability as f32).to_bits())).collect()
