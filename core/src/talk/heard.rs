@@ -349,15 +349,17 @@ impl<M: AgentMemory> Agent<M> {
             words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
         }
         let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
-        let mut is_from = false;
+        let (mut is_from, mut is_polite) = (false, false);
         for at in (0..words.len()).rev() {
             let Some(word) = words.get_mut(at) else { continue };
             let is_of = |class| word.classes.contains(class);
             // "Away" takes something out before "from" alone: "right away". "Sorry, but could you go" excepts nothing.
             let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
             let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
-            is_from = is_of(Class::From);
-            if is_away || is_sorry {
+            // "After that" leads on to the next command, "after taking" back to one before.
+            let is_after = is_of(Class::Connective) && is_of(Class::Polite) && !is_polite;
+            (is_from, is_polite) = (is_of(Class::From), is_of(Class::Polite) && !is_of(Class::You));
+            if is_away || is_sorry || is_after {
                 word.excuse();
             }
         }

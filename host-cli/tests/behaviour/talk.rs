@@ -534,6 +534,9 @@ fn commands_one_after_another_are_each_heard_where_the_one_before_leads_to() {
             "sure",
             "blockInRoom(block0,room1) then blockInRoom(block1,room2)",
         ),
+        ("go to the blue room before you go to the red room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room0)"),
+        ("go to the blue room, after that go to the green room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room2)"),
+        ("go to the blue room after taking the red chair to the green room", "unsure", ""),
         ("go to the blue room and turn left", "unsure", ""),
     ];
     check(&model, &home, &cases);
