@@ -45,6 +45,8 @@ pub(super) struct Explained {
     pub own: TaskSet,
     /// The tasks of which all is named.
     pub whole: TaskSet,
+    /// Tasks with a word for their kind.
+    pub acted: TaskSet,
     /// Whether a word is a sign of a kind of task.
     pub acts: bool,
     /// Whether a new word stands where commands have the word of their task.
@@ -65,6 +67,7 @@ impl Explained {
         fitting: TaskSet::EMPTY,
         own: TaskSet::EMPTY,
         whole: TaskSet::EMPTY,
+        acted: TaskSet::EMPTY,
         acts: false,
         has_new_verb: false,
         points_back: false,
@@ -143,6 +146,9 @@ impl<M: AgentMemory> Agent<M> {
                 if named.places(tables.layout(), &description) {
                     explained.fitting = explained.fitting.with(position);
                 }
+            }
+            if named.acts_for(tables.layout(), &description) {
+                explained.acted = explained.acted.with(position);
             }
             if named.is_whole(tables.layout(), &description) {
                 explained.whole = explained.whole.with(position);

@@ -124,7 +124,10 @@ impl<M: AgentMemory> Agent<M> {
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
-        let is_told = is_named && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
+        // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
+        let is_of_thing = explained.whole.contains(task) && self.place_of_thing(domain, task).is_some();
+        let has_verb = explained.acted.contains(task) || is_of_thing || !begins_with_new_word(words);
+        let is_told = is_named && has_verb && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
         let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
@@ -153,12 +156,21 @@ fn has_new_name(words: Words<'_>) -> bool {
     })
 }
 
+/// Whether the first word of no closed class is new.
+fn begins_with_new_word(words: Words<'_>) -> bool {
+    words.iter().find(|word| word.classes == Classes::NONE && !word.is_toward).is_some_and(|word| word.is_new)
+}
+
 /// Whether the words tell what somebody does: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" and "I want the
 /// bag there" ask for it, and a new word that begins a command is an exclamation.
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
-    let mut tells = false;
+    // "You went to the red room".
+    let mut tells = words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word);
+    if tells {
+        return true;
+    }
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
         // "I want to go" tells of oneself.

@@ -436,6 +436,7 @@ fn who_tells_or_asks_something_commands_nothing() {
         ("I want you to go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("I want the red chair in the blue room", "sure", "blockInRoom(block1,room1)"),
         ("I'll take the red chair to the blue room myself", "unsure", ""),
+        ("you went to the blue room", "unsure", ""),
         ("sorry, but could you go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("first go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("you aren't allowed in the blue room", "done", "!agentInRoom(agent0,room1)"),
@@ -446,6 +447,17 @@ fn who_tells_or_asks_something_commands_nothing() {
         ("passt die gelbe Tasche in das blaue Zimmer?", "unsure", ""),
         ("Geh ins blaue Zimmer, wenn ich es sage", "unsure", ""),
         ("kannst du die gelbe Tasche ins blaue Zimmer bringen?", "sure", "blockInRoom(block0,room1)"),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn a_new_word_for_what_to_do_in_a_room_is_no_word_for_going_there() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("paint the blue room", "unsure", ""),
+        ("switch on the light in the blue room", "unsure", ""),
+        ("walk to the blue room", "sure", "agentInRoom(agent0,room1)"),
     ];
     check(&model, &three_rooms(), &cases);
 }
