@@ -12,6 +12,8 @@ const GERMAN: &str = include_str!("de.txt");
 const FRENCH: &str = include_str!("fr.txt");
 const SPANISH: &str = include_str!("es.txt");
 const CHINESE: &str = include_str!("zh.txt");
+const BY_A_STRANGER: [(&str, &str, &str); 2] =
+    [("en", ENGLISH, include_str!("stranger.en.tsv")), ("de", GERMAN, include_str!("stranger.de.tsv"))];
 
 /// So many homes has each half.
 const HOMES: u64 = 6;
@@ -389,5 +391,48 @@ fn without_closed_words_little_harm_is_done() {
     for (name, lessons, tally) in judge_all(Half::KeptAside, Table::Empty, &[120], HOMES) {
         assert!(tally.helpful * 10 >= tally.follow, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
         assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
+    }
+}
+
+/// Asks the sentences of an author who knew neither the program nor its rules, in the home that they were written for. They are much harder than
+/// the suite's: at least two in five are followed, and at most a tenth of all answers are sure of what was not meant.
+#[test]
+#[ignore = "asks 379 sentences"]
+fn sentences_of_a_stranger_are_often_followed_and_seldom_mistaken() {
+    let blocks = vec![("green", "bag", 0), ("blue", "chair", 1), ("red", "chair", 1), ("yellow", "basket", 2)];
+    let home = Home { rooms: vec!["red", "blue", "green", "yellow"], blocks, robot: 1 };
+    for (language, taught, sentences) in BY_A_STRANGER {
+        let folder = tempfile::tempdir().expect("a folder");
+        let model = folder.path().join("words.goodbot").to_str().expect("a name").to_owned();
+        let run = goodbot(&["learn", "-", "--quiet", "--out", &model], Wording::of(taught).lessons(120).as_bytes());
+        assert_eq!(run.code, 0, "{}", run.messages);
+        let lines = sentences.lines().filter(|line| !line.starts_with('#'));
+        let said: Vec<Vec<&str>> = lines.map(|line| line.split('\t').collect()).collect();
+        let texts: Vec<String> = said.iter().map(|fields| fields[1].to_owned()).collect();
+        let mut halves = [Tally::default(); 2];
+        for (number, (fields, answer)) in said.iter().zip(asked_with(&[], &model, &home, &texts)).enumerate() {
+            let (kind, meant) = (fields[0], fields[2]);
+            let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
+            let parts: Vec<String> = meant.split(" then ").map(str::to_owned).collect();
+            // "The bag and the chair to ..." may be done in any order.
+            let kind = if kind.starts_with("all") { "all" } else { kind };
+            let is_right = is_sure && meant != "none" && is_right(answer["task"].as_str().unwrap_or(""), kind, &parts);
+            let tally = &mut halves[number % 2];
+            tally.all += 1;
+            tally.follow += usize::from(meant != "none");
+            tally.helpful += usize::from(is_right);
+            tally.harmful += usize::from(is_sure && !is_right);
+        }
+        for (half, Tally { follow, helpful, all, harmful }) in ["tuning", "kept aside"].into_iter().zip(halves) {
+            let share = |hits: usize, of: usize| {
+                let (low, high) = interval(hits, of);
+                format!("{:.1} ({low:.1} to {high:.1})", 100.0 * hits as f64 / of.max(1) as f64)
+            };
+            println!("{language}, {half}: helpful {}, harmful {}", share(helpful, follow), share(harmful, all));
+            assert!(
+                helpful * 5 >= follow * 2 && harmful * 10 <= all,
+                "{language}, {half}: {helpful} of {follow}, harmful {harmful} of {all}"
+            );
+        }
     }
 }
