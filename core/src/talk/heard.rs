@@ -306,7 +306,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
             let mut heard = Heard::new(language, symbol, of_word.1);
-            // "Grünen" is none.
+            // A German adjective ends as a plural does: "grünen".
             let may_be_plural = heard.is_name && piece.ends_with(['s', 'x']);
             heard.is_plural = may_be_plural && symbol.is_some_and(|symbol| is_plural(piece, language.words().text(symbol)));
             let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();

@@ -1,10 +1,11 @@
 //! Listening: what an utterance is taken for, and the session that it begins.
 
-use super::classes::{Class, Classes, ClosedWords};
-use super::explained::{Explained, begins_with_way};
-use super::heard::{Heard, Utterance, Words};
+use super::classes::ClosedWords;
+use super::explained::Explained;
+use super::heard::{Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
+use super::reworded::{corrected, fronted, taken_up};
 use super::slips::mend;
 use super::verdict::{Judged, Verdict};
 use super::wording::{Pause, Wording, rest};
@@ -22,8 +23,6 @@ use heapless::Vec;
 
 /// How probable it is that a command has its place in front, "to the red room take the bag", or corrects itself.
 const TURNED: f32 = 0.2;
-/// So many words stand before "it" in "and bring it to", at most.
-const MOST_BEFORE_IT: usize = 3;
 /// How often a thing that is there already is meant, where all are to be brought.
 const NOT_MEANT: f32 = 1e-4;
 
@@ -57,74 +56,6 @@ pub struct Listened {
 
 /// Table cells of work, at most about, between two pauses of a robot that takes everything for a command.
 const PART: u32 = 1_000;
-
-/// The words from the verb on, and those before it behind them, if something is named in front: "take the bag to the red room". The words that
-/// turn or soften a command stay with its verb.
-fn fronted(words: Words<'_>) -> Option<Words<'_>> {
-    let has_way = begins_with_way(words);
-    let (mut is_named, mut behind) = (false, 0);
-    for (position, word) in words.iter().enumerate() {
-        let is_verb = word.may_act() && !word.is_toward;
-        if is_verb && is_named {
-            return Some(words.turned(behind)).filter(|_| behind > 0);
-        }
-        if is_verb && !has_way || word.classes.contains_any(&[Class::Connective, Class::Out]) {
-            return None;
-        }
-        is_named |= word.is_name;
-        if word.classes == Classes::NONE || word.is_toward {
-            behind = position.saturating_add(1);
-        }
-    }
-    None
-}
-
-/// The words without those that a correction takes back: "go to the red room, no, the green one" is "go to the room the green one", and "go to the
-/// green room, not the red one" is "go to the green room". A whole command behind "no" takes back all: "no, go to the green room".
-fn corrected(words: Words<'_>) -> Option<Words<'_>> {
-    // The names before it, whether they tell where a way leads, and where they begin and end.
-    let (mut has_way, mut is_place, mut begin, mut end) = (false, false, 0, 0);
-    let corrects = |(position, word): (usize, &Heard)| {
-        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant]);
-        if is_no || is_place && word.classes.contains(Class::Negation) {
-            return Some((position, is_no));
-        }
-        has_way |= word.is_toward;
-        if word.is_name {
-            begin = if end < position { position } else { begin };
-            end = position.saturating_add(1);
-            is_place = has_way;
-        }
-        None
-    };
-    let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
-    let behind = words.part(correction.saturating_add(1), words.len());
-    let has_verb = behind.iter().any(|word| word.may_act() && !word.is_toward && !word.is_name);
-    // "With no chairs", "do not touch the bag".
-    if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
-        return None;
-    }
-    let before = words.part(0, if is_no { begin } else { correction });
-    Some(match (is_no, has_verb) {
-        (false, _) => before,
-        (true, true) => behind,
-        (true, false) => before.with(words.part(end, correction)).with(behind),
-    })
-}
-
-/// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
-fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
-    let at = |class| words.iter().position(|word| word.classes.contains(class));
-    let (and, it) = (at(Class::Connective)?, at(Class::It)?);
-    let (front, behind) = (words.part(0, and), words.part(it.saturating_add(1), words.len()));
-    let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
-    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
-    if !is_near || !names(front) || !names(behind) || front.iter().any(|word| word.is_toward) {
-        return None;
-    }
-    let verb = words.part(and.saturating_add(1), it).only(|word| word.is_of_task);
-    Some(front.only(|word| verb.is_empty() || !word.is_new).with(verb).with(behind))
-}
 
 /// Whether a text ends with a question mark after one more letter.
 const fn ends_with_question_mark(did: bool, letter: char) -> bool {

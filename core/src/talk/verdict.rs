@@ -167,10 +167,10 @@ fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
     // "You went to the red room".
-    let mut tells = words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word);
-    if tells {
+    if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
         return true;
     }
+    let mut tells = false;
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
         // "I want to go" tells of oneself.
