@@ -2,6 +2,7 @@
 
 use super::classes::Classes;
 use super::heard::Utterance;
+use super::renamed::{RENAMED, renamed};
 use crate::capacity::CapacityError;
 use crate::language::roles::talk::is_name;
 use crate::language::spelling::is_slip_of_any_length;
@@ -60,7 +61,7 @@ pub(super) fn is_plural(piece: &str, known: &str) -> bool {
 
 /// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
 pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
-    let mut slips = 0_usize;
+    let (mut slips, mut others) = (0_usize, 0_usize);
     mended.clone_from(words);
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
@@ -69,18 +70,23 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
         for_each_piece(utterance, |piece| {
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
             let word = at.and_then(|at| words.get(at));
-            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
-                && let Some((symbol, slip)) = slip_for(language, piece, rate)
-                && (rate == SLIP || slips > 1)
-                && !(at == first && is_name(language.tables(), Some(symbol)))
+            if let (Some(at), Some(word)) = (at, word)
+                && let Some(slot) = mended.get_mut(at)
             {
-                slips = slips.saturating_add(usize::from(rate == SLIP));
-                *slot = word.mended(language, symbol, slip);
-                slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
+                if let Some((symbol, slip)) = slip_for(language, piece, rate) {
+                    if (rate == SLIP || slips > 1) && !(Some(at) == first && is_name(language.tables(), Some(symbol))) {
+                        slips = slips.saturating_add(usize::from(rate == SLIP));
+                        *slot = word.mended(language, symbol, slip);
+                        slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
+                    }
+                } else if rate == SLIP && let Some(symbol) = renamed(language, words, at) {
+                    others = others.saturating_add(1);
+                    *slot = word.mended(language, symbol, RENAMED);
+                }
             }
             position = position.saturating_add(1);
             Ok(())
         })?;
     }
-    Ok(slips > 0)
+    Ok(slips.saturating_add(others) > 0)
 }
