@@ -249,7 +249,7 @@ pub(super) fn begins_with_way(words: Words<'_>) -> bool {
 }
 
 /// Whether a word that tells where a way leads stands between names. "The chair next to the red room" is a thing.
-fn names_thing_and_way(words: Words<'_>) -> bool {
+pub(super) fn names_thing_and_way(words: Words<'_>) -> bool {
     let mut words = words.iter();
     let mut is_named = false;
     while let Some(word) = words.next().filter(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite)) {

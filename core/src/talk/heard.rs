@@ -44,6 +44,8 @@ pub(super) struct Heard {
     pub is_toward: bool,
     /// Whether it is "forget".
     is_forgetting: bool,
+    /// Whether it leaves a thing in its place, as "leave" does.
+    pub leaves: bool,
     /// The piece of the utterance that it is of, from 0.
     pub piece: u8,
     /// Whether it is of some task sooner than of the background.
@@ -156,6 +158,7 @@ impl<'w> Iterator for Iter<'w> {
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
         let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
+        let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -192,6 +195,7 @@ impl Heard {
             is_mended: false,
             is_toward,
             is_forgetting,
+            leaves,
             piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
@@ -346,7 +350,10 @@ impl<M: AgentMemory> Agent<M> {
         if let Some(condition) = at(Class::If, 0)
             && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
         {
-            words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
+            // "Si ça ne te dérange pas".
+            let more = at(Class::Negation, condition.saturating_add(not).saturating_add(1)).filter(|&more| more < NEGATES_A_CONDITION);
+            let last = more.map_or(not, |more| not.saturating_add(more).saturating_add(1));
+            words.iter_mut().skip(condition).take(last.saturating_add(2)).for_each(Heard::excuse);
         }
         let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
         let (mut is_from, mut is_polite) = (false, false);

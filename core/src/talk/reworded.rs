@@ -1,7 +1,7 @@
 //! The words of an utterance in another order, or without those that are taken back: a plainer way to say the same.
 
 use super::classes::{Class, Classes};
-use super::explained::begins_with_way;
+use super::explained::{begins_with_way, names_thing_and_way};
 use super::heard::{Heard, Words};
 
 /// So many words stand before "it" in "and bring it to", at most.
@@ -34,7 +34,7 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     // The names before it, whether they tell where a way leads, and where they begin and end.
     let (mut has_way, mut is_place, mut begin, mut end) = (false, false, 0, 0);
     let corrects = |(position, word): (usize, &Heard)| {
-        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant]);
+        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant, Class::Blame]);
         if is_no || is_place && word.classes.contains(Class::Negation) {
             return Some((position, is_no));
         }
@@ -48,17 +48,28 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     };
     let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
     let behind = words.part(correction.saturating_add(1), words.len());
-    let has_verb = behind.iter().any(|word| word.may_act() && !word.is_toward && !word.is_name);
+    let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
+    let has_verb = behind.iter().any(is_verb);
     // "With no chairs", "do not touch the bag".
     if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
         return None;
     }
     let before = words.part(0, if is_no { begin } else { correction });
+    // "Sorry", "I" are of the correction.
+    let noun = words.part(end, correction).only(|word| word.classes == Classes::NONE && !word.is_new);
     Some(match (is_no, has_verb) {
         (false, _) => before,
-        (true, true) => behind,
-        (true, false) => before.with(words.part(end, correction)).with(behind),
+        // "La bolsa no entre" corrects nothing.
+        (true, true) => return Some(behind).filter(|_| before.iter().any(is_verb)),
+        (true, false) => before.with(noun).with(behind),
     })
+}
+
+/// The words without the one that leaves a thing in its place: "leave the bag in the red room" is "the bag in the red room".
+pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
+    let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
+    let rest = words.only(|word| !word.leaves);
+    (rest.len() < words.len() && !words.iter().any(is_other) && names_thing_and_way(rest)).then_some(rest)
 }
 
 /// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".

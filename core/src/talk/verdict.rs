@@ -97,19 +97,22 @@ impl<M: AgentMemory> Agent<M> {
             let (task, of_tasks) = self.negate(explained);
             self.plan_for(domain, self.task_count)?;
             let is_of_thing = self.place_of_thing(domain, task).is_some();
+            // "The red chair must not end up in the blue room", "I don't want you in the red room".
+            let is_whole = explained.whole.contains(task);
             let has_act = match is_of_thing {
-                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest),
-                false => rest.is_act || explained.acts || place.is_rest,
+                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
+                false => rest.is_act || explained.acts || place.is_rest || is_whole && words.iter().any(|word| word.classes.contains(Class::You)),
             };
-            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
+            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
             let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
+            let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
-            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
+            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
