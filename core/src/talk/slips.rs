@@ -15,6 +15,9 @@ const ANOTHER_SLIP: f32 = 0.15;
 /// How probable each letter of a word is that was never heard, and the word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
+/// So many other last letters a word may have, and so many letters it then has before.
+const OTHER_ENDINGS: f32 = 25.0;
+const LEAST_BEFORE_ENDING: usize = 3;
 /// So many letters a plural has more.
 const LONGEST_ENDING: usize = 2;
 
@@ -29,14 +32,21 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
         if length < 2 || !(is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
-        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another.
-        let slips = 54.0 * length as f32 + 25.0;
+        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
+        let slips = if has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {
             best = Some((symbol, probability));
         }
     }
     best
+}
+
+/// Whether two words have all letters but the last in common.
+fn has_other_ending(one: &str, other: &str) -> bool {
+    let (mut one, mut other) = (one.chars(), other.chars());
+    let (last, known) = (one.next_back(), other.next_back());
+    last.is_some() && known.is_some() && one.as_str() == other.as_str() && one.count() >= LEAST_BEFORE_ENDING
 }
 
 /// Whether a word is the plural of another: chairs; as in German, Stühle, Stuhl. Gives the letters of its ending.
@@ -61,7 +71,7 @@ pub(super) fn is_plural(piece: &str, known: &str) -> bool {
 
 /// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
 pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
-    let (mut slips, mut others) = (0_usize, 0_usize);
+    let mut slips = 0_usize;
     mended.clone_from(words);
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
@@ -79,14 +89,20 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
                         *slot = word.mended(language, symbol, slip);
                         slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
                     }
-                } else if rate == SLIP && let Some(symbol) = renamed(language, words, at) {
-                    others = others.saturating_add(1);
-                    *slot = word.mended(language, symbol, RENAMED);
                 }
             }
             position = position.saturating_add(1);
             Ok(())
         })?;
     }
-    Ok(slips.saturating_add(others) > 0)
+    for at in 0..mended.len() {
+        if let Some(word) = mended.get(at).filter(|word| word.is_new)
+            && let Some(symbol) = renamed(language, mended, at)
+        {
+            let word = word.mended(language, symbol, RENAMED);
+            mended.iter_mut().skip(at).take(1).for_each(|slot| *slot = word);
+            slips = slips.saturating_add(1);
+        }
+    }
+    Ok(slips > 0)
 }
