@@ -7,6 +7,9 @@ use super::heard::{Heard, Words};
 /// So many words stand before "it" in "and bring it to", at most.
 const MOST_BEFORE_IT: usize = 3;
 
+/// What such words say is of the command, however polite they are.
+const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective, Class::Or, Class::Pronoun];
+
 /// The words from the verb on, and those before it behind them, if something is named in front: "take the bag to the red room". The words that
 /// turn or soften a command stay with its verb.
 pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
@@ -72,11 +75,30 @@ pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     (rest.len() < words.len() && !words.iter().any(is_other) && names_thing_and_way(rest)).then_some(rest)
 }
 
+/// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".
+pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
+    let verb = words.iter().position(|word| word.is_of_task)?;
+    let named = |(position, word): (usize, &Heard)| word.is_name.then_some(position);
+    let behind = words.iter().enumerate().filter_map(named).last()?;
+    let mut at = 0_usize;
+    let mut rest = words.only(|word| {
+        at = at.saturating_add(1);
+        let is_inside = verb < at && at < behind;
+        let is_polite = word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
+        !(is_inside && is_polite && word.count == 0.0)
+    });
+    // Who is polite asks for something.
+    rest.is_asked = false;
+    (rest.len() < words.len()).then_some(rest)
+}
+
 /// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
     let at = |class| words.iter().position(|word| word.classes.contains(class));
     let (and, it) = (at(Class::Connective)?, at(Class::It)?);
-    let (front, behind) = (words.part(0, and), words.part(it.saturating_add(1), words.len()));
+    // "Fetch the bag from the green room and put it ..." names the place where it is.
+    let from = at(Class::From).filter(|&from| from < and).unwrap_or(and);
+    let (front, behind) = (words.part(0, from), words.part(it.saturating_add(1), words.len()));
     let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
     let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
     if !is_near || !names(front) || !names(behind) || front.iter().any(|word| word.is_toward) {

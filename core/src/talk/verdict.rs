@@ -18,6 +18,9 @@ const RIVAL: f32 = 5.0;
 /// So many words from "if" on name a case.
 const NAMES_A_CASE: usize = 3;
 
+/// Fewer new words before the verb are an exclamation.
+const MOST_EXCLAIMED: usize = 2;
+
 /// What comes of an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -169,6 +172,12 @@ fn begins_with_new_word(words: Words<'_>) -> bool {
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
+    // "Tomorrow Paul will take": so many new words in a row stand before the verb.
+    let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
+    let subject = words.iter().take_while(is_strange).count();
+    if subject >= MOST_EXCLAIMED && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
+        return true;
+    }
     // "You went to the red room".
     if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
         return true;
@@ -191,7 +200,10 @@ fn tells(words: Words<'_>) -> bool {
         has_verb |= word.is_of_task && !word.is_toward;
         before = Some(word);
     }
-    tells && !words.iter().any(|word| word.classes.contains(Class::You))
+    // "I like the red room" has no word of a task, and none for where a way leads.
+    let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
+    let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
+    (tells || speaks && !asks) && !words.iter().any(|word| word.classes.contains(Class::You))
 }
 
 /// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.
