@@ -46,6 +46,8 @@ pub(super) struct Heard {
     is_forgetting: bool,
     /// Whether it leaves a thing in its place, as "leave" does.
     pub leaves: bool,
+    /// Whether it is one sign of a script without spaces.
+    pub is_sign: bool,
     /// The piece of the utterance that it is of, from 0.
     pub piece: u8,
     /// Whether it is of some task sooner than of the background.
@@ -196,6 +198,7 @@ impl Heard {
             is_toward,
             is_forgetting,
             leaves,
+            is_sign: false,
             piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
@@ -316,10 +319,11 @@ impl<M: AgentMemory> Agent<M> {
             let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();
             let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
             let left = signs.len().saturating_sub(position);
+            let is_sign = signs.get(position).is_some_and(Option::is_some);
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
             let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new && has_room);
             let mut add = |word: Heard| {
-                let _ = words.push(Heard { piece: position as u8, ..word });
+                let _ = words.push(Heard { piece: position as u8, is_sign, ..word });
             };
             if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
                 add(Heard::joined(language));

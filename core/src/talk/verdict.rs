@@ -19,7 +19,7 @@ const RIVAL: f32 = 5.0;
 const NAMES_A_CASE: usize = 3;
 
 /// Fewer new words before the verb are an exclamation.
-const MOST_EXCLAIMED: usize = 2;
+const LEAST_SUBJECT: usize = 2;
 
 /// What comes of an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -104,7 +104,9 @@ impl<M: AgentMemory> Agent<M> {
             let is_whole = explained.whole.contains(task);
             let has_act = match is_of_thing {
                 true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
-                false => rest.is_act || explained.acts || place.is_rest || is_whole && words.iter().any(|word| word.classes.contains(Class::You)),
+                false => {
+                    rest.is_act || explained.acts || place.is_rest || is_whole && words.iter().any(|word| word.classes.contains(Class::You))
+                }
             };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
             let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
@@ -115,7 +117,8 @@ impl<M: AgentMemory> Agent<M> {
             let (tasks, of_place) = self.all_that_fit(domain, explained);
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
-            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
+            let (words, is_clear, probability) =
+                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -175,7 +178,9 @@ fn tells(words: Words<'_>) -> bool {
     // "Tomorrow Paul will take": so many new words in a row stand before the verb.
     let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
     let subject = words.iter().take_while(is_strange).count();
-    if subject >= MOST_EXCLAIMED && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
+    // Two signs are a word.
+    let signs = words.iter().take(subject).filter(|word| word.is_sign).count();
+    if subject.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
         return true;
     }
     // "You went to the red room".
