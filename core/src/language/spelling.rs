@@ -7,13 +7,14 @@ use crate::symbols::{Symbol, SymbolsRef};
 const LEAST_LETTERS: usize = 5;
 
 /// The known word that `word` counts as: itself, one that begins with the same `letters` letters (0 for none such), also where "ä" is written
-/// "ae", or, for a word of five
-/// letters or more, the first of the `learned` words that differs by one letter left out, put in, exchanged with its neighbour or taken for
-/// another.
+/// "ae", or, for a word of five letters or more, the first of the `learned` words that differs by one letter left out, put in, exchanged with
+/// its neighbour or taken for another.
 pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters: usize) -> Option<Symbol> {
     if let Some(known) = words.find(word) {
         return Some(known);
     }
+    // A Korean sign is a syllable, so two of them count as four letters: the rest is a particle or an ending.
+    let letters = if word.starts_with(|first| matches!(first, '\u{ac00}'..='\u{d7a3}')) { letters.div_ceil(2) } else { letters };
     let form = word_form(word, letters);
     // A word of fewer letters is alike to itself alone.
     let has_form = letters > 0 && (form.len() < word.len() || form.chars().count() == letters);

@@ -68,7 +68,8 @@ pub enum Class {
     Wish,
     /// "meant": whoever says it corrects the robot.
     Meant,
-    /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like.
+    /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like. One that is of the class `out` as well,
+    /// such as "leave", leaves a thing in the place that is named.
     Act,
     /// "forget": a negation beside it asks for what follows.
     Forget,

@@ -201,11 +201,15 @@ fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said
     let is_plain = |word| is_plain(language, wording.closed, word);
     let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
     let mut named = Named::of(&mut senses, said);
+    let new = words.iter().filter(|word| word.is_new).count();
+    named.has_new(new);
     let Some(behind) = new_verb(words) else { return (named, false) };
     let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
     let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
     let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
     named.may_act(kinds);
+    // The new verb names nothing.
+    named.has_new(new.saturating_sub(usize::from(kinds != 0)));
     (named, kinds != 0)
 }
 
@@ -245,7 +249,7 @@ pub(super) fn begins_with_way(words: Words<'_>) -> bool {
 }
 
 /// Whether a word that tells where a way leads stands between names. "The chair next to the red room" is a thing.
-fn names_thing_and_way(words: Words<'_>) -> bool {
+pub(super) fn names_thing_and_way(words: Words<'_>) -> bool {
     let mut words = words.iter();
     let mut is_named = false;
     while let Some(word) = words.next().filter(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite)) {

@@ -44,6 +44,10 @@ pub(super) struct Heard {
     pub is_toward: bool,
     /// Whether it is "forget".
     is_forgetting: bool,
+    /// Whether it leaves a thing in its place, as "leave" does.
+    pub leaves: bool,
+    /// Whether it is one sign of a script without spaces.
+    pub is_sign: bool,
     /// The piece of the utterance that it is of, from 0.
     pub piece: u8,
     /// Whether it is of some task sooner than of the background.
@@ -156,6 +160,7 @@ impl<'w> Iterator for Iter<'w> {
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
         let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
+        let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -192,6 +197,8 @@ impl Heard {
             is_mended: false,
             is_toward,
             is_forgetting,
+            leaves,
+            is_sign: false,
             piece: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
@@ -312,10 +319,11 @@ impl<M: AgentMemory> Agent<M> {
             let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();
             let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
             let left = signs.len().saturating_sub(position);
+            let is_sign = signs.get(position).is_some_and(Option::is_some);
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
             let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new && has_room);
             let mut add = |word: Heard| {
-                let _ = words.push(Heard { piece: position as u8, ..word });
+                let _ = words.push(Heard { piece: position as u8, is_sign, ..word });
             };
             if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
                 add(Heard::joined(language));
@@ -346,7 +354,10 @@ impl<M: AgentMemory> Agent<M> {
         if let Some(condition) = at(Class::If, 0)
             && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
         {
-            words.iter_mut().skip(condition).take(not.saturating_add(2)).for_each(Heard::excuse);
+            // "Si ça ne te dérange pas".
+            let more = at(Class::Negation, condition.saturating_add(not).saturating_add(1)).filter(|&more| more < NEGATES_A_CONDITION);
+            let last = more.map_or(not, |more| not.saturating_add(more).saturating_add(1));
+            words.iter_mut().skip(condition).take(last.saturating_add(2)).for_each(Heard::excuse);
         }
         let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
         let (mut is_from, mut is_polite) = (false, false);

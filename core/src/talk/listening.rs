@@ -5,7 +5,7 @@ use super::explained::Explained;
 use super::heard::{Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
-use super::reworded::{corrected, fronted, taken_up};
+use super::reworded::{corrected, curt, fronted, left, taken_up};
 use super::slips::mend;
 use super::verdict::{Judged, Verdict};
 use super::wording::{Pause, Wording, rest};
@@ -189,11 +189,13 @@ impl<M: AgentMemory> Agent<M> {
         let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        for reading in 0..4 {
+        for reading in 0..6 {
             let (other, prior) = match reading {
                 0 => (has_slips.then_some(Words::new(&mended, is_asked)), 1.0),
                 1 => (corrected(words), TURNED),
                 2 => (taken_up(words), TURNED),
+                3 => (left(words), TURNED),
+                4 => (curt(words), TURNED),
                 _ => (fronted(words), TURNED),
             };
             let Some(other) = other else { continue };

@@ -28,6 +28,7 @@ pub(crate) mod listening;
 mod place;
 mod readings;
 mod recalled;
+mod renamed;
 mod reworded;
 mod slips;
 mod verdict;

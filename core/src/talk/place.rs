@@ -3,7 +3,7 @@
 use super::recalled::Before;
 
 /// The share of each kind of task that is for tasks that are done already.
-pub(super) const DONE: f32 = 0.03;
+pub(super) const DONE: f32 = 0.08;
 
 /// How some words are read.
 #[derive(Clone, Copy)]

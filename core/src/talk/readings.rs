@@ -111,8 +111,9 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
 
 /// The words read as a command about all things of a kind, if there is a sign of that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
-    let is_exception = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But]) && !word.classes.contains(Class::All);
-    // "Everything but the red bag" is not followed.
+    let is_exception =
+        |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But, Class::Out]) && !word.classes.contains(Class::All);
+    // "Everything but the red bag" is not followed, nor "all chairs out of the red room".
     let has_exception = words.iter().any(is_exception);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));

@@ -1,11 +1,14 @@
 //! The words of an utterance in another order, or without those that are taken back: a plainer way to say the same.
 
 use super::classes::{Class, Classes};
-use super::explained::begins_with_way;
+use super::explained::{begins_with_way, names_thing_and_way};
 use super::heard::{Heard, Words};
 
 /// So many words stand before "it" in "and bring it to", at most.
 const MOST_BEFORE_IT: usize = 3;
+
+/// What such words say is of the command, however polite they are.
+const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective, Class::Or, Class::Pronoun];
 
 /// The words from the verb on, and those before it behind them, if something is named in front: "take the bag to the red room". The words that
 /// turn or soften a command stay with its verb.
@@ -34,7 +37,7 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     // The names before it, whether they tell where a way leads, and where they begin and end.
     let (mut has_way, mut is_place, mut begin, mut end) = (false, false, 0, 0);
     let corrects = |(position, word): (usize, &Heard)| {
-        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant]);
+        let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant, Class::Blame]);
         if is_no || is_place && word.classes.contains(Class::Negation) {
             return Some((position, is_no));
         }
@@ -48,24 +51,54 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     };
     let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
     let behind = words.part(correction.saturating_add(1), words.len());
-    let has_verb = behind.iter().any(|word| word.may_act() && !word.is_toward && !word.is_name);
+    let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
+    let has_verb = behind.iter().any(is_verb);
     // "With no chairs", "do not touch the bag".
     if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
         return None;
     }
     let before = words.part(0, if is_no { begin } else { correction });
+    // "Sorry", "I" are of the correction.
+    let noun = words.part(end, correction).only(|word| word.classes == Classes::NONE && !word.is_new);
     Some(match (is_no, has_verb) {
         (false, _) => before,
-        (true, true) => behind,
-        (true, false) => before.with(words.part(end, correction)).with(behind),
+        // "La bolsa no entre" corrects nothing.
+        (true, true) => return Some(behind).filter(|_| before.iter().any(is_verb)),
+        (true, false) => before.with(noun).with(behind),
     })
+}
+
+/// The words without the one that leaves a thing in its place: "leave the bag in the red room" is "the bag in the red room".
+pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
+    let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
+    let rest = words.only(|word| !word.leaves);
+    (rest.len() < words.len() && !words.iter().any(is_other) && names_thing_and_way(rest)).then_some(rest)
+}
+
+/// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".
+pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
+    let verb = words.iter().position(|word| word.is_of_task)?;
+    let named = |(position, word): (usize, &Heard)| word.is_name.then_some(position);
+    let behind = words.iter().enumerate().filter_map(named).last()?;
+    let mut at = 0_usize;
+    let mut rest = words.only(|word| {
+        at = at.saturating_add(1);
+        let is_inside = verb < at && at < behind;
+        let is_polite = word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
+        !(is_inside && is_polite && word.count == 0.0)
+    });
+    // Who is polite asks for something.
+    rest.is_asked = false;
+    (rest.len() < words.len()).then_some(rest)
 }
 
 /// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
     let at = |class| words.iter().position(|word| word.classes.contains(class));
     let (and, it) = (at(Class::Connective)?, at(Class::It)?);
-    let (front, behind) = (words.part(0, and), words.part(it.saturating_add(1), words.len()));
+    // "Fetch the bag from the green room and put it ..." names the place where it is.
+    let from = at(Class::From).filter(|&from| from < and).unwrap_or(and);
+    let (front, behind) = (words.part(0, from), words.part(it.saturating_add(1), words.len()));
     let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
     let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
     if !is_near || !names(front) || !names(behind) || front.iter().any(|word| word.is_toward) {

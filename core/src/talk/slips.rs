@@ -2,6 +2,7 @@
 
 use super::classes::Classes;
 use super::heard::Utterance;
+use super::renamed::{RENAMED, renamed};
 use crate::capacity::CapacityError;
 use crate::language::roles::talk::is_name;
 use crate::language::spelling::is_slip_of_any_length;
@@ -14,6 +15,9 @@ const ANOTHER_SLIP: f32 = 0.15;
 /// How probable each letter of a word is that was never heard, and the word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
+/// So many other last letters a word may have, and so many letters it then has before.
+const OTHER_ENDINGS: f32 = 25.0;
+const LEAST_BEFORE_ENDING: usize = 3;
 /// So many letters a plural has more.
 const LONGEST_ENDING: usize = 2;
 
@@ -28,14 +32,21 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
         if length < 2 || !(is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
-        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another.
-        let slips = 54.0 * length as f32 + 25.0;
+        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
+        let slips = if has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {
             best = Some((symbol, probability));
         }
     }
     best
+}
+
+/// Whether two words have all letters but the last in common.
+fn has_other_ending(one: &str, other: &str) -> bool {
+    let (mut one, mut other) = (one.chars(), other.chars());
+    let (last, known) = (one.next_back(), other.next_back());
+    last.is_some() && known.is_some() && one.as_str() == other.as_str() && one.count() >= LEAST_BEFORE_ENDING
 }
 
 /// Whether a word is the plural of another: chairs; as in German, Stühle, Stuhl. Gives the letters of its ending.
@@ -69,18 +80,29 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
         for_each_piece(utterance, |piece| {
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
             let word = at.and_then(|at| words.get(at));
-            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
-                && let Some((symbol, slip)) = slip_for(language, piece, rate)
-                && (rate == SLIP || slips > 1)
-                && !(at == first && is_name(language.tables(), Some(symbol)))
+            if let (Some(at), Some(word)) = (at, word)
+                && let Some(slot) = mended.get_mut(at)
             {
-                slips = slips.saturating_add(usize::from(rate == SLIP));
-                *slot = word.mended(language, symbol, slip);
-                slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
+                if let Some((symbol, slip)) = slip_for(language, piece, rate) {
+                    if (rate == SLIP || slips > 1) && !(Some(at) == first && is_name(language.tables(), Some(symbol))) {
+                        slips = slips.saturating_add(usize::from(rate == SLIP));
+                        *slot = word.mended(language, symbol, slip);
+                        slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
+                    }
+                }
             }
             position = position.saturating_add(1);
             Ok(())
         })?;
+    }
+    for at in 0..mended.len() {
+        if let Some(word) = mended.get(at).filter(|word| word.is_new)
+            && let Some(symbol) = renamed(language, mended, at)
+        {
+            let word = word.mended(language, symbol, RENAMED);
+            mended.iter_mut().skip(at).take(1).for_each(|slot| *slot = word);
+            slips = slips.saturating_add(1);
+        }
     }
     Ok(slips > 0)
 }

@@ -18,6 +18,9 @@ const RIVAL: f32 = 5.0;
 /// So many words from "if" on name a case.
 const NAMES_A_CASE: usize = 3;
 
+/// Fewer new words before the verb are an exclamation.
+const LEAST_SUBJECT: usize = 2;
+
 /// What comes of an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -97,19 +100,25 @@ impl<M: AgentMemory> Agent<M> {
             let (task, of_tasks) = self.negate(explained);
             self.plan_for(domain, self.task_count)?;
             let is_of_thing = self.place_of_thing(domain, task).is_some();
+            // "The red chair must not end up in the blue room", "I don't want you in the red room".
+            let is_whole = explained.whole.contains(task);
             let has_act = match is_of_thing {
-                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest),
-                false => rest.is_act || explained.acts || place.is_rest,
+                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
+                false => {
+                    rest.is_act || explained.acts || place.is_rest || is_whole && words.iter().any(|word| word.classes.contains(Class::You))
+                }
             };
-            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task);
+            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
             let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
+            let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
-            let (words, is_clear, probability) = (explained.naming(rest.words), rest.is_clear && !tasks.is_empty(), share * of_place);
+            let (words, is_clear, probability) =
+                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -166,6 +175,14 @@ fn begins_with_new_word(words: Words<'_>) -> bool {
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
+    // "Tomorrow Paul will take": so many new words in a row stand before the verb.
+    let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
+    let subject = words.iter().take_while(is_strange).count();
+    // Two signs are a word.
+    let signs = words.iter().take(subject).filter(|word| word.is_sign).count();
+    if subject.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
+        return true;
+    }
     // "You went to the red room".
     if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
         return true;
@@ -188,7 +205,10 @@ fn tells(words: Words<'_>) -> bool {
         has_verb |= word.is_of_task && !word.is_toward;
         before = Some(word);
     }
-    tells && !words.iter().any(|word| word.classes.contains(Class::You))
+    // "I like the red room" has no word of a task, and none for where a way leads.
+    let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
+    let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
+    (tells || speaks && !asks) && !words.iter().any(|word| word.classes.contains(Class::You))
 }
 
 /// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.

@@ -330,6 +330,18 @@ fn a_slip_of_the_pen_counts_as_the_word() {
     assert_eq!(best(&right), best(&slips));
 }
 
+/// "Living room" and "bedroom" with one particle, then with another.
+#[test]
+fn a_korean_word_with_another_particle_is_the_same_word() {
+    let lessons = [("거실로 가", "red", 1.0), ("침실로 가", "green", 1.0), ("거실로 이동", "red", 1.0), ("침실로 이동", "green", 1.0)];
+    trained(8, &lessons, |likelihood| {
+        assert!(likelihood("거실에 가", "red") > 2.0 * likelihood("거실에 가", "green"));
+        assert!(likelihood("침실 가", "green") > 2.0 * likelihood("침실 가", "red"));
+        let (of_red, of_green) = (likelihood("거품에 가", "red"), likelihood("거품에 가", "green"));
+        assert!((of_red - of_green).abs() < 1e-3 * of_red, "a word with another syllable is another word: {of_red}, {of_green}");
+    });
+}
+
 #[test]
 fn what_was_learned_is_the_same_whatever_the_budget() {
     let mut files = Vec::new();

@@ -242,6 +242,11 @@ impl Named {
         place && kind == RoleKind::Goal || thing && kind == RoleKind::Subject
     }
 
+    /// So many words may be new names.
+    pub const fn has_new(&mut self, words: usize) {
+        self.new = words;
+    }
+
     /// A new word may be the sign of some kinds of task.
     pub const fn may_act(&mut self, kinds: u8) {
         self.acts |= kinds;
