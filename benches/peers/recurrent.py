@@ -1,4 +1,4 @@
-"""A recurrent network, for understanding.py: a GRU reads the words one after the other, and its last state chooses among the meanings that were taught.
+"""A recurrent network, for understanding.py: a GRU reads word by word, and its last state chooses among the meanings that were taught.
 
     pip install jax==0.10.2 equinox==0.13.8 optax==0.2.8
 """
