@@ -1,11 +1,14 @@
-"""Other learners on the same splits as `goodbot evaluate`: logistic regression over words, and a conditional logit over the possible tasks.
+"""Other learners on the same splits as `goodbot evaluate`: logistic regression over words, a recurrent network over words, and a conditional logit
+over the possible tasks.
 
     pip install scikit-learn==1.9.1
-    python benches/peers/understanding.py GOODBOT FILE.jsonl...
+    pip install jax==0.10.2 equinox==0.13.8 optax==0.2.8    (the recurrent network, which may be missing)
+    python benches/peers/understanding.py [--curve] GOODBOT FILE.jsonl...
 
 GOODBOT is the program. Each FILE is a log of homes or of worlds. goodbot answers in ten parts, and its answers tell which sessions were left
-out together; both peers learn from the same sessions and are asked the same. The strength of their pull to 0 is chosen inside the training
-data, in three parts. Standard output: a table, right (log loss) for each.
+out together; the peers learn from the same sessions and are asked the same. The strength of their pull to 0, and how the network learns, are
+chosen inside the training data, in three parts. Standard output: a table, right (log loss) for each. With --curve: right after 8 to 128
+commands, the means of five orders, which are those of `goodbot evaluate --curve`. That is for logs of homes.
 """
 import collections
 import itertools
@@ -22,6 +25,8 @@ from sklearn.linear_model import LogisticRegression
 PULLS = (0.1, 0.3, 1.0, 3.0)
 TWO_GOALS = "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"
 PARTS = 10
+SIZES = (8, 16, 32, 64, 128)
+ORDERS = 5
 
 
 class Session:
@@ -108,20 +113,22 @@ def read(path):
     return sessions, bool(worlds)
 
 
-def goodbot(program, path, worlds):
-    """The answers, and which sessions were left out together."""
-    options = [] if worlds else ["--k-fold", str(PARTS), "--task", TWO_GOALS]
-    run = subprocess.run([program, "evaluate", path, "--json", "--keep-going", *options], capture_output=True, text=True, check=True)
-    lines = [json.loads(line) for line in run.stdout.splitlines()]
-    return [line for line in lines if line["type"] == "answer"], lines[-1]
+def evaluate(program, path, *options):
+    command = [program, "evaluate", path, "--keep-going", *options]
+    return subprocess.run(command, capture_output=True, check=True, encoding="utf-8")
 
 
-def parts_of(answers, sessions):
+def goodbot(program, path, *options):
+    """The answers and the summary."""
+    return [json.loads(line) for line in evaluate(program, path, "--json", *options).stdout.splitlines()]
+
+
+def parts_of(lines, sessions, count):
     """The answers come part by part; the first parts have a session or group more where they cannot be equal."""
     by_name = {it.name: it for it in sessions}
-    asked = [by_name[answer["session"]] for answer in answers]
+    asked = [by_name[line["session"]] for line in lines if line["type"] == "answer"]
     groups = list(dict.fromkeys(it.group for it in asked))
-    count = min(PARTS, len(groups))
+    count = min(count, len(groups))
     sizes = [len(groups) // count + (part < len(groups) % count) for part in range(count)]
     ends = np.cumsum(sizes)
     part_of = {group: int(np.searchsorted(ends, position, side="right")) for position, group in enumerate(groups)}
@@ -131,6 +138,8 @@ def parts_of(answers, sessions):
 def logistic(taught, asked, pull):
     """Logistic regression: the words alone choose among the meanings that were taught."""
     labels = sorted({it.label() for it in taught})
+    if len(labels) == 1:
+        return [(it.label() in labels, 0.999 if it.label() in labels else 0.001) for it in asked]
     words = CountVectorizer(binary=True, token_pattern=r"(?u)[^\W_]+")
     matrix = words.fit_transform(it.command for it in taught)
     model = LogisticRegression(C=1 / pull, max_iter=500).fit(matrix, [it.label() for it in taught])
@@ -196,36 +205,85 @@ def summed(answers):
     return right, loss
 
 
-def peer(learner, parts):
-    """Asks each part of a learner that was taught the others, with the pull of the least loss inside those."""
-    answers = []
-    for part in parts:
-        others = [it for other in parts if other is not part for it in other]
-        groups = list(dict.fromkeys(it.group for it in others))
-        inner = [[it for it in others if it.group in set(groups[start::3])] for start in range(3)]
-        inside = lambda pull: sum(
-            -np.log(max(share, 1e-6))
-            for left in inner
-            for _, share in learner([it for it in others if it not in left], left, pull)
-        )
-        answers += learner(others, part, min(PULLS, key=inside))
-    return summed(answers)
+def each(learner):
+    """The answers by each pull."""
+    return lambda taught, asked, pulls: {pull: learner(taught, asked, pull) for pull in pulls}
+
+
+def answers_of(learner, settings, taught, asked):
+    """The answers by the setting of the least loss inside the training data."""
+    groups, losses = list(dict.fromkeys(it.group for it in taught)), collections.Counter()
+    for start in range(3):
+        left = [it for it in taught if it.group in set(groups[start::3])]
+        for setting, answers in learner([it for it in taught if it not in left], left, settings).items():
+            losses[setting] -= sum(np.log(max(share, 1e-6)) for _, share in answers)
+    best = min(settings, key=losses.get)
+    return learner(taught, asked, [best])[best]
+
+
+def peers():
+    """Each peer's name, its answers, its settings, and whether it chooses by words alone."""
+    yield "logistic regression", each(logistic), PULLS, True
+    try:
+        import recurrent
+    except ImportError as missing:
+        print(f"There is no recurrent network: {missing}. The top of this script says what it needs.", file=sys.stderr)
+    else:
+        yield "recurrent network", recurrent.answers, recurrent.SETTINGS, True
+    yield "conditional logit", each(conditional), PULLS, False
+
+
+def table(program, paths):
+    learners = list(peers())
+    print(f"| log | commands | {' | '.join(name for name, *_ in learners)} | goodbot |\n|---|---:|{'---:|' * (len(learners) + 1)}")
+    for path in paths:
+        sessions, worlds = read(path)
+        *lines, summary = goodbot(program, path, *([] if worlds else ["--k-fold", str(PARTS), "--task", TWO_GOALS]))
+        parts = parts_of(lines, sessions, PARTS)
+        cells = []
+        for _, learner, settings, by_words in learners:
+            # Where no meaning is asked that was taught, words alone cannot be right.
+            if worlds and by_words:
+                cells.append("-")
+                continue
+            taught = lambda part: [it for other in parts if other is not part for it in other]
+            right, loss = summed([answer for part in parts for answer in answers_of(learner, settings, taught(part), part)])
+            cells.append(f"{100 * right:.1f} % ({loss:.3f})")
+        cells.append(f"{100 * summary['accuracy']:.1f} % ({summary['log_loss']:.3f})")
+        print(f"| {name_of(path)} | {sum(map(len, parts))} | {' | '.join(cells)} |", flush=True)
+
+
+def order_of(parts):
+    """Parts are dealt like cards, one session each in turn, from the order that a curve with this seed has."""
+    return [it for dealt in itertools.zip_longest(*parts) for it in dealt if it]
+
+
+def curves(program, paths):
+    print(f"| log | learner | {' | '.join(map(str, SIZES))} |\n|---|---|{'---:|' * len(SIZES)}")
+    for path in paths:
+        sessions, halves = read(path)[0], ["--k-fold", "2", "--task", TWO_GOALS]
+        # Only the order of these answers counts, and every learner has the same.
+        dealt = lambda seed: goodbot(program, path, *halves, "--seed", str(seed), "--learner", "bag-of-words")
+        orders = [order_of(parts_of(dealt(seed), sessions, 2)) for seed in range(1, ORDERS + 1)]
+        for name, learner, settings, _ in peers():
+            cells = []
+            for size in SIZES:
+                rights = [summed(answers_of(learner, settings, order[:size], order[size:]))[0] for order in orders]
+                cells.append(f"{100 * np.mean(rights):.1f}")
+            print(f"| {name_of(path)} | {name} | {' | '.join(cells)} |", flush=True)
+        # A picture on standard output sends the text to standard error.
+        told = evaluate(program, path, *halves, "--curve", "-", "--runs", str(ORDERS)).stderr
+        points = dict(re.findall(r"^ *(\d+)  ([\d.]+) % ±", told, re.MULTILINE))
+        print(f"| {name_of(path)} | goodbot | {' | '.join(points[str(size)] for size in SIZES)} |", flush=True)
+
+
+def name_of(path):
+    return path.rsplit("/", 1)[-1].removesuffix(".jsonl")
 
 
 def main():
-    program, *paths = sys.argv[1:]
-    print("| log | commands | logistic regression | conditional logit | goodbot |\n|---|---:|---:|---:|---:|")
-    for path in paths:
-        sessions, worlds = read(path)
-        answers, summary = goodbot(program, path, worlds)
-        parts = parts_of(answers, sessions)
-        cells = [f"{100 * summary['accuracy']:.1f} % ({summary['log_loss']:.3f})"]
-        for learner in (conditional, logistic):
-            # Where no meaning is asked that was taught, words alone cannot be right.
-            told = "-" if worlds and learner is logistic else "{:.1f} % ({:.3f})".format(*(lambda it: (100 * it[0], it[1]))(peer(learner, parts)))
-            cells.insert(0, told)
-        name = path.rsplit("/", 1)[-1].removesuffix(".jsonl")
-        print(f"| {name} | {len(answers)} | {' | '.join(cells)} |", flush=True)
+    arguments = [it for it in sys.argv[1:] if it != "--curve"]
+    (curves if "--curve" in sys.argv else table)(arguments[0], arguments[1:])
 
 
 if __name__ == "__main__":
