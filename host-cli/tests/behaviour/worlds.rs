@@ -188,6 +188,27 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
 }
 
 #[test]
+fn a_world_on_one_line_is_checked_as_one_on_many() {
+    let lift = goodbot(&["example", "world"], b"").output;
+    let line: String = lift.lines().collect();
+    let sound = goodbot(&["check", "-"], lift.as_bytes()).output;
+    for text in [line.clone(), format!("{line}\n"), format!("\n\n{line}\r\n \n")] {
+        assert_eq!(goodbot(&["check", "-"], text.as_bytes()).output, sound);
+    }
+    let wrong = line.replacen("\"liftAtFloor(lift0,floor1)\",", "", 1);
+    let told = "field \"facts\": say no value of the variable liftAtFloor of lift0";
+    let checked = goodbot(&["check", "-"], format!("\n{wrong}").as_bytes());
+    assert!(checked.messages.contains(&format!("standard input:2: {told}")), "{}", checked.messages);
+    // In a log of worlds the fault is on the world's line too.
+    let checked = goodbot(&["check", "-"], format!("{line}\n{}\n", wrong.replacen("\"lift\"", "\"lift2\"", 1)).as_bytes());
+    assert!(
+        checked.messages.contains(&format!("standard input:2: {}", told.replace(": say", ": world \"lift2\": say"))),
+        "{}",
+        checked.messages
+    );
+}
+
+#[test]
 fn hostile_worlds_are_refused_by_line_at_once() {
     let folder = tempfile::tempdir().expect("a folder");
     let lamps =
@@ -199,6 +220,10 @@ fn hostile_worlds_are_refused_by_line_at_once() {
         )
     };
     let (light, on) = (r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#, "\"on(?l)\"");
+    let single = |count: usize| {
+        (0..count).map(|lamp| format!("{{\"name\":\"light{lamp}\",\"effects\":[\"on(l{lamp})\"]}}")).collect::<Vec<_>>().join(",")
+    };
+    let all: Vec<String> = (0..64).map(|lamp| format!("\"on(l{lamp})\"")).collect();
     let attributes: Vec<String> = (0..300).map(|number| format!("\"a{number}\":[\"lamp\"]")).collect();
     let kinds: Vec<String> = (0..20).map(|number| format!("\"p{number}(?l)\"")).collect();
     let more: String = (0..20).map(|number| format!(",\"p{number}\":[\"lamp\"]")).collect();
@@ -221,6 +246,10 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             world("", "", &format!("{{\"name\":\"{}\",\"class\":\"lamp\"}}", "x".repeat(5_000)), light, on),
             "6: field \"objects[0]\": too many bytes in a word",
         ),
+        (
+            world("", ",\"near\":[\"lamp\",\"lamp\"]", &lamps(20), &single(15), "\"near(?a,?b)\""),
+            "28: field \"task_kinds\": give 380 tasks, and 256 are the most for a robot that acts; leave out kinds or objects",
+        ),
         // None of the last class is there, but all others are chosen before.
         (
             world("", ",\"of\":[\"sole\"]", &format!("{},{{\"name\":\"s0\",\"class\":\"sole\"}}", lamps(200)), &wide, on)
@@ -228,7 +257,7 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             "207: field \"actions[0]\": can be done with more objects than can be tried",
         ),
         (
-            world("", "", &lamps(64), r#"{"name":"x","effects":["on(l0)"]}"#, on),
+            world("", "", &lamps(64), &format!("{{\"name\":\"x\",\"effects\":[{}]}}", all.join(",")), on),
             "5: field \"propositions.on\": gives more states than can be numbered",
         ),
     ] {

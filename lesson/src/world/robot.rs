@@ -219,10 +219,16 @@ fn refused(error: &ObjectError) -> String {
 /// The kinds of task of a robot's world.
 ///
 /// # Errors
-/// A [`Flaw`] that names the kind.
+/// A [`Flaw`] that names the kind, or says that all kinds together give too many tasks.
 pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
     if file.task_kinds.len() > LIFTED_TASKS {
         let message = format!("are {}, and {LIFTED_TASKS} are the most for a robot that acts; leave out some", file.task_kinds.len());
+        return flaw("task_kinds", message);
+    }
+    let given = super::count_tasks(file).map_err(|error| Flaw { field: "task_kinds".to_owned(), message: error.to_string() })?;
+    if given > MOST_TASKS_OF_A_ROBOT {
+        let message =
+            format!("give {given} tasks, and {MOST_TASKS_OF_A_ROBOT} are the most for a robot that acts; leave out kinds or objects");
         return flaw("task_kinds", message);
     }
     let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
