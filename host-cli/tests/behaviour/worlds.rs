@@ -273,6 +273,26 @@ fn hostile_worlds_are_refused_by_line_at_once() {
 }
 
 #[test]
+fn a_controller_that_cannot_tell_all_tasks_apart_is_told_of_in_the_words_of_the_world() {
+    let lamps: Vec<String> = (0..13).map(|lamp| format!("{{\"name\":\"l{lamp}\",\"class\":\"lamp\"}}")).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"],"near":["lamp","lamp"]}},
+        "objects":[{}],"actions":[{{"name":"light","effects":["on(l0)"]}}],
+        "task_kinds":["near(?a,?b)"]}}"#,
+        lamps.join(",")
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), "world.json", &text);
+    let path = path.to_str().expect("UTF-8");
+    for command in [&["table", path, "--c"][..], &["size", path]] {
+        let run = goodbot(command, b"");
+        let told = "world.json:3: field \"task_kinds\": give too many tasks in one world: 156 or more, and 64 are the most; \
+                    leave out objects or kinds of task";
+        assert!(run.code == 2 && run.messages.contains(told), "{command:?} {}", run.messages);
+    }
+}
+
+#[test]
 fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
     let pddl =
         |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../lesson/tests/pddl").join(name).to_str().expect("UTF-8").to_owned();
