@@ -263,6 +263,8 @@ fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Fl
                     let warning = "holds of no objects, whatever the robot does; leave it out, or correct the facts and effects";
                     found.warnings.push(read.fault(&format!("propositions.{name}"), warning));
                 }
+                let doubts = doubts::of_actions(robot, start, checked.all);
+                found.warnings.extend(doubts.iter().map(|(field, message)| read.fault(field, message)));
             }
             Err(error) => found.faults.push(read.fault("actions", &error.to_string())),
         }

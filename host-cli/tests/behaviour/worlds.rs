@@ -293,6 +293,49 @@ fn a_controller_that_cannot_tell_all_tasks_apart_is_told_of_in_the_words_of_the_
 }
 
 #[test]
+fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
+    let world = |actions: &[&str]| {
+        format!(
+            "{{\"type\":\"world\",\"name\":\"w\",\"classes\":[\"lamp\"],\"attributes\":{{}},\"propositions\":{{\"on\":[\"lamp\"]}},\n\
+             \"objects\":[{{\"name\":\"a\",\"class\":\"lamp\"}},{{\"name\":\"b\",\"class\":\"lamp\"}}],\n\
+             \"actions\":[{{\"name\":\"light\",\"parameters\":{{\"?l\":\"lamp\"}},\"effects\":[\"on(?l)\"]}},\n{}],\"task_kinds\":[\"on(?l)\"]}}",
+            actions.join(",\n")
+        )
+    };
+    for (action, told) in [
+        (
+            r#"{"name":"x","conditions":["on(a)","!on(a)"],"effects":["on(b)"]}"#,
+            "\": warning: on(a) is to hold and not to hold, so that x can never be done; leave one of the two out",
+        ),
+        (
+            r#"{"name":"x","parameters":{"?l":"lamp"},"effects":["on(?l)","!on(?l)"]}"#,
+            "\": warning: on(?l) holds after x and does not, and what is written last counts; leave one of the two out",
+        ),
+        (
+            r#"{"name":"x","conditions":["on(a)"],"effects":["on(a)"]}"#,
+            "\": warning: x changes nothing, in whatever state it is done; correct its effects, or leave it out",
+        ),
+    ] {
+        let checked = goodbot(&["check", "-"], world(&[action]).as_bytes());
+        assert!(checked.code == 0 && checked.messages.contains("standard input:4: field \"actions[1]"), "{told}: {}", checked.messages);
+        assert!(checked.messages.contains(told), "{told}: {}", checked.messages);
+    }
+    let once = r#"{"name":"x","conditions":["on(a)","on(b)"],"effects":["!on(a)","!on(b)"]}"#;
+    let sound = goodbot(&["check", "-"], world(&[once]).as_bytes());
+    assert!(sound.output.contains("no fault\n"), "{}{}", sound.output, sound.messages);
+    let never =
+        r#"{"name":"x","conditions":["at(a)"],"effects":["on(a)"]},{"name":"y","conditions":["lit(a)","lit(b)"],"effects":["lit(b)"]}"#;
+    let more = world(&[never]).replace("\"on\":[\"lamp\"]", "\"on\":[\"lamp\"],\"at\":[\"lamp\"],\"lit\":[\"lamp\"]");
+    let checked = goodbot(&["check", "-"], more.as_bytes());
+    for (position, name) in [(1, "x"), (2, "y")] {
+        let told = format!(
+            "field \"actions[{position}]\": warning: {name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+        );
+        assert!(checked.messages.contains(&told), "{}", checked.messages);
+    }
+}
+
+#[test]
 fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
     let pddl =
         |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../lesson/tests/pddl").join(name).to_str().expect("UTF-8").to_owned();
