@@ -93,3 +93,31 @@ fn what_is_not_understood_is_refused_by_line() {
     let wide = format!("(define (problem wide) (:domain d) (:objects{objects}) (:init (p o0)) (:goal (q o0)))");
     assert!(refused(many, &wide).contains("more states or actions than can be looked at"));
 }
+
+/// The first problem of the first planning competition, as it is: without types, so that its four balls could be rooms too.
+const UNTYPED: (&str, &str) = (
+    "(define (domain gripper-strips)
+   (:predicates (room ?r) (ball ?b) (gripper ?g) (at-robby ?r) (at ?b ?r) (free ?g) (carry ?o ?g))
+   (:action move :parameters (?from ?to) :precondition (and (room ?from) (room ?to) (at-robby ?from))
+       :effect (and (at-robby ?to) (not (at-robby ?from))))
+   (:action pick :parameters (?obj ?room ?gripper)
+       :precondition (and (ball ?obj) (room ?room) (gripper ?gripper) (at ?obj ?room) (at-robby ?room) (free ?gripper))
+       :effect (and (carry ?obj ?gripper) (not (at ?obj ?room)) (not (free ?gripper))))
+   (:action drop :parameters (?obj ?room ?gripper)
+       :precondition (and (ball ?obj) (room ?room) (gripper ?gripper) (carry ?obj ?gripper) (at-robby ?room))
+       :effect (and (at ?obj ?room) (free ?gripper) (not (carry ?obj ?gripper)))))",
+    "(define (problem strips-gripper-x-1) (:domain gripper-strips)
+   (:objects rooma roomb ball4 ball3 ball2 ball1 left right)
+   (:init (room rooma) (room roomb) (ball ball4) (ball ball3) (ball ball2) (ball ball1) (at-robby rooma) (free left) (free right)
+          (at ball4 rooma) (at ball3 rooma) (at ball2 rooma) (at ball1 rooma) (gripper left) (gripper right))
+   (:goal (and (at ball4 roomb) (at ball3 roomb) (at ball2 roomb) (at ball1 roomb))))",
+);
+
+#[test]
+fn what_objects_without_types_could_be_makes_no_states() {
+    let world = converted(UNTYPED.0, UNTYPED.1).expect("a world");
+    let checked = robot::with(&world, |robot, start| goodbot::oomdp::check(robot, start, 10_000)).expect("a robot").expect("sound");
+    assert_eq!((checked.states, checked.all), (256, true));
+    let plan = robot::plan(&world, &"at(ball1,roomb)".parse().expect("a task")).expect("a robot").expect("a plan");
+    assert_eq!(plan.len(), 3, "{plan:?}");
+}
