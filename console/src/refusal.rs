@@ -12,6 +12,20 @@ pub fn in_words(error: &AgentError) -> String {
     error.in_words()
 }
 
+/// As [`in_words`], of a robot in a world from a file: its field, what was refused, and what to do.
+pub fn in_a_world(error: &AgentError) -> (&'static str, String) {
+    let &AgentError::Capacity(CapacityError { capacity, limit, given }) = error else { return ("objects", error.to_string()) };
+    let (field, what, remedy) = match capacity {
+        Capacity::Tasks => ("task_kinds", "tasks in one world", "leave out objects or kinds of task"),
+        Capacity::LiftedTasks => ("task_kinds", "kinds of task", "leave out some"),
+        Capacity::FactsPerTask => ("task_kinds", "values of objects in one task", "let kinds of task have fewer variables"),
+        Capacity::TokensPerCommand => ("task_kinds", "machine tokens in one task", "let kinds of task have fewer propositions"),
+        Capacity::NameBytes => ("objects", "bytes in a word or name", "shorten it"),
+        _ => ("objects", "entries of one table", "use a smaller world, fewer kinds of task or fewer sessions"),
+    };
+    (field, format!("give too many {what}: {given} or more, and {limit} are the most; {remedy}"))
+}
+
 /// An error in the words of who uses the program.
 pub trait InWords {
     /// What was refused, and what to do.

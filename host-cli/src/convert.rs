@@ -2,6 +2,7 @@
 
 use clap::{Args, ValueHint};
 use goodbot_console::load::input;
+use goodbot_console::messages::printable;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_lesson::Fault;
@@ -36,8 +37,14 @@ pub struct ConvertArgs {
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let domain = read(&args.domain, Domain::parse)?;
     let problem = read(&args.problem, Problem::parse)?;
-    let refused = |flaw: Flaw| Failure::Input(format!("{}: field \"{}\": {}", input::name(&args.problem), flaw.field, flaw.message));
-    let world = pddl::world(&domain, &problem).map_err(refused)?;
+    let refused = |flaw: Flaw| Failure::Input(format!("{}: {flaw}", input::name(&args.problem)));
+    let world = pddl::world(&domain, &problem).map_err(|flaw| match flaw.field.as_str() {
+        "types" | "predicates" | "actions" => Failure::Input(format!("{}: {flaw}", input::name(&args.domain))),
+        _ => refused(flaw),
+    })?;
+    if problem.goal.iter().all(|atom| problem.init.contains(atom)) {
+        eprintln!("{}: warning: the goal holds at first; no plan is needed", printable(input::name(&args.problem)));
+    }
     // What no robot can act in is refused here, and not where it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;
     tables.lend(|robot| robot::tasks(tables.file(), robot)).map_err(refused)?;

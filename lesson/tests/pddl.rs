@@ -93,3 +93,78 @@ fn what_is_not_understood_is_refused_by_line() {
     let wide = format!("(define (problem wide) (:domain d) (:objects{objects}) (:init (p o0)) (:goal (q o0)))");
     assert!(refused(many, &wide).contains("more states or actions than can be looked at"));
 }
+
+#[test]
+fn what_contradicts_itself_in_a_domain_or_a_problem_is_refused_by_its_name() {
+    let read = |domain: &str, problem: &str| -> Result<WorldFile, String> {
+        let domain = Domain::parse(domain).map_err(|error| error.to_string())?;
+        let problem = Problem::parse(problem).map_err(|error| error.to_string())?;
+        pddl::world(&domain, &problem).map_err(|flaw| flaw.to_string())
+    };
+    let (blocks, three) = (include_str!("pddl/blocks.pddl"), include_str!("pddl/blocks-3.pddl"));
+    let domain_name = Domain::parse(blocks).expect("a domain").name;
+    let goal_from = three.find("(:goal").expect("a goal");
+    let with_goal = |goal: &str| format!("{}(:goal {goal}))", &three[..goal_from]);
+    for (domain, problem, told) in [
+        (blocks.replacen("(:predicates", "(:predicates (clear ?z)", 1), three.to_owned(), "gives the predicate clear twice"),
+        (blocks.replacen("(:action", "(:action stack :effect (handempty)) (:action", 1), three.to_owned(), "gives the action stack twice"),
+        (
+            GRIPPER.replacen("ball ", "", 1),
+            GRIPPER_4.to_owned(),
+            "ball1 is of the type ball, which the domain does not have; add it to (:types ...)",
+        ),
+        (
+            GRIPPER.replacen("?b - ball", "?b - bull", 1),
+            GRIPPER_4.to_owned(),
+            "?b of the predicate at is of the type bull, which the domain does not have",
+        ),
+        (GRIPPER.to_owned(), three.to_owned(), &format!("is of the domain {domain_name}, and this is gripper")),
+        (
+            GRIPPER.to_owned(),
+            GRIPPER_4.replacen("(:objects", "(:objects ball1 - ball", 1),
+            "gives the object ball1 twice; give each a name of its own",
+        ),
+        (blocks.to_owned(), with_goal("(on c c)"), "field \"goal\": (on c c) has one object twice"),
+        (blocks.to_owned(), with_goal("(handempty)"), "field \"goal\": holds at first, and so does all else of its kind"),
+        (GRIPPER.replacen("?from ?to", "?from ?from", 1), GRIPPER_4.to_owned(), "gives the parameter ?from twice"),
+    ] {
+        let refused = read(&domain, &problem).expect_err(told);
+        assert!(refused.contains(told), "{told}: {refused}");
+    }
+    let constant = GRIPPER.replacen("(:predicates", "(:constants left - gripper)\n(:predicates", 1);
+    assert!(read(&constant, GRIPPER_4).is_err_and(|it| it.contains("left is a constant of the domain already; leave it out")));
+    let itself = "(define (domain d) (:predicates (p ?x ?y)) (:action a :parameters (?x) :effect (p ?x ?x)))";
+    let one = "(define (problem one) (:domain d) (:objects a b) (:init) (:goal (p a b)))";
+    assert!(read(itself, one).is_err_and(|it| it.contains("line 1: an effect of a on p has one object twice")));
+    // The same said twice of what holds at first is said once.
+    let twice = GRIPPER_4.replacen("(:init", "(:init (at-robby rooma)", 1);
+    assert_eq!(read(GRIPPER, &twice), read(GRIPPER, GRIPPER_4));
+}
+
+/// The first problem of the first planning competition, as it is: without types, so that its four balls could be rooms too.
+const UNTYPED: (&str, &str) = (
+    "(define (domain gripper-strips)
+   (:predicates (room ?r) (ball ?b) (gripper ?g) (at-robby ?r) (at ?b ?r) (free ?g) (carry ?o ?g))
+   (:action move :parameters (?from ?to) :precondition (and (room ?from) (room ?to) (at-robby ?from))
+       :effect (and (at-robby ?to) (not (at-robby ?from))))
+   (:action pick :parameters (?obj ?room ?gripper)
+       :precondition (and (ball ?obj) (room ?room) (gripper ?gripper) (at ?obj ?room) (at-robby ?room) (free ?gripper))
+       :effect (and (carry ?obj ?gripper) (not (at ?obj ?room)) (not (free ?gripper))))
+   (:action drop :parameters (?obj ?room ?gripper)
+       :precondition (and (ball ?obj) (room ?room) (gripper ?gripper) (carry ?obj ?gripper) (at-robby ?room))
+       :effect (and (at ?obj ?room) (free ?gripper) (not (carry ?obj ?gripper)))))",
+    "(define (problem strips-gripper-x-1) (:domain gripper-strips)
+   (:objects rooma roomb ball4 ball3 ball2 ball1 left right)
+   (:init (room rooma) (room roomb) (ball ball4) (ball ball3) (ball ball2) (ball ball1) (at-robby rooma) (free left) (free right)
+          (at ball4 rooma) (at ball3 rooma) (at ball2 rooma) (at ball1 rooma) (gripper left) (gripper right))
+   (:goal (and (at ball4 roomb) (at ball3 roomb) (at ball2 roomb) (at ball1 roomb))))",
+);
+
+#[test]
+fn what_objects_without_types_could_be_makes_no_states() {
+    let world = converted(UNTYPED.0, UNTYPED.1).expect("a world");
+    let checked = robot::with(&world, |robot, start| goodbot::oomdp::check(robot, start, 10_000)).expect("a robot").expect("sound");
+    assert_eq!((checked.states, checked.all), (256, true));
+    let plan = robot::plan(&world, &"at(ball1,roomb)".parse().expect("a task")).expect("a robot").expect("a plan");
+    assert_eq!(plan.len(), 3, "{plan:?}");
+}

@@ -128,7 +128,9 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     let light = r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#;
     assert_eq!(lamps(12, light), Ok(4_096));
     assert!(lamps(16, light).is_err_and(|it| it.contains("field \"actions\": give the robot 16 actions")));
-    assert!(lamps(64, r#"{"name":"all","effects":["on(l0)"]}"#).is_err_and(|it| it.contains("more states than can be numbered")));
+    let all: Vec<String> = (0..64).map(|lamp| format!("\"on(l{lamp})\"")).collect();
+    let all = format!(r#"{{"name":"all","effects":[{}]}}"#, all.join(","));
+    assert!(lamps(64, &all).is_err_and(|it| it.contains("\"propositions.on\": gives more states than can be numbered")));
     assert!(lamps(10_000, light).is_err_and(|it| it.contains("field \"objects\": are 10000, and 255 are the most")));
     assert!(lamps(2, "").is_err_and(|it| it.contains("no robot can act in it")));
     for (action, told) in [
@@ -139,4 +141,77 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     ] {
         assert!(lamps(2, action).is_err_and(|it| it.contains(told)), "{told}");
     }
+}
+
+/// So many lamps, of which some are on at first.
+fn lamps(count: usize, on: &str, actions: &str) -> WorldFile {
+    let objects: Vec<String> = (0..count).map(|lamp| format!(r#"{{"name":"l{lamp}","class":"lamp"}}"#)).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"]}},"objects":[{}],"facts":[{on}],"task_kinds":["on(?l)"],"actions":[{actions}]}}"#,
+        objects.join(",")
+    );
+    WorldFile::parse(&text).expect("a world")
+}
+
+#[test]
+fn of_many_things_only_what_can_change_makes_states() {
+    let actions = r#"{"name":"light","conditions":["!on(l0)","on(l7)"],"effects":["on(l0)","!on(l7)"]},
+        {"name":"back","conditions":["on(l0)","!on(l9)"],"effects":["!on(l0)","on(l7)","!on(l8)"]},
+        {"name":"dark","conditions":["on(l9)"],"effects":["on(l10)"]}"#;
+    let file = lamps(64, r#""on(l7)","on(l20)""#, actions);
+    robot::with(&file, |robot, start| {
+        // All lamps together have too many states. l0 and l7 change; l20 stays on, l8 and l9 stay off, and so nothing is done where l9 is on.
+        assert_eq!(robot.state_count(), 4);
+        assert_eq!(check(robot, start, 100).map(|checked| checked.states), Ok(2));
+        assert_eq!(robot.actions().iter().map(|kind| kind.name).collect::<Vec<_>>(), ["light", "back"]);
+        let on = |state: u64| robot.facts(state).iter().map(ToString::to_string).collect::<Vec<_>>();
+        assert_eq!(on(start), ["on(l7)", "on(l20)"]);
+        let lit = robot.step(&start, Action::new(0)).expect("a state");
+        assert_eq!(on(lit), ["on(l0)", "on(l20)"]);
+        assert_eq!(robot.step(&lit, Action::new(1)), Some(start));
+        assert_eq!(robot.state_of(&robot.facts(lit)), Ok(lit));
+        let told = robot.state_of(&["on(l5)", "on(l20)"].map(|fact| fact.parse().expect("a fact"))).expect_err("a flaw");
+        assert!(told.message.contains("holds here and not in the world, and no action changes it"), "{told}");
+    })
+    .expect("a robot");
+    assert_eq!(robot::plan(&file, &"on(l0)".parse().expect("a task")), Ok(Some(vec!["light".to_owned()])));
+    assert_eq!(robot::plan(&file, &"on(l10)".parse().expect("a task")), Ok(None));
+}
+
+#[test]
+fn where_all_states_can_be_numbered_a_session_may_begin_with_what_no_action_brings_about() {
+    let file = lamps(4, "", r#"{"name":"light","effects":["on(l0)"]}"#);
+    let begun = robot::with(&file, |robot, _| {
+        let state = robot.state_of(&["on(l3)".parse().expect("a fact")])?;
+        Ok::<_, robot::Flaw>((robot.state_count(), state, robot.facts(state).len()))
+    });
+    assert_eq!(begun.expect("a robot"), Ok((16, 8, 1)));
+}
+
+#[test]
+fn values_that_a_variable_never_takes_make_no_states() {
+    // Ten robots could be in a hundred rooms each. Two of them walk, each between two rooms.
+    let objects = |class: &'static str, count: usize| (0..count).map(move |it| format!(r#"{{"name":"{class}{it}","class":"{class}"}}"#));
+    let objects: Vec<String> = objects("bot", 12).chain(objects("room", 100)).collect();
+    let facts: Vec<String> = (0..12).map(|bot| format!("\"at(bot{bot},room{})\"", 7 * bot)).collect();
+    let go = |name: &str, bot: &str, to: &str| format!(r#"{{"name":"{name}","effects":["at({bot},{to})"]}}"#);
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["bot","room"],"attributes":{{}},"propositions":{{"at":["bot","room"]}},"variables":["at"],
+        "objects":[{}],"facts":[{}],"task_kinds":["at(?b,?r)"],"actions":[{},{},{}]}}"#,
+        objects.join(","),
+        facts.join(","),
+        go("a", "bot1", "room3"),
+        go("b", "bot1", "room7"),
+        go("c", "bot2", "room99")
+    );
+    let file = WorldFile::parse(&text.replace("\"at(?b,?r)\"", "\"at(?b,?r) & at(?c,?r)\"")).expect("a world");
+    let tables = robot::Tables::of(std::sync::Arc::new(file)).expect("a robot");
+    tables.lend(|robot| {
+        assert_eq!(robot.state_count(), 4);
+        let next = robot.step(&tables.start(), Action::new(2)).expect("a state");
+        let facts = robot.facts(next).iter().map(ToString::to_string).collect::<Vec<_>>();
+        assert!(facts.contains(&"at(bot2,room99)".to_owned()) && facts.contains(&"at(bot11,room77)".to_owned()), "{facts:?}");
+        assert_eq!(facts.len(), 12);
+        assert_eq!(robot.state_of(&robot.facts(next)), Ok(next));
+    });
 }

@@ -55,12 +55,13 @@ pub fn read<E>(
     mut take: impl FnMut(Result<Option<Lesson>, Fault>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut known = Worlds { options, believes, plans, worlds: HashMap::new() };
-    for line in WorldReader::new(log) {
+    let mut lines = WorldReader::new(log);
+    while let Some(line) = lines.next() {
         match line {
             Err(error) => take(Err(Fault::from_format(file, error)))?,
             Ok(Line::World(world)) => {
                 if let Err(fault) = known.meet(file, &world) {
-                    take(Err(fault))?;
+                    take(Err(Fault { line: Some(lines.began()), ..fault }))?;
                 }
             }
             Ok(Line::Command(command)) => take(known.command(file, &command))?,

@@ -110,6 +110,8 @@ pub struct Domain {
 pub struct Problem {
     /// Its name.
     pub name: String,
+    /// The name of its domain; empty where it names none.
+    pub domain: String,
     /// The objects.
     pub objects: Vec<Typed>,
     /// What holds at first.

@@ -2,6 +2,7 @@
 
 use super::expression::{Expression, error};
 use super::{Atom, Cost, Domain, PddlError, Problem, Schema, Typed};
+use std::collections::BTreeSet;
 
 /// Everything is of this type.
 const OBJECT: &str = "object";
@@ -44,6 +45,24 @@ fn typed(items: &[Expression]) -> Result<Vec<Typed>, PddlError> {
         first = all.len();
     }
     Ok(all)
+}
+
+/// As [`typed`], where each name is the only one of its kind.
+fn typed_once(items: &[Expression], what: &str, line: usize) -> Result<Vec<Typed>, PddlError> {
+    let all = typed(items)?;
+    once(all.iter().map(|it| it.name.as_str()), what, line)?;
+    Ok(all)
+}
+
+/// Whether no name is given twice.
+fn once<'n>(names: impl Iterator<Item = &'n str>, what: &str, line: usize) -> Result<(), PddlError> {
+    let mut known = BTreeSet::new();
+    for name in names {
+        if !known.insert(name) {
+            return error(line, format!("gives the {what} {name} twice; give each a name of its own"));
+        }
+    }
+    Ok(())
 }
 
 fn atom(expression: &Expression) -> Result<Atom, PddlError> {
@@ -111,14 +130,21 @@ impl Domain {
             match head {
                 ":requirements" | ":functions" => {}
                 ":types" => domain.types = typed(rest)?,
-                ":constants" => domain.constants = typed(rest)?,
+                ":constants" => domain.constants = typed_once(rest, "constant", section.line())?,
                 ":predicates" => {
                     for predicate in rest {
                         let (name, parameters) = predicate.headed()?;
+                        let others = domain.predicates.iter().map(|(known, _)| known.as_str());
+                        once(others.chain([name]), "predicate", predicate.line())?;
                         domain.predicates.push((name.to_owned(), typed(parameters)?));
                     }
                 }
-                ":action" => domain.actions.push(Schema::read(section.line(), rest)?),
+                ":action" => {
+                    let action = Schema::read(section.line(), rest)?;
+                    let others = domain.actions.iter().map(|known| known.name.as_str());
+                    once(others.chain([action.name.as_str()]), "action", section.line())?;
+                    domain.actions.push(action);
+                }
                 other => return beyond(other, section.line()),
             }
         }
@@ -142,7 +168,7 @@ impl Schema {
         for pair in fields.chunks(2) {
             let [field, value] = pair else { return error(line, "has a field without a value; write it") };
             match field.word()? {
-                ":parameters" => action.parameters = typed(value.list()?)?,
+                ":parameters" => action.parameters = typed_once(value.list()?, "parameter", value.line())?,
                 ":precondition" => {
                     for part in parts(value)? {
                         let (inner, holds) = signed(part)?;
@@ -189,8 +215,9 @@ impl Problem {
         for section in sections {
             let (head, rest) = section.headed()?;
             match (head, rest) {
-                (":domain" | ":requirements", _) => {}
-                (":objects", _) => problem.objects = typed(rest)?,
+                (":requirements", _) => {}
+                (":domain", [name]) => name.word()?.clone_into(&mut problem.domain),
+                (":objects", _) => problem.objects = typed_once(rest, "object", section.line())?,
                 (":init", _) => {
                     for fact in rest {
                         match fact.headed()? {

@@ -32,12 +32,18 @@ pub struct WorldReader<R> {
     pending: Option<RawLine>,
     /// Whether the last session could not be read.
     is_broken: bool,
+    began: usize,
 }
 
 impl<R: BufRead> WorldReader<R> {
     /// A reader of this log.
     pub fn new(input: R) -> Self {
-        Self { lines: Lines::new(input), worlds: HashMap::new(), pending: None, is_broken: false }
+        Self { lines: Lines::new(input), worlds: HashMap::new(), pending: None, is_broken: false, began: 0 }
+    }
+
+    /// The line on which that began which was read last, counted from 1; 0 before anything was read.
+    pub const fn began(&self) -> usize {
+        self.began
     }
 
     /// The next line that is not blank.
@@ -127,6 +133,7 @@ impl<R: BufRead> Iterator for WorldReader<R> {
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             let line = self.line()?;
+            self.began = line.number;
             if let Some(error) = line.error {
                 return Some(Err(error));
             }

@@ -1,9 +1,10 @@
 //! The actions that lead to a goal.
 
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::OptimalSet;
-use goodbot::{Agent, AgentError};
+use goodbot::task::GroundedTask;
+use goodbot::{Agent, AgentError, Capacities, Options};
 
 /// The longest plan that is printed.
 const LONGEST: usize = 1_000;
@@ -43,6 +44,37 @@ pub fn plan<D: Domain>(
     start: D::State,
     task: usize,
 ) -> Result<Option<(Plan, D::State)>, AgentError> {
+    match alone(agent, home, &start, task)? {
+        Some((mut alone, task)) => plan_on(&mut alone, home, start, task),
+        None => plan_on(agent, home, start, task),
+    }
+}
+
+/// A robot that was told this task and no other, and its number there: it plans for no others at each step. Nothing where the task is no command's,
+/// such as that something shall not be.
+fn alone<D: Domain>(
+    agent: &Agent<impl AgentMemory>,
+    home: &D,
+    start: &D::State,
+    task: usize,
+) -> Result<Option<(Agent<AgentHeap>, usize)>, AgentError> {
+    let Some(wanted) = agent.tasks().get(task).copied() else { return Ok(None) };
+    let is_wanted = |it: &GroundedTask| (it.lifted, it.bindings, it.way) == (wanted.lifted, wanted.bindings, wanted.way);
+    let mut alone = Agent::new(AgentHeap::new(&Capacities::STANDARD), agent.lifted(), Options::DEFAULT)?;
+    match alone.hear_with_prior(home, start, "do", |it, _| f32::from(u8::from(is_wanted(it)))) {
+        Err(AgentError::NoPrior | AgentError::NoTask) => return Ok(None),
+        heard => heard?,
+    }
+    let position = alone.tasks().iter().position(is_wanted);
+    Ok(position.map(|position| (alone, position)))
+}
+
+fn plan_on<D: Domain>(
+    agent: &mut Agent<impl AgentMemory>,
+    home: &D,
+    start: D::State,
+    task: usize,
+) -> Result<Option<(Plan, D::State)>, AgentError> {
     let (mut state, mut plan) = (start, Plan::default());
     while plan.actions.len() < LONGEST {
         agent.plan_fully(home, &state)?;
@@ -57,4 +89,28 @@ pub fn plan<D: Domain>(
         state = next;
     }
     Ok(None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use goodbot::home::{Moves, paper_tasks};
+    use goodbot_lesson::home;
+
+    #[test]
+    fn a_task_that_is_planned_for_alone_has_the_plan_that_it_has_beside_others() {
+        let drawing = "###########\n#rrrr#bbbb#\n#rrBr+bbbb#\n#r@rr#bbGb#\n###+####+##\n#gggg+yyyy#\n#gggg#yyyy#\n###########\nB: yellow bag\nG: tan chair\n";
+        let environment = home::parse("home", drawing).unwrap();
+        let (home, start) = home::build(&environment, Moves::Push, home::memory()).unwrap();
+        let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.hear(&home, &start, "go").unwrap();
+        let mut longest = 0;
+        for task in 0..agent.tasks().len() {
+            let beside = plan_on(&mut agent, &home, start, task).unwrap().unwrap();
+            let alone = plan(&mut agent, &home, start, task).unwrap().unwrap();
+            assert_eq!((&alone.0.actions, alone.0.is_exact, alone.1), (&beside.0.actions, beside.0.is_exact, beside.1), "{task}");
+            longest = longest.max(alone.0.actions.len());
+        }
+        assert!(longest > 8, "{longest}");
+    }
 }

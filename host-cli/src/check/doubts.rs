@@ -2,10 +2,13 @@
 
 use goodbot::home::{Cell, Home, HomeState, Moves};
 use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Action, Domain};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::session::SessionHeader;
+use goodbot_formats::world::Literal;
 use goodbot_lesson::home;
-use std::collections::BTreeSet;
+use goodbot_lesson::world::robot::Robot;
+use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
 /// A doubt: the object's position in the environment, where it is one of them, and what is doubtful.
 pub type Doubt = (Option<usize>, String);
@@ -108,4 +111,58 @@ pub fn of_header(header: &SessionHeader) -> Vec<(&'static str, String)> {
         Some((field, format!("the probabilities sum to {sum:.6} and not to 1; they are divided by their sum")))
     };
     sums.into_iter().filter_map(odd).collect()
+}
+
+/// What is doubtful in the actions of a world's robot: the field, and why. `all` says that its states are few enough to look at all of them.
+pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, String)> {
+    let mut doubts = Vec::new();
+    let seen = if all { seen(robot, start) } else { BTreeMap::new() };
+    for (position, action) in robot.file().actions.iter().enumerate() {
+        let name = &action.name;
+        if let Some(literal) = contradicted(&action.effects) {
+            let message = format!("{literal} holds after {name} and does not, and what is written last counts; leave one of the two out");
+            doubts.push((format!("actions[{position}]"), message));
+        }
+        if let Some(literal) = contradicted(&action.conditions) {
+            let message = format!("{literal} is to hold and not to hold, so that {name} can never be done; leave one of the two out");
+            doubts.push((format!("actions[{position}]"), message));
+        } else if all {
+            let message = match seen.get(name.as_str()) {
+                None => format!(
+                    "{name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+                ),
+                Some(false) => format!("{name} changes nothing, in whatever state it is done; correct its effects, or leave it out"),
+                Some(true) => continue,
+            };
+            doubts.push((format!("actions[{position}]"), message));
+        }
+    }
+    doubts
+}
+
+/// The first proposition that is there with its opposite.
+fn contradicted(literals: &[Literal]) -> Option<&Literal> {
+    let is_opposite = |one: &Literal, other: &Literal| other.negated && other.proposition == one.proposition && other.terms == one.terms;
+    literals.iter().find(|one| !one.negated && literals.iter().any(|other| is_opposite(one, other)))
+}
+
+/// The actions that can be done, by their names without objects, and whether one ever changes something. Ends as soon as each does.
+fn seen<'r>(robot: &'r Robot<'_>, start: u64) -> BTreeMap<&'r str, bool> {
+    let name = |kind: &'r str| kind.split('(').next().unwrap_or(kind);
+    let (mut seen, mut known, mut open) = (BTreeMap::new(), HashSet::from([start]), VecDeque::from([start]));
+    let of_file = robot.file().actions.len();
+    while let Some(state) = open.pop_front() {
+        if seen.len() == of_file && seen.values().all(|&changes| changes) {
+            break;
+        }
+        for (position, kind) in robot.actions().iter().enumerate() {
+            if let Some(next) = robot.step(&state, Action::new(position as u8)) {
+                *seen.entry(name(kind.name)).or_insert(false) |= next != state;
+                if known.insert(next) {
+                    open.push_back(next);
+                }
+            }
+        }
+    }
+    seen
 }

@@ -5,27 +5,27 @@
 mod doubts;
 
 use clap::Args;
+use goodbot::Options;
 use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::task::LiftedTask;
-use goodbot::{Capacities, Options};
 use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{counted, counting, printable, summed};
 use goodbot_console::outcome;
+use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
-use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::robot::{self, Flaw};
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::HashMap;
-use std::io::{BufRead, Write};
+use std::io::{BufRead, Read, Write};
 
 /// The most faults that are told of one file.
 const MOST_FAULTS: usize = 100;
@@ -249,7 +249,8 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
 const MOST_STATES: usize = 1_000_000;
 
 /// The robot of a world: what it can come to.
-fn check_robot(file: &str, world: &WorldFile, found: &mut Findings) -> Result<(), Flaw> {
+fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Flaw> {
+    let world = &read.world;
     robot::with(world, |robot, start| {
         robot::tasks(world, robot)?;
         let actions = counted(robot.actions().len(), "action");
@@ -258,41 +259,74 @@ fn check_robot(file: &str, world: &WorldFile, found: &mut Findings) -> Result<()
                 let and_more = if checked.all { "" } else { " or more" };
                 found.what.push_str(&format!(", with a robot of {actions} and {}{and_more}", counted(checked.states, "state")));
                 if let Some(never) = checked.never_held.filter(|_| checked.all) {
-                    let name = robot.world().schema.proposition_name(never).to_owned();
-                    let warning =
-                        Fault::new(file, "holds of no objects, whatever the robot does; leave it out, or correct the facts and effects");
-                    found.warnings.push(warning.in_field(format!("propositions.{name}")));
+                    let name = robot.world().schema.proposition_name(never);
+                    let warning = "holds of no objects, whatever the robot does; leave it out, or correct the facts and effects";
+                    found.warnings.push(read.fault(&format!("propositions.{name}"), warning));
                 }
+                let doubts = doubts::of_actions(robot, start, checked.all);
+                found.warnings.extend(doubts.iter().map(|(field, message)| read.fault(field, message)));
             }
-            Err(error) => found.faults.push(Fault::new(file, error)),
+            Err(error) => found.faults.push(read.fault("actions", &error.to_string())),
         }
         Ok(())
     })?
 }
 
-/// A world, be it on many lines, or a log of worlds.
+/// A world, be it on one line or on many, or a log of worlds.
 fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault> {
-    let first = opened.fill_buf().ok().and_then(|head| head.split(|&byte| byte == b'\n').next()).unwrap_or(&[]);
-    // A world on many lines begins with a line that is not complete, and a short one.
-    let is_log = first.trim_ascii_end().ends_with(b"}") || first.len() > 1_000;
-    let mut found = Findings::default();
-    if !is_log {
-        let read = input::WorldInFile::parse(file, input::rest(file, opened)?)?;
-        let world = &read.world;
-        let tasks = goodbot_lesson::world::meanings(world, &world.facts);
-        let tasks = tasks.map_err(|error| read.fault("task_kinds", &error.to_string()))?;
-        found.what = format!("a world of {} and {}", counted(world.objects.len(), "object"), counted(tasks.len(), "task"));
-        if !world.actions.is_empty() {
-            check_robot(file, world, &mut found).map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
-            let most = Capacities::STANDARD.tasks;
-            if tasks.len() > most {
-                let message =
-                    format!("give {} tasks, and {most} are the most for a robot that acts; leave out kinds or objects", tasks.len());
-                found.faults.push(read.fault("task_kinds", &message));
-            }
-        }
-        return Ok(found);
+    let (head, is_more) = first_line(file, &mut opened)?;
+    if is_world(&head, is_more) {
+        return check_world(&input::WorldInFile::parse(file, input::rest(file, head.chain(opened))?)?);
     }
+    Ok(check_log_of_worlds(file, head.chain(opened)))
+}
+
+/// All up to the end of the first line that is not blank, and whether more follows.
+fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), Fault> {
+    let unreadable = |error: std::io::Error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"));
+    let mut head = Vec::new();
+    while head.trim_ascii().is_empty() && opened.by_ref().take(MOST_BYTES).read_until(b'\n', &mut head).map_err(unreadable)? > 0 {}
+    while (head.len() as u64) < MOST_BYTES {
+        let rest = opened.fill_buf().map_err(unreadable)?;
+        if rest.is_empty() {
+            return Ok((head, false));
+        }
+        if !rest.trim_ascii().is_empty() {
+            break;
+        }
+        // Blank lines count where a fault's line is told.
+        head.extend_from_slice(rest);
+        let length = rest.len();
+        opened.consume(length);
+    }
+    Ok((head, true))
+}
+
+/// Whether a file that begins so is one world, and no log.
+fn is_world(head: &[u8], is_more: bool) -> bool {
+    let first = head.trim_ascii();
+    if is_more {
+        // A world on many lines begins with a line that is not complete, and a short one.
+        return !first.ends_with(b"}") && first.len() <= 1_000;
+    }
+    // A command alone is a log that lacks its world.
+    let kind = serde_json::from_slice::<serde_json::Value>(first.strip_prefix(b"\xef\xbb\xbf").unwrap_or(first));
+    kind.map_or(true, |it| it.get("type").is_none_or(|kind| kind == "world"))
+}
+
+fn check_world(read: &input::WorldInFile) -> Result<Findings, Fault> {
+    let mut found = Findings::default();
+    let world = &read.world;
+    let tasks = goodbot_lesson::world::count_tasks(world).map_err(|error| read.fault("task_kinds", &error.to_string()))?;
+    found.what = format!("a world of {} and {}", counted(world.objects.len(), "object"), counted(tasks, "task"));
+    if !world.actions.is_empty() {
+        check_robot(read, &mut found).map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
+    }
+    Ok(found)
+}
+
+fn check_log_of_worlds(file: &str, opened: impl BufRead) -> Findings {
+    let mut found = Findings::default();
     let (mut sessions, mut commands, mut no_task) = (0_usize, 0_usize, 0_usize);
     let read = worlds::read(file, opened, Options::DEFAULT, None, false, |lesson| {
         match lesson {
@@ -320,7 +354,7 @@ fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault>
         [(sessions, "session"), (commands, "command")].into_iter().filter(|&(count, what)| count > 0 || what == "command" && sessions == 0);
     let told: Vec<String> = told.map(|(count, what)| counted(count, what)).collect();
     found.what = format!("a log of worlds with {}", told.join(" and "));
-    Ok(found)
+    found
 }
 
 fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], warnings: &mut Vec<Fault>) -> Vec<Fault> {

@@ -142,7 +142,10 @@ pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) ->
     let lifted = robot::tasks(robot.file(), robot)?;
     let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner);
     let least = least.and_then(|mut agent| agent.least_capacities(robot, lessons));
-    least.map_err(|error| Flaw { field: "objects".to_owned(), message: refusal::in_words(&error) })
+    least.map_err(|error| {
+        let (field, message) = refusal::in_a_world(&error);
+        Flaw { field: field.to_owned(), message }
+    })
 }
 
 /// Trains a robot on the log in this memory. Returns how many sessions it kept, and the machine commands that it has of them.

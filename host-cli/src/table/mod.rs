@@ -67,6 +67,8 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
 
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
     let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
+    // Before the states, which take longer.
+    robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
     if !checked.all || robot.state_count() > MOST_STATES as u64 {
         let count = robot.state_count();

@@ -188,6 +188,27 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
 }
 
 #[test]
+fn a_world_on_one_line_is_checked_as_one_on_many() {
+    let lift = goodbot(&["example", "world"], b"").output;
+    let line: String = lift.lines().collect();
+    let sound = goodbot(&["check", "-"], lift.as_bytes()).output;
+    for text in [line.clone(), format!("{line}\n"), format!("\n\n{line}\r\n \n")] {
+        assert_eq!(goodbot(&["check", "-"], text.as_bytes()).output, sound);
+    }
+    let wrong = line.replacen("\"liftAtFloor(lift0,floor1)\",", "", 1);
+    let told = "field \"facts\": say no value of the variable liftAtFloor of lift0";
+    let checked = goodbot(&["check", "-"], format!("\n{wrong}").as_bytes());
+    assert!(checked.messages.contains(&format!("standard input:2: {told}")), "{}", checked.messages);
+    // In a log of worlds the fault is on the world's line too.
+    let checked = goodbot(&["check", "-"], format!("{line}\n{}\n", wrong.replacen("\"lift\"", "\"lift2\"", 1)).as_bytes());
+    assert!(
+        checked.messages.contains(&format!("standard input:2: {}", told.replace(": say", ": world \"lift2\": say"))),
+        "{}",
+        checked.messages
+    );
+}
+
+#[test]
 fn hostile_worlds_are_refused_by_line_at_once() {
     let folder = tempfile::tempdir().expect("a folder");
     let lamps =
@@ -199,6 +220,10 @@ fn hostile_worlds_are_refused_by_line_at_once() {
         )
     };
     let (light, on) = (r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#, "\"on(?l)\"");
+    let single = |count: usize| {
+        (0..count).map(|lamp| format!("{{\"name\":\"light{lamp}\",\"effects\":[\"on(l{lamp})\"]}}")).collect::<Vec<_>>().join(",")
+    };
+    let all: Vec<String> = (0..64).map(|lamp| format!("\"on(l{lamp})\"")).collect();
     let attributes: Vec<String> = (0..300).map(|number| format!("\"a{number}\":[\"lamp\"]")).collect();
     let kinds: Vec<String> = (0..20).map(|number| format!("\"p{number}(?l)\"")).collect();
     let more: String = (0..20).map(|number| format!(",\"p{number}\":[\"lamp\"]")).collect();
@@ -221,6 +246,10 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             world("", "", &format!("{{\"name\":\"{}\",\"class\":\"lamp\"}}", "x".repeat(5_000)), light, on),
             "6: field \"objects[0]\": too many bytes in a word",
         ),
+        (
+            world("", ",\"near\":[\"lamp\",\"lamp\"]", &lamps(20), &single(15), "\"near(?a,?b)\""),
+            "28: field \"task_kinds\": give 380 tasks, and 256 are the most for a robot that acts; leave out kinds or objects",
+        ),
         // None of the last class is there, but all others are chosen before.
         (
             world("", ",\"of\":[\"sole\"]", &format!("{},{{\"name\":\"s0\",\"class\":\"sole\"}}", lamps(200)), &wide, on)
@@ -228,7 +257,7 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             "207: field \"actions[0]\": can be done with more objects than can be tried",
         ),
         (
-            world("", "", &lamps(64), r#"{"name":"x","effects":["on(l0)"]}"#, on),
+            world("", "", &lamps(64), &format!("{{\"name\":\"x\",\"effects\":[{}]}}", all.join(",")), on),
             "5: field \"propositions.on\": gives more states than can be numbered",
         ),
     ] {
@@ -240,6 +269,69 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             assert!(run.code == 2 && run.messages.contains(&format!("world.json:{told}")), "{told}: {command:?} {}", run.messages);
             assert!(began.elapsed() < std::time::Duration::from_secs(5), "{told}: {command:?}");
         }
+    }
+}
+
+#[test]
+fn a_controller_that_cannot_tell_all_tasks_apart_is_told_of_in_the_words_of_the_world() {
+    let lamps: Vec<String> = (0..13).map(|lamp| format!("{{\"name\":\"l{lamp}\",\"class\":\"lamp\"}}")).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"],"near":["lamp","lamp"]}},
+        "objects":[{}],"actions":[{{"name":"light","effects":["on(l0)"]}}],
+        "task_kinds":["near(?a,?b)"]}}"#,
+        lamps.join(",")
+    );
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), "world.json", &text);
+    let path = path.to_str().expect("UTF-8");
+    for command in [&["table", path, "--c"][..], &["size", path]] {
+        let run = goodbot(command, b"");
+        let told = "world.json:3: field \"task_kinds\": give too many tasks in one world: 156 or more, and 64 are the most; \
+                    leave out objects or kinds of task";
+        assert!(run.code == 2 && run.messages.contains(told), "{command:?} {}", run.messages);
+    }
+}
+
+#[test]
+fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
+    let world = |actions: &[&str]| {
+        format!(
+            "{{\"type\":\"world\",\"name\":\"w\",\"classes\":[\"lamp\"],\"attributes\":{{}},\"propositions\":{{\"on\":[\"lamp\"]}},\n\
+             \"objects\":[{{\"name\":\"a\",\"class\":\"lamp\"}},{{\"name\":\"b\",\"class\":\"lamp\"}}],\n\
+             \"actions\":[{{\"name\":\"light\",\"parameters\":{{\"?l\":\"lamp\"}},\"effects\":[\"on(?l)\"]}},\n{}],\"task_kinds\":[\"on(?l)\"]}}",
+            actions.join(",\n")
+        )
+    };
+    for (action, told) in [
+        (
+            r#"{"name":"x","conditions":["on(a)","!on(a)"],"effects":["on(b)"]}"#,
+            "\": warning: on(a) is to hold and not to hold, so that x can never be done; leave one of the two out",
+        ),
+        (
+            r#"{"name":"x","parameters":{"?l":"lamp"},"effects":["on(?l)","!on(?l)"]}"#,
+            "\": warning: on(?l) holds after x and does not, and what is written last counts; leave one of the two out",
+        ),
+        (
+            r#"{"name":"x","conditions":["on(a)"],"effects":["on(a)"]}"#,
+            "\": warning: x changes nothing, in whatever state it is done; correct its effects, or leave it out",
+        ),
+    ] {
+        let checked = goodbot(&["check", "-"], world(&[action]).as_bytes());
+        assert!(checked.code == 0 && checked.messages.contains("standard input:4: field \"actions[1]"), "{told}: {}", checked.messages);
+        assert!(checked.messages.contains(told), "{told}: {}", checked.messages);
+    }
+    let once = r#"{"name":"x","conditions":["on(a)","on(b)"],"effects":["!on(a)","!on(b)"]}"#;
+    let sound = goodbot(&["check", "-"], world(&[once]).as_bytes());
+    assert!(sound.output.contains("no fault\n"), "{}{}", sound.output, sound.messages);
+    let never =
+        r#"{"name":"x","conditions":["at(a)"],"effects":["on(a)"]},{"name":"y","conditions":["lit(a)","lit(b)"],"effects":["lit(b)"]}"#;
+    let more = world(&[never]).replace("\"on\":[\"lamp\"]", "\"on\":[\"lamp\"],\"at\":[\"lamp\"],\"lit\":[\"lamp\"]");
+    let checked = goodbot(&["check", "-"], more.as_bytes());
+    for (position, name) in [(1, "x"), (2, "y")] {
+        let told = format!(
+            "field \"actions[{position}]\": warning: {name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+        );
+        assert!(checked.messages.contains(&told), "{}", checked.messages);
     }
 }
 

@@ -57,20 +57,36 @@ pub fn meanings(world: &WorldFile, facts: &[GroundAtomText]) -> Result<Vec<Meani
     let facts: BTreeSet<&GroundAtomText> = facts.iter().collect();
     let scene = Scene::of(world, &facts);
     let mut meanings: Vec<Meaning> = Vec::new();
-    for kind in &world.task_kinds {
-        for objects in bindings(world, kind, MOST_TASKS - meanings.len())? {
-            let atoms: Vec<GroundAtomText> = kind.atoms().iter().filter_map(|atom| ground(atom, &objects)).collect();
-            if atoms.iter().all(|atom| facts.contains(atom)) {
-                continue;
-            }
-            let (label, description) = (scene.label(&atoms), scene.description(&atoms));
-            let Ok(name) = GroundTaskText::new(atoms) else { continue };
-            meanings.push(Meaning { name, label, prior: 0.0, description });
-        }
+    for atoms in tasks(world, &facts)? {
+        let (label, description) = (scene.label(&atoms), scene.description(&atoms));
+        let Ok(name) = GroundTaskText::new(atoms) else { continue };
+        meanings.push(Meaning { name, label, prior: 0.0, description });
     }
     let share = 1.0 / meanings.len() as f32;
     meanings.iter_mut().for_each(|meaning| meaning.prior = share);
     Ok(meanings)
+}
+
+/// How many tasks a world has in the state that it describes.
+///
+/// # Errors
+/// [`TooMany`].
+pub fn count_tasks(world: &WorldFile) -> Result<usize, TooMany> {
+    Ok(tasks(world, &world.facts.iter().collect())?.len())
+}
+
+/// The propositions of each task.
+fn tasks(world: &WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Result<Vec<Vec<GroundAtomText>>, TooMany> {
+    let mut tasks: Vec<Vec<GroundAtomText>> = Vec::new();
+    for kind in &world.task_kinds {
+        for objects in bindings(world, kind, MOST_TASKS - tasks.len())? {
+            let atoms: Vec<GroundAtomText> = kind.atoms().iter().filter_map(|atom| ground(atom, &objects)).collect();
+            if !atoms.iter().all(|atom| facts.contains(atom)) {
+                tasks.push(atoms);
+            }
+        }
+    }
+    Ok(tasks)
 }
 
 /// An assignment of objects to the variables of a kind of task.

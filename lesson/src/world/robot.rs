@@ -3,6 +3,9 @@
 //! What actions change are variables: a proposition that the file lists among its `variables` has one value for each choice of its first
 //! arguments, the object in its last; any other proposition that an effect names holds or does not. A state is the number whose digits
 //! are the values.
+//!
+//! Every choice of objects has its digit, so that a session may begin with what no action brings about. Only where that makes too many states or
+//! actions, what can never come about from the file's facts is left out.
 
 use crate::home::full;
 use crate::name::task_name;
@@ -219,10 +222,16 @@ fn refused(error: &ObjectError) -> String {
 /// The kinds of task of a robot's world.
 ///
 /// # Errors
-/// A [`Flaw`] that names the kind.
+/// A [`Flaw`] that names the kind, or says that all kinds together give too many tasks.
 pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
     if file.task_kinds.len() > LIFTED_TASKS {
         let message = format!("are {}, and {LIFTED_TASKS} are the most for a robot that acts; leave out some", file.task_kinds.len());
+        return flaw("task_kinds", message);
+    }
+    let given = super::count_tasks(file).map_err(|error| Flaw { field: "task_kinds".to_owned(), message: error.to_string() })?;
+    if given > MOST_TASKS_OF_A_ROBOT {
+        let message =
+            format!("give {given} tasks, and {MOST_TASKS_OF_A_ROBOT} are the most for a robot that acts; leave out kinds or objects");
         return flaw("task_kinds", message);
     }
     let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
@@ -395,11 +404,21 @@ struct Case {
     effects: Vec<(usize, u64)>,
 }
 
+impl Case {
+    /// Whether its conditions hold with some of the values that each digit may have.
+    fn is_possible(&self, possible: &[BTreeSet<u64>]) -> bool {
+        self.conditions.iter().all(|&(digit, value, wanted)| {
+            let is_as_wanted = |&it: &u64| (it == value) == wanted;
+            possible.get(digit).is_some_and(|values| values.iter().any(is_as_wanted))
+        })
+    }
+}
+
 impl Mechanism {
     fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, Flaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
-        let mut mechanism = Self { states: 1, ..Self::default() };
+        let mut mechanism = Self::default();
         for (position, (name, _)) in file.propositions.iter().enumerate() {
             let id = PropositionId::new(position as u8);
             let classes = schema.parameters(id);
@@ -432,6 +451,15 @@ impl Mechanism {
         for (position, action) in file.actions.iter().enumerate() {
             mechanism.ground(position, action, schema, objects)?;
         }
+        if mechanism.number().is_err() || mechanism.actions.len() > Action::MOST {
+            let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
+            mechanism.keep_possible(&start);
+        }
+        if let Err(digit) = mechanism.number() {
+            let of_digit = |&(_, &(of, _)): &(&Key, &(usize, u64))| of == digit;
+            let name = mechanism.places.iter().find(of_digit).map_or("", |(&(id, _), _)| schema.proposition_name(id));
+            return flaw(format!("propositions.{name}"), "gives more states than can be numbered; leave out objects or what changes");
+        }
         if mechanism.actions.len() > Action::MOST {
             let message = format!(
                 "give the robot {} actions with their objects, and {} are the most; give them fewer parameters",
@@ -447,19 +475,91 @@ impl Mechanism {
         if self.digits.len() >= MOST_DIGITS {
             return flaw(format!("propositions.{name}"), "gives more variables than can be kept; leave out objects or what changes");
         }
-        self.digits.push(Digit { unit: self.states, values });
-        match self.states.checked_mul(values).filter(|&states| states < u64::MAX) {
-            Some(states) => self.states = states,
-            None => {
-                return flaw(format!("propositions.{name}"), "gives more states than can be numbered; leave out objects or what changes");
+        self.digits.push(Digit { unit: 0, values });
+        Ok(self.digits.len() - 1)
+    }
+
+    /// Gives each digit its place in the number of a state.
+    ///
+    /// # Errors
+    /// The digit with which the numbers are too large.
+    fn number(&mut self) -> Result<(), usize> {
+        self.states = 1;
+        for (position, digit) in self.digits.iter_mut().enumerate() {
+            digit.unit = self.states;
+            self.states = self.states.checked_mul(digit.values).filter(|&states| states < u64::MAX).ok_or(position)?;
+        }
+        Ok(())
+    }
+
+    /// Leaves out what can never be, from these values of the digits on: digits that keep their value, other values that never come about, and
+    /// what can be done with those alone.
+    fn keep_possible(&mut self, start: &[u64]) {
+        let possible = self.possible(start);
+        self.actions.iter_mut().for_each(|action| action.cases.retain(|case| case.is_possible(&possible)));
+        self.actions.retain(|action| !action.cases.is_empty());
+        let is_kept = |digit: usize| possible.get(digit).is_some_and(|values| values.len() > 1);
+        // Where the digits and their values then stand.
+        let mut next = 0..;
+        let digits: Vec<usize> = possible.iter().map(|values| if values.len() > 1 { next.next().unwrap_or(0) } else { 0 }).collect();
+        let at = |digit: usize, value: u64| -> Option<(usize, u64)> {
+            let before = possible.get(digit)?.range(..value).count();
+            Some((*digits.get(digit)?, before as u64))
+        };
+        let is_value = |digit: usize, value: u64| possible.get(digit).is_some_and(|values| values.contains(&value));
+        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+            // A condition on a value that never comes about says nothing, where it is possible: it is that the value is another.
+            case.conditions.retain(|&(digit, value, _)| is_kept(digit) && is_value(digit, value));
+            case.effects.retain(|&(digit, _)| is_kept(digit));
+            let conditions = case.conditions.iter_mut().map(|(digit, value, _)| (digit, value));
+            for (digit, value) in conditions.chain(case.effects.iter_mut().map(|(digit, value)| (digit, value))) {
+                (*digit, *value) = at(*digit, *value).unwrap_or((*digit, *value));
             }
         }
-        Ok(self.digits.len() - 1)
+        let placed = std::mem::take(&mut self.places).into_iter().filter(|&(_, (digit, value))| is_value(digit, value));
+        let (changing, fixed): (Vec<_>, Vec<_>) = placed.partition(|&(_, (digit, _))| is_kept(digit));
+        self.fixed.extend(fixed.into_iter().map(|(key, _)| key));
+        self.places = changing.into_iter().filter_map(|(key, (digit, value))| Some((key, at(digit, value)?))).collect();
+        let kept = possible.iter().filter(|values| values.len() > 1);
+        self.digits = kept.map(|values| Digit { unit: 0, values: values.len() as u64 }).collect();
+    }
+
+    /// The values that each digit may come to have, and perhaps more: as if each effect left the value before it as well.
+    fn possible(&self, start: &[u64]) -> Vec<BTreeSet<u64>> {
+        let mut possible: Vec<BTreeSet<u64>> = start.iter().map(|&value| BTreeSet::from([value])).collect();
+        let mut left: Vec<&Case> = self.actions.iter().flat_map(|action| &action.cases).collect();
+        loop {
+            let before = left.len();
+            left.retain(|case| {
+                let is_possible = case.is_possible(&possible);
+                for &(digit, value) in case.effects.iter().filter(|_| is_possible) {
+                    possible.iter_mut().skip(digit).take(1).for_each(|values| {
+                        values.insert(value);
+                    });
+                }
+                !is_possible
+            });
+            if left.len() == before {
+                return possible;
+            }
+        }
     }
 
     /// The state that facts describe.
     fn state_of(&self, facts: &[GroundAtomText], variables: &[String], schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
-        let (mut start, mut told, mut fixed) = (0, BTreeSet::new(), BTreeSet::new());
+        let values = self.values_of(facts, variables, schema, objects)?;
+        Ok(self.digits.iter().zip(values).map(|(digit, value)| digit.unit * value).sum())
+    }
+
+    /// The values of the digits that facts describe.
+    fn values_of(
+        &self,
+        facts: &[GroundAtomText],
+        variables: &[String],
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<Vec<u64>, Flaw> {
+        let (mut start, mut told, mut fixed) = (vec![0; self.digits.len()], BTreeSet::new(), BTreeSet::new());
         for (position, fact) in facts.iter().enumerate() {
             let key = key(schema, objects, fact);
             let Some(&(digit, value)) = self.places.get(&key) else {
@@ -472,7 +572,7 @@ impl Mechanism {
             if !told.insert(digit) && variables.iter().any(|name| name == fact.function()) {
                 return flaw(format!("facts[{position}]"), "gives a variable a second value; leave one of the two");
             }
-            start = self.digits.get(digit).map_or(start, |digit| digit.set(start, value));
+            start.iter_mut().skip(digit).take(1).for_each(|slot| *slot = value);
         }
         if fixed.len() < self.fixed.len() {
             return flaw("facts", "leave out what holds in the world and no action changes; add it");

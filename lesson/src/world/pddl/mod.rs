@@ -59,6 +59,15 @@ pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, Flaw> {
 
 /// Whether all that is named is known, and each predicate has as many terms as it should.
 fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
+    let Domain { name, constants, .. } = named.domain;
+    if !problem.domain.is_empty() && problem.domain != *name {
+        let message = format!("the problem {} is of the domain {}, and this is {name}; take the right one", problem.name, problem.domain);
+        return flaw("domain", message);
+    }
+    if let Some(twice) = problem.objects.iter().find(|object| constants.iter().any(|constant| constant.name == object.name)) {
+        return flaw("objects", format!("{} is a constant of the domain already; leave it out", twice.name));
+    }
+    check_types(named)?;
     for (name, parameters) in &named.domain.predicates {
         if parameters.len() > ARGUMENTS {
             return flaw("predicates", format!("{name} has {} arguments, and {ARGUMENTS} are the most; give it fewer", parameters.len()));
@@ -85,7 +94,38 @@ fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
         let atoms = schema.conditions.iter().map(|(atom, _)| atom).chain(&schema.adds).chain(&schema.deletes);
         atoms.into_iter().try_for_each(|atom| known(atom, &schema.parameters))?;
     }
-    problem.init.iter().chain(&problem.goal).try_for_each(|atom| known(atom, &[]))
+    problem.init.iter().chain(&problem.goal).try_for_each(|atom| known(atom, &[]))?;
+    match problem.goal.iter().find(|atom| has_one_twice(&atom.terms)) {
+        Some(atom) => flaw("goal", format!("{atom} {TWICE}; leave it out")),
+        None => Ok(()),
+    }
+}
+
+/// Why a proposition of one object for two arguments never changes.
+const TWICE: &str = "has one object twice, and in a world from a file the objects of what changes differ";
+
+fn has_one_twice<T: PartialEq>(terms: &[T]) -> bool {
+    terms.iter().enumerate().any(|(position, term)| terms.iter().take(position).any(|other| other == term))
+}
+
+/// Whether each type that is named is declared: of another there would be no object.
+fn check_types(named: &Named<'_>) -> Result<(), Flaw> {
+    let Domain { types, predicates, actions, .. } = named.domain;
+    let is_known = |kind: &str| kind == "object" || types.iter().any(|it| it.name == kind || it.kind == kind);
+    let check = |it: &Typed, of: &str| {
+        if is_known(&it.kind) {
+            return Ok(());
+        }
+        flaw("types", format!("{}{of} is of the type {}, which the domain does not have; add it to (:types ...)", it.name, it.kind))
+    };
+    named.objects.iter().try_for_each(|object| check(object, ""))?;
+    for (name, parameters) in predicates {
+        parameters.iter().try_for_each(|it| check(it, &format!(" of the predicate {name}")))?;
+    }
+    for action in actions {
+        action.parameters.iter().try_for_each(|it| check(it, &format!(" of the action {}", action.name)))?;
+    }
+    Ok(())
 }
 
 impl Converter<'_> {
@@ -165,11 +205,22 @@ impl Converter<'_> {
             }
             world.propositions.push((name.clone(), if classes.is_empty() { vec![WHOLE.to_owned()] } else { classes }));
         }
-        world.facts = self.problem.init.iter().map(|atom| self.atom(atom)).collect::<Result<_, _>>()?;
+        for atom in &self.problem.init {
+            let fact = self.atom(atom)?;
+            if !world.facts.contains(&fact) {
+                world.facts.push(fact);
+            }
+        }
         for schema in &domain.actions {
             self.add_actions(schema, &mut world)?;
         }
         self.add_kinds(&mut world)?;
+        if super::count_tasks(&world) == Ok(0) {
+            return flaw(
+                "goal",
+                "holds at first, and so does all else of its kind: no task is left; let it be something that is to change",
+            );
+        }
         Ok(world)
     }
 
@@ -223,6 +274,10 @@ impl Converter<'_> {
             ended.map(|atom| literal(atom, true)).chain(schema.adds.iter().map(|atom| literal(atom, false))).collect();
         if effects.is_empty() {
             return Ok(());
+        }
+        if let Some(effect) = effects.iter().find(|effect| has_one_twice(&effect.terms)) {
+            let message = format!("line {}: an effect of {} on {} {TWICE}; leave it out", schema.line, schema.name, effect.proposition);
+            return flaw("actions", message);
         }
         let costs = costs(self.problem, schema)?;
         let several = costs.len() > 1;
