@@ -6,6 +6,7 @@
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
 //! - [`walk`]: what happens in a session;
 //! - [`replay`]: a recorded session, gone through once more;
+//! - [`kept_kinds`]: the kinds of task that a model was learned for, behind the model;
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
 //! - `conversing`, with the feature `talk`: what "it", "there" and "back" stand for, from one session to the next;
@@ -24,6 +25,7 @@ pub mod checked;
 pub mod conversing;
 pub mod fault;
 pub mod home;
+pub mod kept_kinds;
 #[cfg(feature = "talk")]
 pub mod listening;
 pub mod live;
