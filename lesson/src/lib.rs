@@ -1,6 +1,7 @@
 //! What a lesson is, once for all shells: the command line, the page, Python and the laboratory.
 //!
 //! - [`fault`]: what is wrong with a file, and where;
+//! - `first_words`, with the feature `talk`: commands with more words than are read;
 //! - [`home`]: a home from an environment;
 //! - [`name`]: a grounded task as a text, for files and for people;
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
@@ -24,6 +25,8 @@ pub mod checked;
 #[cfg(feature = "talk")]
 pub mod conversing;
 pub mod fault;
+#[cfg(feature = "talk")]
+pub mod first_words;
 pub mod home;
 pub mod kept_kinds;
 #[cfg(feature = "talk")]
