@@ -421,7 +421,7 @@ impl Agent {
             let place = mind.place(domain, state)?;
             let said = in_place!(&place, |domain, state| {
                 let stage = mind.core.stage(domain, state);
-                mind.core.said(first_words::words_read(words), closed, stage, |word| mind.voice.count(word))
+                mind.core.said(words, closed, stage, |word| mind.voice.count(word))
             });
             let asks = match said.map_err(|refused| error::agent(py, refused))? {
                 Said::Answer(Answer::Yes) => return Ok(("answer", Some(PyString::new(py, "yes").into_any().unbind()))),
@@ -456,7 +456,7 @@ impl Agent {
         let (py, closed) = (domain.py(), table_of(closed_words)?);
         self.with(|mind| {
             let place = mind.place_of(domain)?;
-            let corrected = in_place!(&place, |domain, _state| mind.core.correct(domain, first_words::words_read(words), closed, None));
+            let corrected = in_place!(&place, |domain, _state| mind.core.correct(domain, words, closed, None));
             corrected.map(|_| ()).map_err(|refused| error::agent(py, refused))
         })
     }

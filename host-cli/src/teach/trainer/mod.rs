@@ -39,7 +39,7 @@ use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_lesson::first_words::read;
+use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::{Lesson, LiveError};
 use half_taught::HalfTaught;
@@ -313,12 +313,14 @@ impl Trainer {
 
     /// What a person's words ask for, given where the conversation stands.
     pub fn said(&self, words: &str) -> Result<Said, Refusal> {
-        self.lesson.said(read(words).map_err(refused)?.words).map_err(refused)
+        // In a session, words that are too long are refused: their first ones could end it.
+        let words = if self.lesson.is_under_way() { words } else { words_read(words) };
+        self.lesson.said(words).map_err(refused)
     }
 
     /// Takes in words that turn the robot on its way round.
     pub fn correct(&mut self, words: &str) -> Result<Evidence, Refusal> {
-        self.lesson.correct(read(words).map_err(refused)?.words).map_err(refused)
+        self.lesson.correct(words).map_err(refused)
     }
 
     /// Learns what is said along with a button.
