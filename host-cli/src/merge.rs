@@ -1,11 +1,13 @@
 //! `goodbot merge`: what two robots learned, in one model.
 
 use clap::{Args, ValueHint};
-use goodbot::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
+use goodbot::capacity::{LIFTED_TASKS, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use goodbot::home::paper_tasks;
 use goodbot::snapshot::{Contents, RestoreError};
+use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_console::learner;
+use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
@@ -35,7 +37,7 @@ const MOST_TRANSLATIONS: usize = 1 << 24;
 
 const EXAMPLES: &str = "\
 Words and machine tokens are matched by their text. Sessions that both models have, to the last bit of their \
-weights, come from a common past and are kept once. The belief about trainers is A's. Models whose words or \
+weights, come from a common past and are kept once. The kinds of task are those of both. The belief about trainers is A's. Models whose words or \
 machine commands are formed differently (--learner paper and default) are refused.
 
 Example:
@@ -62,10 +64,38 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
-    target.write(&agent.saved().map_err(|error| Failure::Input(error.to_string()))?)?;
+    let model = agent.saved().map_err(|error| Failure::Input(error.to_string()))?;
+    target.write(&match kinds(&options.first, &first, &options.second, &second)? {
+        Some(kinds) => with_kinds(model, &kinds),
+        None => model,
+    })?;
     let (words, sessions) = (agent.language().words().len(), agent.language().bitext().sessions());
     say!("{}: {}, {added} of them added; {}", target.name(), counted(sessions, "session"), counted(words, "word"));
     Ok(())
+}
+
+/// The kinds of task of both models; `None` where neither keeps any.
+fn kinds(first: &Path, ours: &[u8], second: &Path, theirs: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
+    let both = match (kept(first, ours)?, kept(second, theirs)?) {
+        (None, None) => return Ok(None),
+        // A model without kinds has the paper's two.
+        (ours, theirs) => [ours, theirs].map(|kinds| kinds.map_or_else(|| paper_tasks().map(|paper| paper.to_vec()), Ok)),
+    };
+    let mut all: Vec<LiftedTask> = Vec::new();
+    for kind in both.into_iter().flatten().flatten() {
+        if !all.contains(&kind) {
+            all.push(kind);
+        }
+    }
+    if all.len() > LIFTED_TASKS {
+        return Err(Failure::Input(format!(
+            "{} and {}: have {} kinds of task together, and {LIFTED_TASKS} are the most; learn one model from the sessions of both",
+            first.display(),
+            second.display(),
+            all.len()
+        )));
+    }
+    Ok(Some(all))
 }
 
 /// Room for all that both have, and not less than the standard capacities.

@@ -10,12 +10,14 @@ use goodbot::snapshot::Contents;
 use goodbot::storage::TwoSlots;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_console::load::input;
+use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
 use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
 use goodbot_lesson::home;
+use goodbot_lesson::kept_kinds::model_alone;
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -106,7 +108,16 @@ fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile
 
 /// The board's slots with a model that its robot takes back, and how many sessions that has.
 fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
-    let mut model = read_model(path)?;
+    let file = read_model(path)?;
+    if let Some(kinds) = kept(path, &file)? {
+        let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+        let [theirs, own] = [texts(&kinds), texts(&tasks)].map(|texts| texts.join("; "));
+        let message = format!(
+            "was learned for the kinds of task {theirs}, and a micro:bit has {own} alone; learn a model without --task and --routes"
+        );
+        return Err(refused(path, &message));
+    }
+    let mut model = model_alone(&file).to_vec();
     let contents = Contents::read(&model).map_err(|error| refused(path, &error))?;
     if contents.options.language.model != Model::Roles {
         return Err(refused(path, &"was learned as in the paper, and the micro:bit has the role model alone"));

@@ -5,9 +5,11 @@ use clap::{Args, ValueHint};
 use goodbot::home::paper_tasks;
 use goodbot_console::lessons::restored;
 use goodbot_console::load::input;
+use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
+use goodbot_console::whole_file::read_model;
 use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
 use std::path::{Path, PathBuf};
@@ -49,6 +51,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     let target = Output::model(&args.out, inputs, args.force)?;
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let mut agent = restored::agent(&args.model, &tasks)?;
+    let kinds = kept(&args.model, &read_model(&args.model)?)?;
     let commands = sessions::commands(&agent);
     let at = match &args.log {
         Some(log) => position_in_log(&args.model, log, &args.session, commands.len())?,
@@ -59,7 +62,11 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
         return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
     }
     restored::learn_fully(&mut agent);
-    target.write(&agent.saved().map_err(|error| Failure::Input(error.to_string()))?)?;
+    let model = agent.saved().map_err(|error| Failure::Input(error.to_string()))?;
+    target.write(&match kinds {
+        Some(kinds) => with_kinds(model, &kinds),
+        None => model,
+    })?;
     say!("{}: {} without \"{command}\"", target.name(), counted(commands.len() - 1, "session"));
     Ok(())
 }

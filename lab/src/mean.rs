@@ -29,5 +29,19 @@ pub fn wilson(right: usize, all: usize) -> (f64, f64) {
     let middle = p + z * z / (2.0 * n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt();
     let whole = 1.0 + z * z / n;
-    ((middle - half) / whole, (middle + half) / whole)
+    // Rounding must not lead beyond a share.
+    (((middle - half) / whole).max(0.0), ((middle + half) / whole).min(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wilson;
+
+    #[test]
+    fn the_interval_of_a_share_is_of_shares() {
+        for all in 0..2_000 {
+            let ((least, _), (_, most)) = (wilson(0, all), wilson(all, all));
+            assert!(least >= 0.0 && most <= 1.0, "of {all}: {least}, {most}");
+        }
+    }
 }

@@ -3,14 +3,19 @@
 #[cfg(feature = "talk")]
 use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
+#[cfg(feature = "talk")]
+use crate::first_words::{self, Long, read};
 use crate::home;
 use crate::name::task_name;
 #[cfg(feature = "talk")]
 use crate::walk::Listening;
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
-use goodbot::capacity::{Capacity, CapacityError, PROPOSITIONS_PER_TASK};
+#[cfg(not(feature = "talk"))]
+use goodbot::capacity::Capacity;
+use goodbot::capacity::{CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, Moves};
+#[cfg(not(feature = "talk"))]
 use goodbot::language::for_each_piece;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
@@ -28,12 +33,15 @@ pub struct CheckedSession<D: Domain> {
     pub tasks: Vec<(GroundedTask, GroundTaskText)>,
     /// The task that was meant, by its position, where the record names one of the tasks.
     pub intended: Option<usize>,
+    /// That not all words of the command are read, where it is so.
+    #[cfg(feature = "talk")]
+    pub long: Option<Long>,
 }
 
 impl<D: Domain<State: fmt::Debug> + fmt::Debug> fmt::Debug for CheckedSession<D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { walk, tasks, intended } = self;
-        f.debug_struct("CheckedSession").field("walk", walk).field("tasks", tasks).field("intended", intended).finish()
+        let Self { walk, tasks, intended, .. } = self;
+        f.debug_struct("CheckedSession").field("walk", walk).field("tasks", tasks).field("intended", intended).finish_non_exhaustive()
     }
 }
 
@@ -140,7 +148,7 @@ impl Checker<'_> {
         self.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
         let meant = header.meant().and_then(Result::ok);
         let walk = Walk {
-            command: header.command.clone(),
+            command: words_read(&header.command),
             #[cfg(feature = "talk")]
             listening: self.listening(&home, &start, lifted),
             #[cfg(feature = "talk")]
@@ -160,7 +168,13 @@ impl Checker<'_> {
             return Err(self.faults);
         }
         let intended = meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant)));
-        Ok(CheckedSession { walk, tasks, intended })
+        Ok(CheckedSession {
+            walk,
+            tasks,
+            intended,
+            #[cfg(feature = "talk")]
+            long: read(&header.command).ok().and_then(|read| read.long()),
+        })
     }
 
     /// What is wrong with it so far.
@@ -172,18 +186,10 @@ impl Checker<'_> {
         let header = &self.recorded.header;
         let said = header.utterance.iter().map(|utterance| ("utterance", utterance));
         for (field, text) in std::iter::once(("command", &header.command)).chain(said) {
-            let mut words = 0_usize;
-            let counted = for_each_piece(text, |_| {
-                words += 1;
-                Ok(())
-            });
-            match counted {
-                Err(CapacityError { capacity: Capacity::WordsPerCommand, limit, given }) => {
-                    self.fault(field, format!("has {given} words, and {limit} are the most; shorten it"));
-                }
-                Err(CapacityError { limit, .. }) => self.fault(field, format!("has a word of more than {limit} bytes; shorten it")),
-                Ok(()) if words == 0 => self.fault(field, AgentError::EmptyCommand),
-                Ok(()) => {}
+            match words_of(text) {
+                Err(message) => self.fault(field, message),
+                Ok(0) => self.fault(field, AgentError::EmptyCommand),
+                Ok(_) => {}
             }
         }
     }
@@ -386,7 +392,7 @@ impl Checker<'_> {
                 eta,
                 others,
                 #[cfg(feature = "talk")]
-                words: answer.words.clone(),
+                words: answer.words.as_deref().map(words_read),
             });
         }
         answers
@@ -467,4 +473,38 @@ pub fn known_atom(home: &impl Domain, atom: &GroundAtomText) -> Result<goodbot::
         }
     }
     Ok(arguments)
+}
+
+/// How many words of a text are read; what is wrong with it otherwise.
+#[cfg(feature = "talk")]
+fn words_of(text: &str) -> Result<usize, String> {
+    read(text).map(|read| read.count).map_err(too_long)
+}
+
+/// The same: without the feature, longer texts are faults.
+#[cfg(not(feature = "talk"))]
+fn words_of(text: &str) -> Result<usize, String> {
+    let mut words = 0_usize;
+    let counted = for_each_piece(text, |_| {
+        words += 1;
+        Ok(())
+    });
+    counted.map(|()| words).map_err(|error| match error {
+        CapacityError { capacity: Capacity::WordsPerCommand, limit, given } => {
+            format!("has {given} words, and {limit} are the most; shorten it")
+        }
+        error => too_long(error),
+    })
+}
+
+/// The words of a text that are read.
+fn words_read(text: &str) -> String {
+    // What cannot be read is a fault already. Without the feature, so is a longer text.
+    #[cfg(feature = "talk")]
+    let text = first_words::words_read(text);
+    text.to_owned()
+}
+
+fn too_long(error: CapacityError) -> String {
+    format!("has a word of more than {} bytes; shorten it", error.limit)
 }

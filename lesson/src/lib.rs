@@ -1,11 +1,13 @@
 //! What a lesson is, once for all shells: the command line, the page, Python and the laboratory.
 //!
 //! - [`fault`]: what is wrong with a file, and where;
+//! - `first_words`, with the feature `talk`: commands with more words than are read;
 //! - [`home`]: a home from an environment;
 //! - [`name`]: a grounded task as a text, for files and for people;
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
 //! - [`walk`]: what happens in a session;
 //! - [`replay`]: a recorded session, gone through once more;
+//! - [`kept_kinds`]: the kinds of task that a model was learned for, behind the model;
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
 //! - `conversing`, with the feature `talk`: what "it", "there" and "back" stand for, from one session to the next;
@@ -23,7 +25,10 @@ pub mod checked;
 #[cfg(feature = "talk")]
 pub mod conversing;
 pub mod fault;
+#[cfg(feature = "talk")]
+pub mod first_words;
 pub mod home;
+pub mod kept_kinds;
 #[cfg(feature = "talk")]
 pub mod listening;
 pub mod live;

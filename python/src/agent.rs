@@ -2,9 +2,9 @@
 
 use crate::arrays::array;
 use crate::decision::{Decision, plan_name};
-use crate::error::{self, InUseError, InternalError, value};
+use crate::error::{self, InUseError, InternalError, ModelError, value};
 use crate::home as home_of;
-use crate::mind::{Mind, Part};
+use crate::mind::{Mind, Part, words_read};
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::in_place;
 use crate::robot;
@@ -21,6 +21,8 @@ use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{AgentError, Capacities, Options};
+use goodbot_lesson::first_words;
+use goodbot_lesson::kept_kinds;
 use goodbot_lesson::world::robot as world;
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
@@ -52,16 +54,48 @@ pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
     }
 }
 
-/// The kinds of tasks that commands may mean: those named, or the paper's two.
-pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schema<'_>) -> PyResult<Vec<LiftedTask>> {
-    let Some(kinds) = kinds else { return Ok(home::paper_tasks().map_err(value)?.to_vec()) };
+/// Kinds of tasks that commands may mean, and their texts where a model file is to keep them.
+pub struct Kinds {
+    pub lifted: Vec<LiftedTask>,
+    pub texts: Option<Vec<String>>,
+}
+
+/// The kinds of tasks that commands may mean: those named, or the paper's two. The latter are what a file without any means.
+pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schema<'_>) -> PyResult<Kinds> {
+    let paper = home::paper_tasks().map_err(value)?.to_vec();
+    let Some(kinds) = kinds else { return Ok(Kinds { lifted: paper, texts: None }) };
     let parse = |text: &String| {
         LiftedTask::parse(text, schema).map_err(|problem| match problem {
             goodbot::task::TaskTextError::Capacity(full) => error::full(py, full),
             problem => value(format!("{text:?}: {problem}")),
         })
     };
-    kinds.iter().map(parse).collect()
+    let lifted = kinds.iter().map(parse).collect::<PyResult<Vec<_>>>()?;
+    let texts = (!are_same(&lifted, &paper)).then(|| lifted.iter().map(|kind| kept_kinds::text(kind, schema)).collect());
+    Ok(Kinds { lifted, texts })
+}
+
+/// Whether two lists have the same kinds, in any order.
+fn are_same(some: &[LiftedTask], others: &[LiftedTask]) -> bool {
+    some.iter().all(|kind| others.contains(kind)) && others.iter().all(|kind| some.contains(kind))
+}
+
+/// The kinds of tasks of a model: those that its file keeps, or else those that are named.
+fn kinds_of_model(py: Python<'_>, model: &[u8], tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Kinds> {
+    let kept = kept_kinds::of(model).map_err(|damaged| ModelError::new_err(damaged.to_string()))?;
+    // Kinds of another vocabulary are no kinds here, and the model is refused where it is restored.
+    let read = kept.and_then(|kept| Some((tasks_of(py, Some(kept.clone()), domain).ok()?, kept)));
+    let Some((kinds, kept)) = read else { return tasks_of(py, tasks, domain) };
+    if let Some(tasks) = tasks {
+        let asked = tasks_of(py, Some(tasks.clone()), domain)?;
+        if !are_same(&kinds.lifted, &asked.lifted) {
+            let (kept, tasks) = (kept.join("; "), tasks.join("; "));
+            return Err(value(format!(
+                "the model was learned for the kinds of task {kept}, and tasks= names {tasks}; leave out tasks=, or load another model"
+            )));
+        }
+    }
+    Ok(kinds)
 }
 
 /// A table of closed words, the one that is built in where there is none.
@@ -136,7 +170,7 @@ impl Agent {
         })
     }
 
-    fn restored(py: Python<'_>, bytes: &[u8], lifted: &[LiftedTask], seed: u64) -> PyResult<Self> {
+    fn restored(py: Python<'_>, bytes: &[u8], kinds: Kinds, seed: u64) -> PyResult<Self> {
         let read = catch_unwind(AssertUnwindSafe(|| -> PyResult<Mind> {
             let contents = Contents::read(bytes).map_err(|refused| error::restore(py, refused))?;
             let mut most = Capacities::STANDARD;
@@ -145,7 +179,7 @@ impl Agent {
             }
             let capacities = Capacities::STANDARD.at_least(contents.sizes.at_most(most));
             let tasks = contents.possible.len().saturating_add(Capacities::STANDARD.pairs);
-            let mut mind = Mind::new(&capacities, tasks, lifted, contents.options, seed).map_err(|refused| error::agent(py, refused))?;
+            let mut mind = Mind::new(&capacities, tasks, kinds, contents.options, seed).map_err(|refused| error::agent(py, refused))?;
             mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
             mind.learn(py)?;
             Ok(mind)
@@ -156,11 +190,11 @@ impl Agent {
 }
 
 /// The kinds of tasks of an agent, in the vocabulary of a robot, or of homes where none is given.
-fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<LiftedTask>> {
+fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Kinds> {
     if let Some(world) = domain.and_then(|domain| domain.cast::<World>().ok()) {
         let tables = &world.get().0;
         return tables.lend(|robot| match tasks {
-            None => world::tasks(tables.file(), robot).map_err(value),
+            None => Ok(Kinds { lifted: world::tasks(tables.file(), robot).map_err(value)?, texts: None }),
             tasks => kinds_of_tasks(py, tasks, &robot.world().schema),
         });
     }
@@ -210,10 +244,10 @@ impl Agent {
         capacities: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let lifted = tasks_of(py, tasks, domain)?;
+        let kinds = tasks_of(py, tasks, domain)?;
         let capacities = capacities_of(capacities)?;
         let tasks = capacities.sessions.saturating_mul(capacities.tasks).min(MOST_OF_A_FIELD);
-        let made = Mind::new(&capacities, tasks, &lifted, options(learner, weights)?, seed);
+        let made = Mind::new(&capacities, tasks, kinds, options(learner, weights)?, seed);
         let mut mind = made.map_err(|refused| error::agent(py, refused))?;
         if let Some(strategies) = strategies {
             mind.set_strategies(py, &strategies_of(&strategies)?)?;
@@ -221,9 +255,10 @@ impl Agent {
         Ok(Self(Mutex::new(mind)))
     }
 
-    /// An agent that knows what a model file knows, whoever wrote it: this package, the command line, the page, or a controller.
+    /// An agent that knows what a model file knows, whoever wrote it: this package, the command line, the page, or a controller. Its kinds of
+    /// tasks are those that the file keeps, if it keeps any; `tasks` are for the others.
     ///
-    /// Raises `ModelError`, `CapacityError` and `OSError`.
+    /// Raises `ValueError` where `tasks` are other kinds than the file's, `ModelError`, `CapacityError` and `OSError`.
     #[staticmethod]
     #[pyo3(signature = (path, tasks=None, *, domain=None, seed=0))]
     fn load(py: Python<'_>, path: PathBuf, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
@@ -242,8 +277,8 @@ impl Agent {
         domain: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let lifted = tasks_of(py, tasks, domain)?;
-        Self::restored(py, model, &lifted, seed)
+        let kinds = kinds_of_model(py, model, tasks, domain)?;
+        Self::restored(py, model, kinds, seed)
     }
 
     /// Writes what was learned as a model file, whole or not at all. A file that is there and is no model is replaced only with `force=True`.
@@ -251,7 +286,7 @@ impl Agent {
     /// Raises `FileExistsError`, `OSError` and `ModelError`.
     #[pyo3(signature = (path, *, force=false))]
     fn save(&self, path: PathBuf, force: bool) -> PyResult<()> {
-        self.with(|mind| write_model(&path, &mind.core.saved().map_err(error::save)?, force))
+        self.with(|mind| write_model(&path, &mind.saved()?, force))
     }
 
     /// What was learned, as the bytes of a model file. A session under way is not in them.
@@ -259,7 +294,7 @@ impl Agent {
     /// >>> goodbot.Agent.from_bytes(goodbot.Agent().to_bytes()).sessions
     /// 0
     fn to_bytes<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
-        self.with(|mind| Ok(PyBytes::new(py, &mind.core.saved().map_err(error::save)?)))
+        self.with(|mind| Ok(PyBytes::new(py, &mind.saved()?)))
     }
 
     /// Replaces the trainer strategies: for each mu+, mu-, epsilon and prior. A session under way ends unlearned.
@@ -267,7 +302,8 @@ impl Agent {
         self.with(|mind| mind.set_strategies(py, &strategies_of(&strategies)?))
     }
 
-    /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit.
+    /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit. Of
+    /// more than 64 words the first 64 are heard, and a `UserWarning` says so.
     ///
     /// Raises `ValueError`, `CapacityError`, and `SessionError` while the last session is still being learned from.
     #[pyo3(signature = (domain, state, command, *, prior=None))]
@@ -317,7 +353,7 @@ impl Agent {
                 heard.and_then(|listened| mind.core.leave_out_done(domain, &listened).map(|()| listened))
             });
             let listened = mind.settled(py, &place, listened)?;
-            words.clone_into(&mut mind.command);
+            first_words::words_read(words).clone_into(&mut mind.command);
             mind.name_tasks(py, &place);
             let heard = PyDict::new(py);
             let verdict = match listened.verdict {
@@ -785,6 +821,7 @@ pub fn words(py: Python<'_>, command: &str) -> PyResult<Vec<String>> {
         words.push(word.to_owned());
         Ok(())
     };
+    let command = words_read(py, command)?;
     Options::DEFAULT.language.model.for_each_word(command, take).map_err(|refused| error::full(py, refused))?;
     Ok(words)
 }

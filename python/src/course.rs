@@ -96,7 +96,7 @@ pub fn run_course<'py>(
     if !matches!(layouts, "fixed" | "random") {
         return Err(value(format!("no layouts are called {layouts:?}; give fixed or random")));
     }
-    let (options, lifted) = (options(learner, weights)?, kinds_of_tasks(py, None, &SCHEMA)?);
+    let (options, lifted) = (options(learner, weights)?, kinds_of_tasks(py, None, &SCHEMA)?.lifted);
     let ran = py.detach(|| std::panic::catch_unwind(|| run(seed, &trainer, layouts, options, &lifted)));
     let results = ran
         .map_err(|_| error::InternalError::new_err("goodbot itself failed; report it"))?

@@ -4,7 +4,7 @@ use crate::agent::{Agent, evidence_name};
 use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms, environment};
-use crate::mind::{Mind, PART};
+use crate::mind::{Mind, PART, warn};
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
 use goodbot::oomdp::Domain;
@@ -101,6 +101,7 @@ impl Session {
 
     fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Replayed> {
         let session = check_steps("", &self.0, mind.core.lifted(), home::memory()).map_err(|faults| value(told(&faults)))?;
+        session.long.map_or(Ok(()), |long| warn(py, long))?;
         let mut replay = Replay::new(Rules::AS_IT_WAS);
         let mut replayed = Replayed { evidence: vec![], beliefs: vec![] };
         loop {

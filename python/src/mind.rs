@@ -1,5 +1,6 @@
 //! The robot's mind: long work goes in parts, between which other threads may run and ctrl-C is heard.
 
+use crate::agent::Kinds;
 use crate::error::{self, SessionError, value};
 use crate::home as home_of;
 use crate::place::{Place, in_place, task_name};
@@ -10,14 +11,17 @@ use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
-use goodbot::task::LiftedTask;
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
+use goodbot_lesson::first_words::{Long, read};
+use goodbot_lesson::kept_kinds;
 use goodbot_lesson::voice::Voice;
+use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 use rand_pcg::Pcg32;
 use std::collections::HashMap;
+use std::ffi::CString;
 use std::sync::Arc;
 
 /// About how much work is done before others may run: some milliseconds.
@@ -34,6 +38,8 @@ pub enum Part {
 /// A mind and what Python needs to know beside it.
 pub struct Mind {
     pub core: Core<AgentHeap>,
+    /// The texts of its kinds of tasks, where a file keeps them.
+    pub kinds: Option<Vec<String>>,
     pub random: Pcg32,
     pub robot: Option<Arc<Robot>>,
     pub names: Vec<Py<PyString>>,
@@ -42,14 +48,37 @@ pub struct Mind {
     pub broken: bool,
 }
 
+/// The words of a command that are read. Where there are more, Python is warned.
+pub fn words_read<'c>(py: Python<'_>, command: &'c str) -> PyResult<&'c str> {
+    let read = read(command).map_err(|refused| error::full(py, refused))?;
+    read.long().map_or(Ok(()), |long| warn(py, long))?;
+    Ok(read.words)
+}
+
+/// Warns Python that a command is not read to its end.
+pub fn warn(py: Python<'_>, long: Long) -> PyResult<()> {
+    let text = CString::new(format!("the command {long}")).unwrap_or_default();
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 2)
+}
+
 impl Mind {
     /// `tasks` is how many possible tasks it keeps of all sessions together.
-    pub fn new(capacities: &Capacities, tasks: usize, lifted: &[LiftedTask], options: Options, seed: u64) -> Result<Self, AgentError> {
+    pub fn new(capacities: &Capacities, tasks: usize, kinds: Kinds, options: Options, seed: u64) -> Result<Self, AgentError> {
         let memory = AgentHeap::new(capacities);
         let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
-        let core = Core::new(memory, lifted, options)?;
+        let core = Core::new(memory, &kinds.lifted, options)?;
         let random = goodbot_course::generator(seed);
-        Ok(Self { core, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
+        let kinds = kinds.texts;
+        Ok(Self { core, kinds, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
+    }
+
+    /// What was learned, as the bytes of a model file with its kinds of tasks.
+    pub fn saved(&self) -> PyResult<Vec<u8>> {
+        let model = self.core.saved().map_err(error::save)?;
+        Ok(match &self.kinds {
+            Some(kinds) => kept_kinds::behind(&model, kinds),
+            None => model,
+        })
     }
 
     pub fn place(&mut self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Place> {
@@ -124,6 +153,7 @@ impl Mind {
     }
 
     pub fn hear(&mut self, py: Python<'_>, place: &Place, command: &str) -> PyResult<()> {
+        let command = words_read(py, command)?;
         let begun = in_place!(place, |domain, state| self.core.begin_hearing(domain, state, command));
         self.settled(py, place, begun)?;
         command.clone_into(&mut self.command);
@@ -156,6 +186,7 @@ impl Mind {
     }
 
     pub fn hear_with_prior(&mut self, py: Python<'_>, place: &Place, command: &str, prior: &HashMap<String, f32>) -> PyResult<()> {
+        let command = words_read(py, command)?;
         let heard = in_place!(place, |domain, state| {
             self.core
                 .hear_with_prior(domain, state, command, |task, lifted| prior.get(&task_name(domain, lifted, task)).copied().unwrap_or(0.0))

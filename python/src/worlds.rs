@@ -149,7 +149,9 @@ fn missions(py: Python<'_>, home: &Home, commands: Vec<(String, String)>) -> PyR
     let Home { rooms, start, .. } = home;
     // Of the paper's kinds, and the agent and a block at once.
     let mut lifted = home::paper_tasks().map_err(value)?.to_vec();
-    lifted.extend(crate::agent::kinds_of_tasks(py, Some(vec!["agentInRoom(?a,?r1) & blockInRoom(?o,?r2)".to_owned()]), &home::SCHEMA)?);
+    lifted.extend(
+        crate::agent::kinds_of_tasks(py, Some(vec!["agentInRoom(?a,?r1) & blockInRoom(?o,?r2)".to_owned()]), &home::SCHEMA)?.lifted,
+    );
     let tasks = crate::home::tasks(rooms, &lifted, start).map_err(|error| crate::error::full(py, error))?;
     let find = |(command, name): (String, String)| {
         let found = tasks.iter().find_map(|task| {

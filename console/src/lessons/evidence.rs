@@ -118,7 +118,7 @@ impl Witness {
         let readings = self.readings(session).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
             id: header.id.clone().unwrap_or_else(|| format!("{file}:{}", recorded.header_line)),
-            command: header.command.clone(),
+            command: session.walk.command.clone(),
             header: header.clone(),
             intended,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
@@ -131,6 +131,7 @@ impl Witness {
             walk: walked(recorded),
             learn: recorded.learn,
             remarks,
+            long: session.long.map(|long| Fault::on_line(file, recorded.header_line, long).in_field("command")),
         };
         self.agent.forget();
         Ok(lesson)

@@ -24,6 +24,7 @@ use goodbot::task::LiftedTask;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_lesson::Fault;
+use goodbot_lesson::first_words::told;
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -76,6 +77,8 @@ pub struct Lesson {
     pub learn: bool,
     /// Remarks that are no faults.
     pub remarks: Vec<Fault>,
+    /// That not all words of the command are read, where it is so.
+    pub long: Option<Fault>,
 }
 
 impl Lesson {
@@ -108,6 +111,8 @@ pub struct Lessons {
     pub with_way: usize,
     /// How many commands in worlds were left out because they mean none of the tasks.
     pub no_task: usize,
+    /// How many commands have more words than are read.
+    pub long: usize,
 }
 
 /// How sessions are read.
@@ -184,6 +189,9 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
         }
     }
     summed(&remarks).iter().for_each(|remark| say!("{remark}"));
+    let long: Vec<&Fault> = lessons.iter().filter_map(|lesson| lesson.long.as_ref()).collect();
+    tell_long(&long);
+    let long = long.len();
     if skipped > 0 {
         say!("{} with faults skipped", counted(skipped, "session"));
     }
@@ -196,7 +204,19 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     if lessons.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
     }
-    Ok(Lessons { lessons, skipped, with_way, no_task })
+    Ok(Lessons { lessons, skipped, with_way, no_task, long })
+}
+
+/// Tells of commands with more words than are read, with the lines of the first ones.
+pub fn tell_long(long: &[&Fault]) {
+    const MOST: usize = 5;
+    if long.is_empty() {
+        return;
+    }
+    let place = |fault: &&Fault| fault.line.map_or_else(|| fault.file.clone(), |line| format!("{}:{line}", fault.file));
+    let places: Vec<String> = long.iter().take(MOST).map(place).collect();
+    let more = long.len().checked_sub(MOST).filter(|&more| more > 0).map_or_else(String::new, |more| format!(" and {more} more"));
+    say!("{}: {}{more}", told(long.len()), places.join(", "));
 }
 
 fn too_many(name: &str) -> Failure {

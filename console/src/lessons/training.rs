@@ -32,7 +32,7 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     // Lessons in one world share their tasks.
     let mut counted = BTreeSet::new();
     for lesson in lessons {
-        // As either model hears it. A command that is too long was refused when the session was read.
+        // As either model hears it. Of a command that is too long its first words alone are here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
             let mut count = 0;
             let _ = model.for_each_word(&lesson.command, |word| {

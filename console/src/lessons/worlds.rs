@@ -4,7 +4,7 @@ use super::evidence::Witness;
 use super::{Lesson, Reading, told_pairs};
 use crate::believes::Believes;
 use goodbot::Options;
-use goodbot::language::{Model, for_each_word};
+use goodbot::language::Model;
 use goodbot::task::Marker;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
@@ -12,6 +12,7 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
 use goodbot_lesson::fault::quoted;
+use goodbot_lesson::first_words::{self, Read};
 use goodbot_lesson::world::robot::{self, Flaw, Robot, Tables};
 use goodbot_lesson::world::{TooMany, meanings};
 use std::collections::HashMap;
@@ -88,9 +89,10 @@ pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) 
     }
     let readings = readings(world, &world.facts, options.language.model);
     let readings: Arc<[Reading]> = readings.map_err(|error| Fault::new(file, error).in_field("task_kinds"))?.into();
+    let read = read_in_words(command).map_err(|message| Fault::new(file, message).in_field("command"))?;
     Ok(Lesson {
         id: String::new(),
-        command: command.to_owned(),
+        command: read.words.to_owned(),
         header: header(&asked),
         world: Some(place(world, &world.facts)),
         acts: false,
@@ -103,7 +105,13 @@ pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) 
         walk: String::new(),
         learn: false,
         remarks: vec![],
+        long: read.long().map(|long| Fault::new(file, long).in_field("command")),
     })
+}
+
+/// The words of a command that are read; what is wrong with it, in words.
+fn read_in_words(command: &str) -> Result<Read<'_>, String> {
+    first_words::read(command).map_err(|error| format!("has a word of more than {} bytes; shorten it", error.limit))
 }
 
 impl Worlds<'_> {
@@ -145,13 +153,8 @@ impl Worlds<'_> {
 
     fn command(&mut self, file: &str, command: &CommandRecord) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
-        let mut words = 0_usize;
-        let counted = for_each_word(&command.command, |_| {
-            words += 1;
-            Ok(())
-        });
-        counted.map_err(|error| at("command", &error))?;
-        if words == 0 {
+        let read = read_in_words(&command.command).map_err(|message| at("command", &message))?;
+        if read.count == 0 {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
         // What is to end besides is no task.
@@ -192,11 +195,12 @@ impl Worlds<'_> {
         wanted.sort();
         let Some(&intended) = scene.positions.get(&wanted) else { return Ok(None) };
         let readings = Arc::clone(&scene.readings);
+        let read = read_in_words(&command.command).map_err(|message| at("command", &message))?;
         let mut beliefs = vec![0.0; readings.len()];
         beliefs.iter_mut().skip(intended).take(1).for_each(|belief| *belief = 1.0);
         Ok(Some(Lesson {
             id,
-            command: command.command.clone(),
+            command: read.words.to_owned(),
             header: header(command),
             world: Some(place),
             acts: false,
@@ -209,6 +213,7 @@ impl Worlds<'_> {
             walk: String::new(),
             learn: true,
             remarks: vec![],
+            long: read.long().map(|long| at("command", &long)),
         }))
     }
 }

@@ -1,10 +1,13 @@
 //! The kinds of tasks that commands may mean.
 
 use crate::outcome::Failure;
+use crate::whole_file::read_model;
 use clap::Args;
 use goodbot::capacity::LIFTED_TASKS;
 use goodbot::home;
 use goodbot::task::{LiftedTask, TaskTextError};
+use goodbot_lesson::kept_kinds::{self, are_same};
+use std::path::Path;
 
 /// The kinds of tasks that commands may mean.
 #[derive(Clone, Debug, Args)]
@@ -47,8 +50,63 @@ impl TaskKinds {
         Ok(lifted)
     }
 
+    /// The lifted tasks for a model: those that its file keeps, unless it keeps none. Then they are those of the options, as without a model.
+    ///
+    /// # Errors
+    /// As [`lifted`](Self::lifted), and where the file is no model, or keeps other kinds than those that the options name.
+    pub fn of_model(&self, file: &Path) -> Result<Vec<LiftedTask>, Failure> {
+        let asked = if self.is_given() { Some(self.lifted()?) } else { None };
+        match kept(file, &read_model(file)?)? {
+            Some(kept) => agreed(file, kept, asked, "the options"),
+            None => self.lifted(),
+        }
+    }
+
+    const fn is_given(&self) -> bool {
+        self.routes || self.only_these_tasks || !self.kinds.is_empty()
+    }
+
     /// One kind of task.
     pub fn parse(text: &str) -> Result<LiftedTask, String> {
         LiftedTask::parse(text, &home::SCHEMA).map_err(|error| error.to_string())
     }
+}
+
+/// The kinds of task that a model of homes keeps; `None` where it keeps none: its kinds are the paper's two, or the model does not say.
+///
+/// # Errors
+/// [`Failure::Input`] where they are damaged.
+pub fn kept(file: &Path, model: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
+    let texts = kept_kinds::of(model).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    // What was learned in another vocabulary is refused, or taken along, where it is restored.
+    Ok(texts.and_then(|texts| texts.iter().map(|text| TaskKinds::parse(text).ok()).collect()))
+}
+
+/// The kinds of task that a model keeps, where nothing else is asked for.
+///
+/// # Errors
+/// [`Failure::Input`] names both where they are others. `who` asks for them.
+pub fn agreed(file: &Path, kept: Vec<LiftedTask>, asked: Option<Vec<LiftedTask>>, who: &str) -> Result<Vec<LiftedTask>, Failure> {
+    let Some(asked) = asked else { return Ok(kept) };
+    let [ours, theirs] = [texts(&kept), texts(&asked)];
+    if are_same(&ours, &theirs) {
+        return Ok(kept);
+    }
+    Err(Failure::Input(format!(
+        "{}: was learned for the kinds of task {}, and {who} would have {}; leave out {who}, or name another model",
+        file.display(),
+        ours.join("; "),
+        theirs.join("; ")
+    )))
+}
+
+/// The texts of kinds of task of homes.
+pub fn texts(lifted: &[LiftedTask]) -> Vec<String> {
+    lifted.iter().map(|kind| kept_kinds::text(kind, &home::SCHEMA)).collect()
+}
+
+/// A model file of a robot in homes with its kinds of task. Those of the paper are left out: a file without any is for every robot.
+pub fn with_kinds(model: Vec<u8>, lifted: &[LiftedTask]) -> Vec<u8> {
+    let is_papers = home::paper_tasks().is_ok_and(|paper| are_same(&texts(&paper), &texts(lifted)));
+    if is_papers { model } else { kept_kinds::behind(&model, &texts(lifted)) }
 }

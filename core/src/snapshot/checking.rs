@@ -131,7 +131,7 @@ impl<'a> Checking<'a> {
                 Stage::Done => return Ok(Progress::Done),
                 _ if *left == 0 => return Ok(Progress::Working),
                 Stage::Header => {
-                    self.version = version(self.bytes)?;
+                    (self.version, self.bytes) = version(self.bytes)?;
                     self.stage = Stage::Bytes(0);
                     1
                 }
@@ -358,8 +358,12 @@ impl<'a> Checking<'a> {
     }
 }
 
-/// The format of a file whose first bytes and whose length are right.
-fn version(bytes: &[u8]) -> Result<u16, RestoreError> {
+/// What a host's record behind a model begins with: the kinds of task that it was learned for. A robot is made with its kinds, so this is
+/// passed over here; anything else behind a model is refused.
+const KINDS: &[u8] = b"gbkinds\0";
+
+/// The format of a file whose first bytes and whose length are right, and the model without what a host wrote behind it.
+fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
     let found = u16::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
@@ -367,10 +371,10 @@ fn version(bytes: &[u8]) -> Result<u16, RestoreError> {
         return Err(RestoreError::Version { found });
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
-    if usize::try_from(stated) != Ok(bytes.len()) || bytes.len() < LEAST_BYTES {
-        return Err(RestoreError::Length { stated, given: bytes.len() });
+    match bytes.split_at_checked(stated as usize) {
+        Some((model, behind)) if model.len() >= LEAST_BYTES && (behind.is_empty() || behind.starts_with(KINDS)) => Ok((found, model)),
+        _ => Err(RestoreError::Length { stated, given: bytes.len() }),
     }
-    Ok(found)
 }
 
 fn split_array<'a, const N: usize>(rest: &mut &'a [u8]) -> Option<&'a [u8; N]> {

@@ -1,6 +1,6 @@
 //! Commands in a world from a file: what they mean there, and where a robot acts there, how it does that.
 
-use super::{AskOptions, SURE, end, lines, tell_refused};
+use super::{AskOptions, SURE, end, lines, tell_refused, unread_words};
 use goodbot::Capacities;
 use goodbot::language::{LanguageModel, Synonyms};
 use goodbot::memory::AgentHeap;
@@ -14,6 +14,7 @@ use goodbot_formats::Problem;
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::Fault;
+use goodbot_lesson::first_words::read;
 use goodbot_lesson::world::robot;
 use serde_json::json;
 use std::io::{BufRead, BufWriter, Write};
@@ -105,21 +106,29 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
         let verdict = if *share >= options.threshold.unwrap_or(SURE) { "sure" } else { "unsure" };
         let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
         let told = meanings.iter().take(TOLD);
+        let said = &lesson.header.command;
+        let unread = read(said).ok().and_then(|read| read.long()).map(|long| long.unread());
         if options.json {
             let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
-            let line = json!({
-                "type": "answer", "session": lesson.header.id, "command": lesson.command, "task": best, "tasks": tasks,
+            let mut line = json!({
+                "type": "answer", "session": lesson.header.id, "command": said, "task": best, "tasks": tasks,
                 "of": meanings.len(), "verdict": verdict, "expected": meant, "plan": plan,
             });
+            if let (Some(unread), Some(line)) = (unread, line.as_object_mut()) {
+                line.insert("unread".to_owned(), json!(unread));
+            }
             writeln!(out, "{line}")?;
             continue;
         }
         if number > 0 {
             writeln!(out)?;
         }
-        writeln!(out, "\"{}\"", lesson.command.escape_debug())?;
+        writeln!(out, "\"{}\"", said.escape_debug())?;
         for (name, share) in told {
             writeln!(out, "  {share:6.3}  {name}")?;
+        }
+        if unread.is_some() {
+            writeln!(out, "{}", unread_words())?;
         }
         writeln!(out, "{verdict}: {best}, of {} tasks", meanings.len())?;
         match plan {

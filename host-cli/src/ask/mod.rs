@@ -169,7 +169,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     if let Some(questions) = in_world::questions(options)? {
         return in_world::ask(options, &questions);
     }
-    let lifted = options.kinds.lifted()?;
+    let lifted = options.kinds.of_model(&options.with)?;
     let starter = options.starter.of_model(&options.with, &lifted)?;
     let mut agent = restored::agent_beside(&options.with, &lifted, &starter)?;
     let synonyms = options.synonyms.read()?;
@@ -219,6 +219,11 @@ fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, messa
         writeln!(out, "{}", json!({"type": "error", "command": command, "message": message}))?;
     }
     Ok(())
+}
+
+/// That not all words were read.
+fn unread_words() -> String {
+    format!("the words behind the first {WORDS_PER_COMMAND} were not read: say it in parts")
 }
 
 /// How a run ends of whose commands some were refused.
@@ -470,7 +475,7 @@ fn print(
         writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
     }
     if answer.unread > 0 {
-        writeln!(out, "\nthe words behind the first {WORDS_PER_COMMAND} were not read: say it in parts")?;
+        writeln!(out, "\n{}", unread_words())?;
     }
     verdict(out, options.threshold, answer)?;
     if answer.tied() > 1 {

@@ -24,11 +24,13 @@ use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use goodbot_lesson::world::robot::{self, Flaw};
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::io::{BufRead, Read, Write};
 
-/// The most faults that are told of one file.
+/// The most different faults that are told of one file.
 const MOST_FAULTS: usize = 100;
+/// The most faults that are told of one file, whatever they say.
+const MOST_IN_ALL: usize = 10_000;
 
 /// Check homes, session logs and beliefs: name every fault and every doubtful entry
 ///
@@ -37,7 +39,7 @@ const MOST_FAULTS: usize = 100;
 #[derive(Debug, Args)]
 #[command(
     after_help = "Warnings, not faults: rooms that overlap or cannot be reached, doors that lead nowhere, empty colours and shapes, \
-ids that occur twice, probabilities that do not sum to 1, steps of a demonstration that move nothing.
+ids that occur twice, probabilities that do not sum to 1, steps of a demonstration that move nothing, commands of more than 64 words.
 
 Exit codes: 0 no fault, 2 at least one.
 
@@ -61,6 +63,27 @@ struct Findings {
     what: String,
     faults: Vec<Fault>,
     warnings: Vec<Fault>,
+    /// What the faults say, each once.
+    said: HashSet<Mended>,
+}
+
+impl Findings {
+    fn fault(&mut self, fault: Fault) {
+        self.said.insert(mended(&fault));
+        self.faults.push(fault);
+    }
+
+    /// Whether there are so many faults that the rest is not looked at.
+    fn is_full(&self) -> bool {
+        self.said.len() >= MOST_FAULTS || self.faults.len() >= MOST_IN_ALL
+    }
+
+    /// Says that the rest was not looked at.
+    fn cut(&mut self, file: &str) {
+        let most =
+            if self.faults.len() >= MOST_IN_ALL { format!("{MOST_IN_ALL} faults") } else { format!("{MOST_FAULTS} different faults") };
+        self.faults.push(Fault::new(file, format!("has {most} or more, and the rest was not checked; mend these first")));
+    }
 }
 
 /// Runs the command.
@@ -103,8 +126,8 @@ pub fn summary(file: &str) -> Result<String, String> {
 
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     let mut messages = std::io::stderr().lock();
-    for fault in &found.faults {
-        writeln!(messages, "{}", printable(&fault.to_string()))?;
+    for fault in alike(&found.faults) {
+        writeln!(messages, "{}", printable(&fault))?;
     }
     let doubtful = |warning: &Fault| Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
     let doubts = summed(&found.warnings.iter().map(doubtful).collect::<Vec<_>>());
@@ -119,6 +142,31 @@ fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     }
     let warnings = if found.warnings.is_empty() { String::new() } else { format!(", {}", counted(found.warnings.len(), "warning")) };
     writeln!(std::io::stdout(), "{}: {}, no fault{warnings}", printable(file), found.what)
+}
+
+/// What is mended at once: a line, its field and what is said of it; of what an option mends, any line.
+type Mended = (Option<usize>, Option<String>, String);
+
+fn mended(fault: &Fault) -> Mended {
+    (fault.line.filter(|_| !fault.message.contains("--task")), fault.field.clone(), fault.message.clone())
+}
+
+/// Faults as lines to be read. What one option mends on many lines is told once, with their count.
+fn alike(faults: &[Fault]) -> Vec<String> {
+    let mut places: HashMap<Mended, usize> = HashMap::new();
+    let mut told: Vec<(&Fault, usize)> = Vec::new();
+    for fault in faults {
+        let at = *places.entry(mended(fault)).or_insert(told.len());
+        match told.get_mut(at) {
+            Some((_, more)) => *more += 1,
+            None => told.push((fault, 0)),
+        }
+    }
+    let line = |(fault, more): (&Fault, usize)| match more {
+        0 => fault.to_string(),
+        more => format!("{fault}; and {} like it", counted(more, "line")),
+    };
+    told.into_iter().map(line).collect()
 }
 
 fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
@@ -170,7 +218,7 @@ fn check_beliefs(file: &str, text: &str) -> Findings {
     let lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
     let faults = lines.clone().filter_map(|(line, number)| PosteriorLine::parse(line, number).err());
     let faults = faults.take(MOST_FAULTS).map(|error| Fault::from_format(file, error)).collect();
-    Findings { what: counted(lines.count(), "belief"), faults, warnings: vec![] }
+    Findings { what: counted(lines.count(), "belief"), faults, ..Findings::default() }
 }
 
 fn check_map(file: &str, text: &str) -> Findings {
@@ -228,15 +276,12 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
                 if faults.is_empty() {
                     found.warnings.extend(doubtful(file, &recorded, &mut ids, &mut homes));
                 }
-                found.faults.extend(faults);
+                faults.into_iter().for_each(|fault| found.fault(fault));
             }
-            Err(error) => found.faults.push(Fault::from_format(file, error)),
+            Err(error) => found.fault(Fault::from_format(file, error)),
         }
-        if found.faults.len() >= MOST_FAULTS {
-            found.faults.truncate(MOST_FAULTS);
-            found
-                .faults
-                .push(Fault::new(file, format!("has {MOST_FAULTS} faults or more, and the rest was not checked; mend these first")));
+        if found.is_full() {
+            found.cut(file);
             break;
         }
     }
@@ -332,16 +377,18 @@ fn check_log_of_worlds(file: &str, opened: impl BufRead) -> Findings {
         match lesson {
             Ok(Some(lesson)) if lesson.header.kind != Kind::Labelled => {
                 sessions += 1;
-                found.warnings.extend(lesson.remarks);
+                found.warnings.extend(lesson.remarks.into_iter().chain(lesson.long));
             }
-            Ok(lesson) => (commands, no_task) = (commands + 1, no_task + usize::from(lesson.is_none())),
-            Err(fault) => found.faults.push(fault),
+            Ok(lesson) => {
+                (commands, no_task) = (commands + 1, no_task + usize::from(lesson.is_none()));
+                found.warnings.extend(lesson.and_then(|lesson| lesson.long));
+            }
+            Err(fault) => found.fault(fault),
         }
-        if found.faults.len() < MOST_FAULTS { Ok(()) } else { Err(()) }
+        if found.is_full() { Err(()) } else { Ok(()) }
     });
     if read.is_err() {
-        let message = format!("has {MOST_FAULTS} faults or more, and the rest was not checked; mend these first");
-        found.faults.push(Fault::new(file, message));
+        found.cut(file);
     }
     if no_task > 0 {
         let message = format!(
@@ -363,6 +410,7 @@ fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], 
         Ok(session) => session,
         Err(faults) => return faults,
     };
+    warnings.extend(session.long.map(|long| Fault::on_line(file, recorded.header_line, long).in_field("command")));
     if recorded.header.kind == Kind::Demonstration {
         for step in session.walk.steps.iter().filter(|step| step.bump) {
             let cell = session.walk.home.agent_cell(&step.before);

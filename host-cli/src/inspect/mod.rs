@@ -9,9 +9,11 @@ use clap::{Args, ValueHint};
 use goodbot::home;
 use goodbot::language::Settings;
 use goodbot_console::lessons::restored;
+use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
+use goodbot_console::whole_file::read_model;
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -75,6 +77,9 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     if !options.json {
         let sessions = counted(agent.language().bitext().sessions(), "session");
         writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), alike(agent.language().settings()))?;
+        if let Some(kinds) = kept(&options.model, &read_model(&options.model)?)? {
+            writeln!(out, "for the kinds of task {}", texts(&kinds).join("; "))?;
+        }
         writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     }
     for (token, row) in &lexicon.rows {

@@ -5,7 +5,7 @@ use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
 use goodbot_console::lessons::{self, Told, training};
-use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
@@ -19,7 +19,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 All sessions are learned from at once, in no order. The evidence of a session about its task is its steps, not its words.
-Sessions that are marked not to be learned from are checked and left out.
+Sessions that are marked not to be learned from are checked and left out. The model keeps its kinds of task: ask, teach and evaluate --with use them.
 
 Example:
   goodbot learn turk-simplified.jsonl --out words.goodbot
@@ -61,7 +61,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
-    let lessons::Lessons { mut lessons, skipped, with_way, no_task } =
+    let lessons::Lessons { mut lessons, skipped, with_way, no_task, long } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
         return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
@@ -86,16 +86,19 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let words = model.saved().map_err(|error| fault(&error))?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
     // What was learned in worlds from files is of no domain of the core's.
-    let lifted = if lessons.iter().any(|lesson| lesson.world.is_some()) { vec![] } else { lifted };
-    let mut agent = Agent::new(room(), &lifted, options.learner.options()).map_err(|error| fault(&error))?;
+    let of_worlds = lessons.iter().any(|lesson| lesson.world.is_some());
+    let tasks = if of_worlds { &[][..] } else { &lifted };
+    let mut agent = Agent::new(room(), tasks, options.learner.options()).map_err(|error| fault(&error))?;
     let _ = agent.join(&words).map_err(|error| fault(&error))?;
     let file = agent.saved().map_err(|error| fault(&error))?;
+    // A world names its kinds of task itself.
+    let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "starter": lessons.len() - own, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": lessons.len() - own, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {

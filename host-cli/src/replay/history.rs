@@ -97,6 +97,8 @@ pub struct Outcome {
     pub trained: bool,
     /// What is worth knowing, and no fault.
     pub remarks: Vec<Fault>,
+    /// That not all words of the command are read, where it is so.
+    pub long: Option<Fault>,
 }
 
 impl History {
@@ -220,6 +222,7 @@ impl History {
             learned: recorded.learn,
             trained: false,
             remarks: vec![],
+            long: session.long.map(|long| Fault::on_line(file, recorded.header_line, long).in_field("command")),
         };
         self.walk(file, session, bump, &mut outcome)?;
         if recorded.learn {

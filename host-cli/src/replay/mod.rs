@@ -11,7 +11,7 @@ use clap::{Args, ValueHint};
 use goodbot::session::{Options, Weights};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
-use goodbot_console::lessons::MOST_FAULTS;
+use goodbot_console::lessons::{MOST_FAULTS, tell_long};
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
@@ -119,6 +119,8 @@ struct Replay {
     progress: ProgressBar,
     output: Box<dyn Write>,
     plot: Option<Output>,
+    /// Commands with more words than are read.
+    long: Vec<Fault>,
 }
 
 impl Replay {
@@ -145,6 +147,7 @@ impl Replay {
                 Box::new(BufWriter::new(io::stdout()))
             },
             plot,
+            long: vec![],
         })
     }
 
@@ -189,6 +192,7 @@ impl Replay {
                 }
             }
         }
+        tell_long(&self.long.iter().collect::<Vec<_>>());
         if commands > 0 {
             say!(
                 "{} left out: nothing was done, so there is nothing to replay; learn from them with goodbot learn",
@@ -247,6 +251,7 @@ impl Replay {
 
     fn take(&mut self, args: &ReplayArgs, outcome: &Outcome) -> Result<(), Failure> {
         self.tell(&outcome.remarks);
+        self.long.extend(outcome.long.clone());
         self.totals.add(outcome);
         if args.json {
             for line in &outcome.beliefs {

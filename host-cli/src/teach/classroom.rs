@@ -7,6 +7,7 @@ use super::next_lesson::{Next, propose};
 use super::site::{Recorded, Site};
 use super::trainer::{Heard, Meaning, Refusal, Trainer};
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::live::Lesson;
 
 /// A robot, what is kept of it, and the tour.
@@ -92,8 +93,9 @@ impl Classroom {
         let heard = self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
         self.last = Some(command.to_owned());
         if heard == Heard::Command {
-            self.words.hear(command);
-            add_once(&mut self.said, command);
+            let read = words_read(command);
+            self.words.hear(read);
+            add_once(&mut self.said, read);
         }
         Ok(heard)
     }

@@ -14,6 +14,7 @@ use goodbot_formats::FormatError;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
+use goodbot_lesson::first_words::words_read;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufReader, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -81,7 +82,7 @@ impl Past {
         self.sessions += 1;
         self.taught += usize::from(session.learn);
         self.learned.extend(session.header.id.filter(|_| session.learn));
-        self.commands.push(session.header.command);
+        self.commands.push(words_read(&session.header.command).to_owned());
     }
 }
 

@@ -32,12 +32,16 @@ use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
+use goodbot_console::load::kinds;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
 use goodbot_console::starter::StarterOptions;
+use goodbot_console::whole_file::read_model;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_formats::world::WorldFile;
 use goodbot_lesson::Fault;
+use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Places};
 use keys::Intent;
@@ -198,25 +202,17 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let name = options.home.as_deref().map(input::name);
     let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
+    let places = places(options, lines, world)?;
+    let trainer = match places.as_ref().filter(|places| world.is_none() && places.model.exists()) {
+        Some(Places { model, .. }) => of_kept_kinds(options, trainer, model)?,
+        None => trainer,
+    };
     if options.starter.is_given() && world.is_some() {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
     }
     let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
     let trainer = trainer.with_starter(starter).map_err(refuse)?;
     let trainer = trainer.with_closed_words(options.closed_words.read()?.kept()?);
-    let places = match (&options.model, &options.robot) {
-        (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
-        (None, Some(robot)) => Some(Places::of_robot(robot)?),
-        (None, None) if lines => None,
-        (None, None) => Some(match world {
-            // A robot knows the tasks of one world.
-            Some(world) => Places::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
-                let message = format!("the world {:?} has a name that is none for a file; name the robot with --robot", world.name);
-                Failure::Input(message)
-            })?,
-            None => Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
-        }),
-    };
     let kept = places.map(|places| Kept::open(places, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
@@ -235,6 +231,31 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     Ok(classroom)
 }
 
+/// Where the robot's files are; `None` for one that is not kept.
+fn places(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -> Result<Option<Places>, Failure> {
+    Ok(match (&options.model, &options.robot) {
+        (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
+        (None, Some(robot)) => Some(Places::of_robot(robot)?),
+        (None, None) if lines => None,
+        (None, None) => Some(match world {
+            // A robot knows the tasks of one world.
+            Some(world) => Places::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
+                let message = format!("the world {:?} has a name that is none for a file; name the robot with --robot", world.name);
+                Failure::Input(message)
+            })?,
+            None => Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
+        }),
+    })
+}
+
+/// The robot with the kinds of task that its file keeps.
+fn of_kept_kinds(options: &TeachOptions, trainer: Trainer, model: &Path) -> Result<Trainer, Failure> {
+    let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(trainer) };
+    let asked = options.routes.then(|| trainer.lesson().agent.lifted().to_vec());
+    let kinds = kinds::agreed(model, kinds, asked, "--routes")?;
+    trainer.with_kinds(&kinds).map_err(|refusal| Failure::Input(refusal.0))
+}
+
 /// What is expected of the trainer. There is no log whose sessions could say so.
 fn of_trainer(text: &str) -> Result<Believes, String> {
     match text.parse()? {
@@ -248,7 +269,8 @@ fn wanted(path: &Path) -> Result<Vec<String>, Failure> {
     let name = path.display();
     let text = std::fs::read_to_string(path)
         .map_err(|error| Failure::Input(format!("{name}: cannot be read ({error}); it is a text with a command on each line")))?;
-    let commands: Vec<String> = text.lines().map(str::trim).filter(|line| !line.is_empty()).map(str::to_owned).collect();
+    let commands: Vec<String> =
+        text.lines().map(str::trim).filter(|line| !line.is_empty()).map(|line| words_read(line).to_owned()).collect();
     if commands.is_empty() {
         return Err(Failure::Input(format!("{name}: has no command; write one on each line")));
     }

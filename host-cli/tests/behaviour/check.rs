@@ -96,9 +96,15 @@ fn ten_thousand_objects_are_refused_with_the_limit() {
 }
 
 #[test]
-fn a_command_of_ten_thousand_words_is_refused() {
-    let input = log([&session(AGENT, "feedback", &"go ".repeat(10_000), ""), END]);
-    assert_refused_by_both(&input, r#"1: field "command": has 10000 words, and 64 are the most; shorten it"#);
+fn a_command_of_ten_thousand_words_is_warned_of_and_ends_no_run() {
+    let input = log([&session(AGENT, "feedback", &"go ".repeat(10_000), ""), &step("north", "reward"), END]);
+    let run = check(&input);
+    assert!(
+        run.code == 0 && run.messages.contains(r#"1: field "command": warning: has 10000 words; its first 64 are read"#),
+        "{}",
+        run.messages
+    );
+    assert_eq!(goodbot(&["replay", "--json", "-"], &input).code, 0);
 }
 
 #[test]
@@ -350,4 +356,16 @@ fn nine_clauses_are_refused_in_a_log_and_as_a_kind_of_task() {
     let run = goodbot(&["check", "--task", &kind, "-"], b"");
     assert_eq!(run.code, 2);
     assert!(run.messages.contains("PROPOSITIONS_PER_TASK"), "{}", run.messages);
+}
+
+#[test]
+fn what_one_option_mends_is_told_once_with_its_count() {
+    let both = r#","intended":["agentInRoom(agent0,room1)","blockInRoom(block0,room1)"]"#;
+    let told = session(&format!("{AGENT},{}", block("block0", 2, 2)), "labelled", "go", both);
+    let lines: Vec<&str> = std::iter::repeat_n([told.as_str(), END], 150).flatten().collect();
+    let input = (lines.join("\n") + "\n").into_bytes();
+    let fault = r#"1: field "intended": is no task of the kinds that commands may mean; name its kind with --task, or correct it"#;
+    assert_refused(&input, &[&format!("{fault}; and 149 lines like it")]);
+    let json = goodbot(&["check", "--json", "-"], &input);
+    assert_eq!(json.output.lines().filter(|line| line.contains(r#""type":"fault""#)).count(), 150, "each is a line of JSON");
 }

@@ -271,3 +271,17 @@ fn more_than_500_sessions_are_left_out_in_ten_parts() {
     let default = evaluate(&[], &many);
     assert_eq!((&default["asked"], &default["log_loss"]), (&600.into(), &ten["log_loss"]));
 }
+
+#[test]
+fn of_a_model_that_is_there_already_nothing_is_told_that_needs_its_sessions() {
+    let folder = tempfile::tempdir().unwrap();
+    let [log, model] = ["log.jsonl", "words.goodbot"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    std::fs::write(&log, goodbot(&["example", "log"], b"").output).unwrap();
+    assert_eq!(goodbot(&["learn", &log, "--out", &model], b"").code, 0);
+    let run = goodbot(&["evaluate", "--with", &model, "--test", &log, "--json"], b"");
+    let summary: Value = serde_json::from_str(run.output.lines().last().unwrap()).unwrap();
+    for part in ["without_words", "copies", "without_copies"] {
+        assert!(summary[part].is_null() && summary.get(part).is_some(), "{part}: {summary}");
+    }
+    assert!(!goodbot(&["evaluate", "--with", &model, "--test", &log], b"").output.contains("without words"));
+}

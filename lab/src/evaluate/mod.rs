@@ -136,6 +136,9 @@ Beside the accuracy:
   steps alone        training sessions whose steps, without any word, point at the intended task
   calibration error  the mean difference between certainty and accuracy
 
+With --with it is not known what the model was trained on: nothing is told of a learner without words and of copies \
+(null in JSON).
+
 Examples:
   goodbot evaluate turk-simplified.jsonl
   goodbot evaluate half.jsonl --test other-half.jsonl --plot reliability.svg
@@ -154,7 +157,10 @@ Examples:
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
-    let lifted = options.kinds.lifted()?;
+    let lifted = match &options.with {
+        Some(model) => options.kinds.of_model(model)?,
+        None => options.kinds.lifted()?,
+    };
     if options.force && options.plot.is_none() && options.curve.is_none() {
         return Err(Failure::Input(
             "--force has no effect here: nothing is written. It is for --plot and --curve; leave it out".to_owned(),
@@ -314,10 +320,12 @@ impl Sessions {
         let evidence: Vec<bool> = self.taught.lessons.iter().filter_map(Lesson::evidence_is_right).collect();
         let (asked_skipped, asked_way) = self.asked.as_ref().map_or((0, 0), |asked| (asked.skipped, asked.with_way));
         Ok(Read {
+            is_given: self.taught.lessons.is_empty(),
             taught: self.taught.lessons.iter().filter(|lesson| lesson.learn).count(),
             skipped: self.taught.skipped + asked_skipped,
             with_way: self.taught.with_way + asked_way,
             unknown,
+            long: self.taught.long + self.asked.as_ref().map_or(0, |asked| asked.long),
             evidence: (evidence.iter().filter(|&&right| right).count(), evidence.len()),
         })
     }

@@ -53,6 +53,8 @@ impl Score {
 /// What was read, beside the answers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Read {
+    /// Whether the model was there before: what it was trained on is not known, nor are copies of that.
+    pub is_given: bool,
     /// Sessions that models are trained on.
     pub taught: usize,
     /// Sessions at fault that were passed over.
@@ -61,6 +63,8 @@ pub struct Read {
     pub with_way: usize,
     /// Sessions that are not asked because they do not say what was meant.
     pub unknown: usize,
+    /// Commands with more words than are read.
+    pub long: usize,
     /// Of the sessions trained on whose steps can be held against what was meant: in how many the steps alone are right, and how many.
     pub evidence: (usize, usize),
 }
@@ -96,10 +100,15 @@ impl Summary {
         }
     }
 
+    /// What can be said only where the sessions are known that the model was trained on.
+    fn known(&self, value: Value) -> Value {
+        if self.read.is_given { Value::Null } else { value }
+    }
+
     fn to_json(&self) -> Value {
         let mut line = json!({
             "type": "summary", "sessions": self.read.taught, "skipped": self.read.skipped, "left_out_with_way": self.read.with_way,
-            "not_asked_without_intended": self.read.unknown,
+            "not_asked_without_intended": self.read.unknown, "long_commands": self.read.long,
         });
         let range = |(number, range): (usize, &Range)| {
             let (low, high) = wilson(range.right, range.count);
@@ -111,9 +120,9 @@ impl Summary {
         let more = [
             ("calibration_error", json!(calibration::error(&self.ranges))),
             ("chance", json!(self.chance)),
-            ("without_words", self.wordless.to_json()),
-            ("copies", json!(self.score.asked - self.without_copies.asked)),
-            ("without_copies", self.without_copies.to_json()),
+            ("without_words", self.known(self.wordless.to_json())),
+            ("copies", self.known(json!(self.score.asked - self.without_copies.asked))),
+            ("without_copies", self.known(self.without_copies.to_json())),
             ("steps_alone", json!({"right": self.read.evidence.0, "of": self.read.evidence.1})),
             ("reliability", self.ranges.iter().enumerate().filter(|(_, range)| range.count > 0).map(range).collect()),
         ];
@@ -129,7 +138,7 @@ impl Summary {
 pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: bool) -> io::Result<()> {
     if json {
         for answer in answers {
-            writeln!(out, "{}", answer_to_json(answer))?;
+            writeln!(out, "{}", answer_to_json(answer, summary))?;
         }
         writeln!(out, "{}", summary.to_json())?;
         return out.flush();
@@ -149,27 +158,29 @@ pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: 
     out.flush()
 }
 
-fn answer_to_json(answer: &Answer) -> Value {
+fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
     let words: Vec<_> = answer.telling.iter().map(|(word, ratio)| json!({"word": word, "ratio": ratio})).collect();
     json!({
         "type": "answer", "session": answer.id, "command": answer.command, "expected": answer.expected.0, "predicted": answer.predicted.0,
         "right": answer.right, "probability_expected": answer.probabilities.0, "probability_predicted": answer.probabilities.1,
-        "right_without_words": answer.wordless.0, "copy_of": answer.copy_of, "telling_words": words,
+        "right_without_words": summary.known(json!(answer.wordless.0)), "copy_of": answer.copy_of, "telling_words": words,
     })
 }
 
 fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    let Read { taught, skipped, with_way, unknown, evidence } = summary.read;
+    let Read { is_given, taught, skipped, with_way, unknown, evidence, .. } = summary.read;
     let others: Vec<String> =
         [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: what was meant is not said")]
             .iter()
             .filter(|(count, _)| *count > 0)
             .map(|(count, what)| format!(", {count} {what}"))
             .collect();
-    let taught = if taught == 0 { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
+    let taught = if is_given { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
     writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
-    writeln!(out, "without words      {}", summary.wordless.text())?;
+    if !is_given {
+        writeln!(out, "without words      {}", summary.wordless.text())?;
+    }
     writeln!(out, "by chance          {:6.2} %", 100.0 * summary.chance)?;
     let copies = summary.score.asked - summary.without_copies.asked;
     if copies > 0 {

@@ -28,7 +28,7 @@ impl Group {
             Self::Worker => lesson.id.split('.').next().unwrap_or_default().to_owned(),
             Self::Command => {
                 let mut words = vec![];
-                // A command that is too long was refused when it was read.
+                // Of a command that is too long its first words alone are here.
                 let _ = for_each_word(&lesson.command, |word| {
                     words.push(word.to_owned());
                     Ok(())

@@ -102,3 +102,18 @@ fn every_cut_of_a_model_is_refused_and_so_is_what_follows_it() {
     bytes.push(0);
     assert_eq!(robot.restore(&bytes), Err(RestoreError::Length { stated, given: bytes.len() }));
 }
+
+#[test]
+fn a_robot_passes_over_the_kinds_of_task_that_a_host_wrote_behind_a_model() {
+    let mut memory = HeapMemory::new(&Capacities::SMALL);
+    let mut robot = agent(&mut memory);
+    let model = course();
+    let (mut kept, stated) = (model.clone(), model.len() as u32);
+    kept.extend(b"gbkinds\0 and whatever a host says");
+    robot.restore(&kept).unwrap();
+    assert_eq!(robot.saved().unwrap(), model);
+    for cut in 1..8 {
+        let bytes = &kept[..model.len() + cut];
+        assert_eq!(robot.restore(bytes), Err(RestoreError::Length { stated, given: bytes.len() }), "cut in the record's first bytes");
+    }
+}

@@ -242,8 +242,13 @@ impl Speaker<'_> {
         let command = self.classroom.lesson().command().unwrap_or(said);
         let conversation = &self.classroom.lesson().conversation().id;
         let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "certainty": certainty, "taken_for": meant, "words": words, "conversation": conversation});
-        if let (Some(rest), Value::Object(fields)) = (self.classroom.lesson().rest(), &mut heard) {
-            fields.insert("rest".to_owned(), json!(rest));
+        if let Value::Object(fields) = &mut heard {
+            if let Some(rest) = self.classroom.lesson().rest() {
+                fields.insert("rest".to_owned(), json!(rest));
+            }
+            if trainer.unread() > 0 {
+                fields.insert("unread".to_owned(), json!(trainer.unread()));
+            }
         }
         self.add_tasks(&mut heard);
         Ok(heard)

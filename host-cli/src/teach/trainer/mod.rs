@@ -20,15 +20,18 @@ use crate::ask::SURE;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::site::{Recorded, Setting, Site, SiteState};
 use crate::teach::table::{Table, table};
+use goodbot::capacity::Capacity;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::memory::AgentHeap;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
-use goodbot::{Agent, Capacities};
+use goodbot::task::LiftedTask;
+use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
+use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::messages::say;
 use goodbot_console::refusal::InWords;
 use goodbot_console::starter::Starter;
@@ -36,8 +39,9 @@ use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::listening::tells_talk;
-use goodbot_lesson::live::Lesson;
+use goodbot_lesson::live::{Lesson, LiveError};
 use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
@@ -88,6 +92,8 @@ pub struct Trainer {
     half_taught: HalfTaught,
     /// What the robot took the words of the last command for, where it listens.
     listened: Option<Listened>,
+    /// How many words of the last command it did not read.
+    unread: usize,
 }
 
 impl Trainer {
@@ -99,7 +105,14 @@ impl Trainer {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
         let half_taught = HalfTaught::default();
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, listened: None })
+        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, listened: None, unread: 0 })
+    }
+
+    /// The same robot, whose commands mean tasks of these kinds: it has learned nothing yet.
+    pub fn with_kinds(mut self, lifted: &[LiftedTask]) -> Result<Self, Refusal> {
+        let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
+        self.lesson.replace_agent(mind);
+        Ok(self)
     }
 
     /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
@@ -151,12 +164,14 @@ impl Trainer {
         self.take_mind(mind)
     }
 
-    /// What the robot has learned, as the bytes of a model file. It must not be learning. A starter's sentences are not in it.
+    /// What the robot has learned, as the bytes of a model file with its kinds of task. It must not be learning. A starter's sentences are not in it.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        if let Some(own) = self.half_taught.own() {
-            return Ok(own.to_vec());
-        }
-        self.lesson.agent.saved().map_err(refused)
+        let model = match self.half_taught.own() {
+            Some(own) => own.to_vec(),
+            None => self.lesson.agent.saved().map_err(refused)?,
+        };
+        // A world names its kinds of task itself.
+        Ok(if self.lesson.home().home().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
@@ -226,8 +241,10 @@ impl Trainer {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
         let environment = self.lesson.environment();
+        let read = read(command).map_err(refused)?;
+        self.unread = read.long().map_or(0, |long| long.unread());
         if let Some(intention) = intention {
-            self.lesson.hear(command, environment).map_err(refused)?;
+            self.lesson.hear(read.words, environment).map_err(refused)?;
             self.intended = intention.find(&self.lesson.agent, self.lesson.home());
             return Ok(Heard::Command);
         }
@@ -235,7 +252,19 @@ impl Trainer {
         if let Some(id) = self.id.as_ref().filter(|_| tells_talk(&self.lesson.agent)) {
             self.lesson.name_conversation(id);
         }
-        self.listened = self.lesson.tell(command, environment).map_err(refused)?;
+        // A robot that listens reads a long utterance in parts.
+        let told = if tells_talk(&self.lesson.agent) { command } else { read.words };
+        self.listened = match self.lesson.tell(told, environment.clone()) {
+            // Said once more, it is a command all the same.
+            Err(LiveError::Agent(AgentError::Capacity(full))) if full.capacity == Capacity::WordsPerCommand => {
+                self.lesson.hear(read.words, environment).map_err(refused)?;
+                None
+            }
+            told => told.map_err(refused)?,
+        };
+        if self.listened.is_some_and(|listened| listened.rest.is_some()) {
+            self.unread = 0;
+        }
         Ok(self.listened.map_or(Heard::Command, |listened| self.heard(&listened)))
     }
 
@@ -244,7 +273,7 @@ impl Trainer {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
         let listened = self.lesson.listen_on(environment).map_err(refused)?;
-        self.listened = listened;
+        (self.listened, self.unread) = (listened, 0);
         Ok(listened.map(|listened| self.heard(&listened)))
     }
 
@@ -258,6 +287,11 @@ impl Trainer {
             _ if self.lesson.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
             _ => Heard::Nothing(listened.hypothesis),
         }
+    }
+
+    /// How many words of the last command were not read: it had more than are read.
+    pub const fn unread(&self) -> usize {
+        self.unread
     }
 
     /// How sure the robot is of the last command: `sure`, `unsure`, `done` or `none`, as `goodbot ask` says it.
@@ -279,6 +313,8 @@ impl Trainer {
 
     /// What a person's words ask for, given where the conversation stands.
     pub fn said(&self, words: &str) -> Result<Said, Refusal> {
+        // In a session, words that are too long are refused: their first ones could end it.
+        let words = if self.lesson.is_under_way() { words } else { words_read(words) };
         self.lesson.said(words).map_err(refused)
     }
 

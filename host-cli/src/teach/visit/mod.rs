@@ -14,6 +14,7 @@ use crate::teach::prompt::Prompt;
 use crate::teach::trainer::Judged;
 use crate::teach::trainer::{Acted, Heard, Refusal, WordSupport};
 use goodbot::asking::{Answer, Asking};
+use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
 use goodbot::planning::Judgement;
 use goodbot::session::Evidence;
@@ -306,6 +307,9 @@ impl Visit {
         }
         self.prompt.said();
         self.begin()?;
+        if self.classroom.trainer.unread() > 0 {
+            self.message = format!("It reads the first {WORDS_PER_COMMAND} words of that. Say it in parts.");
+        }
         self.tested = self.classroom.tested();
         if let Some(Tested { heard, right }) = &self.tested {
             let verdict = if *right { "Right!" } else { "That is not what was meant." };

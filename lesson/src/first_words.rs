@@ -1,0 +1,86 @@
+//! Commands with more words than a robot reads: their first words are read, and what is not read is said.
+
+use goodbot::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
+use goodbot::language::{first_words, for_each_piece};
+use std::fmt;
+
+/// A command as it is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Read<'c> {
+    /// The words that are read.
+    pub words: &'c str,
+    /// How many words the command has, read or not.
+    pub count: usize,
+}
+
+/// A command has more words than are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Long {
+    /// How many words it has.
+    pub count: usize,
+}
+
+impl Long {
+    /// How many of them are not read.
+    pub const fn unread(self) -> usize {
+        self.count.saturating_sub(WORDS_PER_COMMAND)
+    }
+}
+
+impl fmt::Display for Long {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "has {} words; its first {WORDS_PER_COMMAND} are read", self.count)
+    }
+}
+
+impl Read<'_> {
+    /// That not all of it is read, where it is so.
+    pub fn long(&self) -> Option<Long> {
+        (self.count > WORDS_PER_COMMAND).then_some(Long { count: self.count })
+    }
+}
+
+/// Reads a command: all of it, or its first words.
+///
+/// ```
+/// use goodbot_lesson::first_words::read;
+/// let long = "go ".repeat(65);
+/// let read = read(&long)?;
+/// assert_eq!((read.words, read.count), ("go ".repeat(64).trim_end(), 65));
+/// assert_eq!(read.long().unwrap().to_string(), "has 65 words; its first 64 are read");
+/// # Ok::<(), goodbot::capacity::CapacityError>(())
+/// ```
+///
+/// # Errors
+/// A [`CapacityError`] where a word that is read is too long.
+pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
+    let mut count = 0;
+    let mut counted = |words: &str| {
+        for_each_piece(words, |_| {
+            count += 1;
+            Ok(())
+        })
+    };
+    match counted(command) {
+        Err(CapacityError { capacity: Capacity::WordsPerCommand, given, .. }) => {
+            let words = first_words(command).trim_end();
+            counted(words)?;
+            Ok(Read { words, count: given as usize })
+        }
+        Err(error) => Err(error),
+        Ok(()) => Ok(Read { words: command, count }),
+    }
+}
+
+/// The words of a text that are read. What cannot be read stays as it is, and is refused where it is heard.
+pub fn words_read(text: &str) -> &str {
+    read(text).map_or(text, |read| read.words)
+}
+
+/// That so many commands are not read to their end, as a remark.
+pub fn told(count: usize) -> String {
+    match count {
+        1 => format!("1 command has more than {WORDS_PER_COMMAND} words; its first {WORDS_PER_COMMAND} are read"),
+        _ => format!("{count} commands have more than {WORDS_PER_COMMAND} words; their first {WORDS_PER_COMMAND} are read"),
+    }
+}

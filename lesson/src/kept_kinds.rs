@@ -1,0 +1,147 @@
+//! The kinds of task that a model was learned for, in a record behind the model's bytes.
+//!
+//! The model itself has no room for them: a controller is made with its kinds, and passes the record over. `docs/format.md` says what each
+//! byte means.
+
+use goodbot::oomdp::Schema;
+use goodbot::task::{LiftedProposition, LiftedTask, Part};
+use goodbot_formats::task_text::{LiftedAtomText, LiftedTaskText, WayText};
+use std::fmt;
+
+/// What the record begins with.
+const MAGIC: &[u8; 8] = b"gbkinds\0";
+/// Bytes of the magic and the length, and of the check at the end.
+const HEAD: usize = 12;
+const CHECK: usize = 4;
+/// Where a model says how long it is.
+const STATED: std::ops::Range<usize> = 10..14;
+
+/// What is wrong with a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Damaged;
+
+impl fmt::Display for Damaged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the kinds of task behind the model are damaged: their length or their check is wrong; take another copy")
+    }
+}
+
+impl std::error::Error for Damaged {}
+
+/// A model without what is behind it.
+pub fn model_alone(file: &[u8]) -> &[u8] {
+    let stated = file.get(STATED).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
+    stated.and_then(|stated| file.get(..usize::try_from(stated).ok()?)).unwrap_or(file)
+}
+
+/// The texts of the kinds of task behind a model; `None` where it has no record.
+///
+/// # Errors
+/// [`Damaged`].
+pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
+    let record = file.get(model_alone(file).len()..).unwrap_or_default();
+    if !record.starts_with(MAGIC) {
+        // The model's own check says what is wrong with other bytes there.
+        return Ok(None);
+    }
+    let (checked, check) = record.split_last_chunk::<CHECK>().ok_or(Damaged)?;
+    let stated = checked.get(MAGIC.len()..HEAD).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
+    if stated.map(|stated| stated as usize) != Some(record.len()) || crc(checked) != u32::from_le_bytes(*check) {
+        return Err(Damaged);
+    }
+    let texts = checked.get(HEAD..).and_then(|bytes| str::from_utf8(bytes).ok()).ok_or(Damaged)?;
+    Ok(Some(texts.lines().map(str::to_owned).collect()))
+}
+
+/// A model with these kinds of task behind it, in the place of those that were there.
+pub fn behind(file: &[u8], texts: &[String]) -> Vec<u8> {
+    let mut record = [MAGIC.as_slice(), &[0; HEAD - MAGIC.len()]].concat();
+    for text in texts {
+        record.extend(text.as_bytes());
+        record.push(b'\n');
+    }
+    let length = (record.len() + CHECK) as u32;
+    record[MAGIC.len()..HEAD].copy_from_slice(&length.to_le_bytes());
+    let check = crc(&record);
+    [model_alone(file), &record, &check.to_le_bytes()].concat()
+}
+
+/// CRC-32, as a model has it.
+fn crc(bytes: &[u8]) -> u32 {
+    let bit = |crc: u32| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 };
+    !bytes.iter().fold(u32::MAX, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), |crc, _| bit(crc)))
+}
+
+/// A kind of task as a text, the same for all texts of that kind: its variables are named in their order.
+///
+/// ```
+/// use goodbot::{home::SCHEMA, task::LiftedTask};
+/// use goodbot_lesson::kept_kinds::text;
+/// let kind = LiftedTask::parse("agentInRoom(?me, ?goal) avoiding agentInRoom(?me,?not)", &SCHEMA)?;
+/// assert_eq!(text(&kind, &SCHEMA), "agentInRoom(?a,?b) avoiding agentInRoom(?a,?c)");
+/// assert_eq!(LiftedTask::parse(&text(&kind, &SCHEMA), &SCHEMA)?, kind);
+/// # Ok::<(), goodbot::task::TaskTextError>(())
+/// ```
+pub fn text(kind: &LiftedTask, schema: &Schema<'_>) -> String {
+    let atom = |part: LiftedProposition| {
+        let named = |&variable: &u8| char::from(b'a' + variable).to_string();
+        let variables = part.variables.iter().take(schema.parameters(part.proposition).len()).map(named);
+        LiftedAtomText::new(schema.proposition_name(part.proposition), variables)
+    };
+    let (mut goal, mut way) = (Vec::new(), WayText::default());
+    for (part, proposition) in kind.parts() {
+        let Ok(atom) = atom(proposition) else { continue };
+        let place = |lists: &mut Vec<Vec<LiftedAtomText>>, position: u8, atom| {
+            let position = usize::from(position);
+            lists.resize(lists.len().max(position + 1), vec![]);
+            lists[position].push(atom);
+        };
+        match part {
+            Part::Goal => goal.push(atom),
+            Part::Before(position) => place(&mut way.before, position, atom),
+            Part::Through(position) => place(&mut way.through, position, atom),
+            Part::Avoiding => way.avoiding.push(atom),
+        }
+    }
+    LiftedTaskText::with_way(goal, way).map(|text| text.to_string()).unwrap_or_default()
+}
+
+/// Whether two lists have the same kinds, in any order.
+pub fn are_same(some: &[String], others: &[String]) -> bool {
+    let all_in = |some: &[String], others: &[String]| some.iter().all(|text| others.contains(text));
+    all_in(some, others) && all_in(others, some)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn model() -> Vec<u8> {
+        [b"goodbot\0\x02\0\x10\0\0\0".as_slice(), b"ab"].concat()
+    }
+
+    #[test]
+    fn kinds_behind_a_model_are_there_again_and_take_the_place_of_older_ones() {
+        let [some, others] = [vec!["a(?a)".to_owned(), "b(?a,?b)".to_owned()], vec!["c(?a)".to_owned()]];
+        assert_eq!(of(&model()), Ok(None));
+        let file = behind(&model(), &some);
+        assert_eq!((of(&file), model_alone(&file)), (Ok(Some(some)), model().as_slice()));
+        assert_eq!(of(&behind(&file, &others)), Ok(Some(others)));
+    }
+
+    #[test]
+    fn a_changed_or_cut_record_is_refused() {
+        let file = behind(&model(), &["a(?a)".to_owned()]);
+        for at in model().len() + MAGIC.len()..file.len() {
+            let mut changed = file.clone();
+            changed[at] ^= 4;
+            assert_eq!(of(&changed), Err(Damaged), "byte {at}");
+            assert_eq!(of(&file[..at]), Err(Damaged), "cut at {at}");
+        }
+    }
+
+    #[test]
+    fn the_check_is_that_of_zip() {
+        assert_eq!(crc(b"123456789"), 0xcbf4_3926);
+    }
+}
