@@ -297,6 +297,24 @@ mod tests {
     }
 
     #[test]
+    fn the_model_card_tells_how_many_sessions_each_starter_has() {
+        let card = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/model-card.md")).unwrap();
+        let both = LiftedTask::parse("agentInRoom(?a,?r1) & blockInRoom(?o,?r2)", &goodbot::home::SCHEMA).unwrap();
+        let [paper, all] = [vec![], vec![both]].map(|more| [&paper_tasks().unwrap()[..], &more].concat());
+        let count = |language, lifted: &[LiftedTask]| Starter::new(language, lifted, Options::DEFAULT).unwrap().lessons().len();
+        let [mut sessions, mut left_out] = [vec![], vec![]];
+        for language in [Language::De, Language::En, Language::Es, Language::Fr, Language::Zh] {
+            let whole = count(language, &all);
+            sessions.push(whole.to_string());
+            left_out.push((whole - count(language, &paper)).to_string());
+        }
+        let list = |counts: &[String]| counts.split_last().map(|(last, others)| format!("{} and {last}", others.join(", "))).unwrap();
+        for told in [format!("thus {} sessions", list(&sessions)), format!("leaves out {} of the sessions", list(&left_out))] {
+            assert!(card.contains(&told), "{told}");
+        }
+    }
+
+    #[test]
     fn own_sessions_take_the_starters_place() {
         let starter = Starter::new(Language::En, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
         let all = starter.lessons().len();
