@@ -1,20 +1,42 @@
 // The npm package as its users have it: installed into an empty folder, which GOODBOT_INSTALLED names.
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 
 const folder = String(process.env.GOODBOT_INSTALLED);
 const installed = join(folder, 'node_modules/goodbot');
 
-test('the example of its README runs', () => {
-  const [, example] = readFileSync(join(installed, 'README.md'), 'utf8').split(/```js\n|```\n/);
-  writeFileSync(join(folder, 'example.mjs'), example);
-  const run = spawnSync(process.execPath, ['example.mjs'], { cwd: folder, encoding: 'utf8' });
+// The example of its README, as a file beside the installed package.
+const example = join(folder, 'example.mjs');
+const [, code] = readFileSync(join(installed, 'README.md'), 'utf8').split(/```js\n|```\n/);
+writeFileSync(example, code);
+
+/** @param {string} file */
+function runs(file) {
+  const run = spawnSync(process.execPath, [file], { encoding: 'utf8' });
   assert.equal(run.status, 0, run.stderr);
   assert.equal(run.stdout.match(/^(north|south|east|west|noop)$/gm)?.length, 12);
   assert.match(run.stdout, /tasks/);
+}
+
+test('the example of its README runs', () => runs(example));
+
+test('a bundler makes one file of the example, which runs where the package is not', async () => {
+  const { build } = await import('../../page/node_modules/esbuild/lib/main.js');
+  const elsewhere = mkdtempSync(join(tmpdir(), 'goodbot-bundled-'));
+  try {
+    for (const [platform, format] of [['node', 'esm'], ['browser', 'iife']]) {
+      const outfile = join(elsewhere, `${platform}.${format === 'esm' ? 'mjs' : 'cjs'}`);
+      const { warnings } = await build({ entryPoints: [example], bundle: true, minify: true, platform, format, outfile, logLevel: 'silent' });
+      assert.deepEqual(warnings, []);
+      runs(outfile);
+    }
+  } finally {
+    rmSync(elsewhere, { recursive: true });
+  }
 });
 
 test('what is learned comes back, and a wrong file is refused with a reason', async () => {
