@@ -7,7 +7,7 @@ use crate::teach::plain_names::{percent, token_words};
 use clap::{Args, ValueHint};
 use goodbot::home::paper_tasks;
 use goodbot_console::lessons::restored;
-use goodbot_console::messages::counted;
+use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use serde_json::json;
@@ -86,14 +86,14 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
         }
         return Ok(out.flush()?);
     }
-    let (a, b) = (args.first.display().to_string(), args.second.display().to_string());
+    let [a, b] = [&args.first, &args.second].map(|file| printable(&file.display().to_string()).into_owned());
     for (name, known) in [(&a, &before), (&b, &after)] {
         writeln!(out, "{name}: {}, {}", counted(known.sessions.len(), "session"), counted(known.words.len(), "word"))?;
     }
     for (what, name, texts) in [("Sessions", &a, &gone), ("Sessions", &b, &added), ("Words", &a, &forgotten), ("Words", &b, &learned)] {
         if !texts.is_empty() {
             writeln!(out, "\n{what} that only {name} has:")?;
-            texts.iter().try_for_each(|text| writeln!(out, "  {text}"))?;
+            texts.iter().try_for_each(|text| writeln!(out, "  {}", printable(text)))?;
         }
     }
     if !moved.is_empty() {

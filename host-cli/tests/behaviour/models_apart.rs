@@ -88,6 +88,18 @@ fn a_difference_is_told_by_sessions_and_words() {
 }
 
 #[test]
+#[cfg(unix)]
+fn control_characters_in_the_names_of_compared_models_are_shown_and_not_obeyed() {
+    let place = Place::new();
+    let odd = place.path("m\u{1b}[31m.goodbot");
+    place.run(&["unlearn", "A", "2", "--out", &odd]);
+    let told = place.run(&["diff", "A", &odd]);
+    assert!(told.contains("m\\u{1b}[31m.goodbot: 2 sessions") && !told.contains('\u{1b}'), "{told:?}");
+    let told = place.run(&["diff", &odd, "A"]);
+    assert!(told.contains("m\\u{1b}[31m.goodbot: 2 sessions") && !told.contains('\u{1b}'), "{told:?}");
+}
+
+#[test]
 fn the_doctor_tells_a_damaged_model_and_a_broken_log_and_what_to_do() {
     let place = Place::new();
     let model = fs::read(place.path("a")).unwrap();
