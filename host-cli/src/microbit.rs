@@ -14,6 +14,7 @@ use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
+use goodbot_console::refusal::InWords;
 use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
 use goodbot_lesson::home;
@@ -124,7 +125,6 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     }
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
-    let small = |error: &dyn std::fmt::Display| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
     let is_layered = contents.options.language.layer;
     if contents.strategies.len() > 1 || is_layered {
         let room = CAPACITIES.at_least(contents.sizes);
@@ -137,9 +137,10 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
         // This memory has no room for the layer, nor has the board: the role model is what is saved.
         model = learned.saved().map_err(|error| refused(path, &error))?;
     }
-    agent.restore(&model).map_err(|error| small(&error))?;
+    agent.restore(&model).map_err(|error| refused(path, &format!("on a micro:bit: {}", error.in_words())))?;
+    let small = |error| refused(path, &format!("on a micro:bit: {error}; teach it fewer lessons and words"));
     let mut flash = Flash(vec![0xff; 2 * SLOT_BYTES as usize]);
-    TwoSlots::new(&mut flash, 0, SLOT_BYTES).and_then(|mut slots| slots.store(&model)).map_err(|error| small(&error))?;
+    TwoSlots::new(&mut flash, 0, SLOT_BYTES).and_then(|mut slots| slots.store(&model)).map_err(small)?;
     Ok((flash.0, agent.language().bitext().sessions()))
 }
 

@@ -71,12 +71,19 @@ fn what_a_micro_bit_has_no_room_for_is_named() {
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-c", &long, "-o", "OUT"]);
     assert_eq!(refused.code, 2);
     assert!(refused.messages.contains("room for 64"), "{}", refused.messages);
-    let words: String = (0..40).map(|number| lesson(&format!("word{number} another{number}"))).collect();
-    std::fs::write(folder.path().join("log.jsonl"), words).unwrap();
-    assert_eq!(run(folder.path(), &["learn", "LOG", "--out", "MODEL"]).code, 0);
-    let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
-    assert_eq!(refused.code, 2);
-    assert!(refused.messages.contains("on a micro:bit") && refused.messages.contains("words"), "{}", refused.messages);
+    let same = lesson("go to the green room").repeat(40);
+    // The first letters of a word tell it from others.
+    let different: String = ('a'..='e').map(|letter| lesson(&format!("{letter}oo {letter}ira {letter}ul {letter}em"))).collect();
+    for (log, told) in
+        [(same, "too many sessions in one model: "), (different, "too many different words in one model: 20 or more, and 14 ")]
+    {
+        std::fs::write(folder.path().join("log.jsonl"), log).unwrap();
+        assert_eq!(run(folder.path(), &["learn", "LOG", "--out", "MODEL"]).code, 0);
+        let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
+        assert_eq!(refused.code, 2);
+        assert!(refused.messages.contains(&format!("on a micro:bit: {told}")), "{}", refused.messages);
+        assert!(!refused.messages.contains("Capacities"), "{}", refused.messages);
+    }
     assert!(!folder.path().join("mine.hex").exists());
 }
 
