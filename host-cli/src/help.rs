@@ -7,7 +7,7 @@ use clap::{Arg, Command, CommandFactory};
 /// The commands that most people need.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
 /// The commands for robots that are no host.
-const BOARDS: [&str; 2] = ["size", "microbit"];
+const BOARDS: [&str; 4] = ["size", "table", "convert", "microbit"];
 /// The commands about this program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 
