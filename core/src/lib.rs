@@ -70,6 +70,8 @@
 //! the caller sets.
 
 #![no_std]
+// docs.rs sets it: each item tells which feature it needs.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![cfg_attr(not(feature = "snapshot"), allow(dead_code, reason = "model files alone need some of it"))]
