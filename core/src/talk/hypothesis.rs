@@ -1,6 +1,6 @@
 //! What an utterance may be, and how probable each hypothesis is.
 
-use super::classes::Class;
+use super::classes::{Class, Classes};
 use super::explained::Explained;
 use super::heard::{Heard, Words, learned};
 use super::place::Place;
@@ -133,6 +133,16 @@ impl<M: AgentMemory> Agent<M> {
         for &(hypothesis, weight) in &hypotheses {
             if weight.exceeds(best.1) {
                 best = (hypothesis, weight);
+            }
+        }
+        // Words that are all of closed classes are talk, and the likeliest class tells more than "nothing". No task changes with that name.
+        if best.0 == Hypothesis::Nothing && words.iter().all(|word| word.classes != Classes::NONE) {
+            let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !place.is_known());
+            let mut most = Scaled::ZERO;
+            for &(hypothesis, weight) in hypotheses.iter().filter(|(it, _)| is_talk(*it)) {
+                if weight.exceeds(most) {
+                    (best.0, most) = (hypothesis, weight);
+                }
             }
         }
         let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));

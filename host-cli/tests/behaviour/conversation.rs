@@ -480,7 +480,7 @@ fn a_program_is_told_how_sure_the_robot_is_as_ask_tells_it() {
         ("go to the red room", "done", "done", "a command"),
         ("take the chair to the blue room", "try", "unsure", "a command"),
         ("go to the blue room and then to the green room", "try", "sure", "several commands"),
-        ("hello", "none", "none", "nothing that I can do"),
+        ("hello", "none", "none", "greeting"),
     ];
     for (words, verdict, certainty, taken_for) in cases {
         let heard = robot.one(&format!("command {words}"));

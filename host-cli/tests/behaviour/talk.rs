@@ -286,6 +286,14 @@ fn the_answer_says_what_an_utterance_is_taken_for() {
         ("bring all bags to the green room", "done", "all things of a kind"),
         ("go to the purple room", "none", "a thing that is not here"),
         ("flub wib zonk", "none", "nothing that I can do"),
+        ("please", "none", "nothing that I can do"),
+        ("stop", "none", "stop"),
+        ("hello", "none", "greeting"),
+        ("good robot", "none", "praise"),
+        ("wrong", "none", "blame"),
+        ("yes please", "none", "yes"),
+        ("no", "none", "no"),
+        ("undo it", "none", "again"),
     ];
     let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
     for ((words, verdict, taken_for), answer) in cases.iter().zip(asked(&model, &home, &sentences)) {
