@@ -154,6 +154,15 @@ impl Class {
     pub const fn is_talk(self) -> bool {
         matches!(self, Self::Stop | Self::Praise | Self::Blame | Self::Yes | Self::No | Self::Again | Self::Greeting | Self::Asking)
     }
+
+    /// Whether its words are for what the robot does, or against it; `None` where they are neither.
+    const fn is_for_it(self) -> Option<bool> {
+        match self {
+            Self::Praise | Self::Yes => Some(true),
+            Self::Blame | Self::No => Some(false),
+            _ => None,
+        }
+    }
 }
 
 /// The classes that a word is in, one bit each.
@@ -195,7 +204,7 @@ impl Classes {
 }
 
 /// A table of closed classes: in each line a class, a colon, and its words. What follows a `#` is a comment. A word may be in several
-/// classes, and a class on several lines.
+/// classes, and a class on several lines. No word is praise or a yes, and blame or a no as well.
 ///
 /// ```
 /// use goodbot::talk::{Class, ClosedWords};
@@ -255,9 +264,9 @@ impl<'t> ClosedWords<'t> {
                     Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
                 }
             };
-            if !Class::ALL.iter().any(|class| class.name() == name.trim()) {
+            let Some(&class) = Class::ALL.iter().find(|class| class.name() == name.trim()) else {
                 return Err(ClosedWordsError::NoSuchClass { name: name.trim(), line });
-            }
+            };
             for word in words.split_whitespace() {
                 // A word of a script without spaces is several signs.
                 let mut rest = Some(word);
@@ -268,17 +277,20 @@ impl<'t> ClosedWords<'t> {
                 if heard.is_err() || rest != Some("") {
                     return Err(ClosedWordsError::NotAWord { word, line });
                 }
+                // A robot would be punished by its trainer's praise.
+                let Some(is_for_it) = class.is_for_it() else { continue };
+                for (first, (other, mut words)) in numbered(text).take_while(|(first, _)| *first < line) {
+                    if other.is_for_it() == Some(!is_for_it) && words.any(|known| known == word) {
+                        return Err(ClosedWordsError::Opposites { word, classes: [other, class], lines: [first, line] });
+                    }
+                }
             }
         }
         Ok(Self { text })
     }
 
     fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
-        lines(self.text).filter_map(|line| {
-            let (name, words) = parted(line)?;
-            let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
-            Some((*class, words.split_whitespace()))
-        })
+        numbered(self.text).map(|(_, line)| line)
     }
 
     /// The classes of a word, as [`for_each_piece`] gives it.
@@ -355,6 +367,15 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.split(is('\n')).map(|line| line.split(is('#')).next().unwrap_or(""))
 }
 
+/// The classes of a table with their words, each with the number of its line, from 1.
+fn numbered(text: &str) -> impl Iterator<Item = (usize, (Class, core::str::SplitWhitespace<'_>))> {
+    lines(text).enumerate().filter_map(|(line, content)| {
+        let (name, words) = parted(content)?;
+        let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
+        Some((line.saturating_add(1), (*class, words.split_whitespace())))
+    })
+}
+
 /// The name of a class, and its words.
 fn parted(line: &str) -> Option<(&str, &str)> {
     line.split_once(is(':'))
@@ -385,6 +406,15 @@ pub enum ClosedWordsError<'t> {
         /// Its line, from 1.
         line: usize,
     },
+    /// A word is praise or a yes, and blame or a no as well.
+    Opposites {
+        /// The word.
+        word: &'t str,
+        /// Both classes.
+        classes: [Class; 2],
+        /// Their lines, from 1.
+        lines: [usize; 2],
+    },
 }
 
 impl fmt::Display for ClosedWordsError<'_> {
@@ -393,8 +423,39 @@ impl fmt::Display for ClosedWordsError<'_> {
             Self::NoSuchClass { name, line } => write!(f, "line {line}: {name:?} is no class of words"),
             Self::NoClass { word, line } => write!(f, "line {line}: write a class and a colon before {word:?}"),
             Self::NotAWord { word, line } => write!(f, "line {line}: write {word:?} in lower case and without punctuation"),
+            Self::Opposites { word, classes: [one, other], lines: [first, second] } => {
+                write!(
+                    f,
+                    "{word:?} is {one} on line {first} and {other} on line {second}; leave it in one of them",
+                    one = one.name(),
+                    other = other.name()
+                )
+            }
         }
     }
 }
 
 impl core::error::Error for ClosedWordsError<'_> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn a_word_that_is_for_the_robot_and_against_it_is_refused_with_both_lines() {
+        let error = ClosedWords::new("yes: yeah ok\n\nno: nope ok").unwrap_err();
+        assert_eq!(error, ClosedWordsError::Opposites { word: "ok", classes: [Class::Yes, Class::No], lines: [1, 3] });
+        assert_eq!(error.to_string(), "\"ok\" is yes on line 1 and no on line 3; leave it in one of them");
+        for text in ["blame: so\npraise: well so", "praise: fine\nno: fine", "blame: right\nyes: right"] {
+            assert!(matches!(ClosedWords::new(text), Err(ClosedWordsError::Opposites { lines: [1, 2], .. })), "{text}");
+        }
+    }
+
+    #[test]
+    fn other_words_may_be_in_two_classes_and_those_that_are_built_in_are_no_opposites() {
+        assert!(ClosedWords::new("connective: after\npolite: after\nno: no\nnegation: no\nyes: ok\nyes: ok").is_ok());
+        let all = ClosedWords::ALL.to_string();
+        assert_eq!(ClosedWords::new(&all), Ok(ClosedWords { text: &all }));
+    }
+}
