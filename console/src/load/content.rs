@@ -1,5 +1,7 @@
 //! The kind of a file, from its first bytes.
 
+use goodbot::talk::Class;
+
 /// Kinds of files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
@@ -17,6 +19,8 @@ pub enum Content {
     Model,
     /// A picture.
     Picture,
+    /// A table of closed classes of words.
+    ClosedWords,
 }
 
 impl Content {
@@ -43,6 +47,7 @@ impl Content {
             Err(_) if is_world(text) => Self::Worlds,
             // A session line may be broken itself, or be longer than what was looked at.
             Err(_) if first.contains("\"type\"") && first.contains("\"session\"") => Self::Log,
+            Err(_) if is_table(text) => Self::ClosedWords,
             Err(_) => Self::Environment,
         }
     }
@@ -56,6 +61,7 @@ impl Content {
             Self::Beliefs => "a file of beliefs",
             Self::Model => "a model",
             Self::Picture => "a picture",
+            Self::ClosedWords => "a table of closed words",
         }
     }
 }
@@ -64,4 +70,10 @@ impl Content {
 fn is_world(text: &str) -> bool {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).take(1_000).collect();
     text.starts_with('{') && text.contains("\"type\":\"world\"")
+}
+
+/// Whether a line begins with a class of words, which no JSON does.
+fn is_table(text: &str) -> bool {
+    let names = text.lines().filter_map(|line| Some(line.split_once(':')?.0.trim()));
+    !text.trim_start().starts_with(['{', '[']) && names.into_iter().any(|name| Class::ALL.iter().any(|class| class.name() == name))
 }

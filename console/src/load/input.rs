@@ -29,7 +29,8 @@ pub fn open(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
 pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     let mut opened = open(file)?;
     let content = Content::of(opened.fill_buf().map_err(unreadable(file))?);
-    if matches!(content, Content::Map | Content::Beliefs | Content::Model | Content::Picture) || is_home(opened.buffer()) {
+    let is_other = matches!(content, Content::Map | Content::Beliefs | Content::Model | Content::Picture | Content::ClosedWords);
+    if is_other || is_home(opened.buffer()) {
         let message = format!("this is {}, not a session log; name a log (goodbot example log prints one)", content.name());
         return Err(Fault::new(name(file), message));
     }

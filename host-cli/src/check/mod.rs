@@ -1,4 +1,5 @@
-//! `goodbot check`: every fault of an environment, a session log or recorded beliefs, with its line and field, and what is doubtful.
+//! `goodbot check`: every fault of an environment, a session log, recorded beliefs or a table of closed words, with its line and field, and what is
+//! doubtful.
 //!
 //! - [`doubts`]: what is allowed and hardly meant.
 
@@ -8,6 +9,7 @@ use clap::Args;
 use goodbot::Options;
 use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
+use goodbot::talk::{Class, ClosedWords, ClosedWordsError};
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
@@ -32,7 +34,7 @@ const MOST_FAULTS: usize = 100;
 /// The most faults that are told of one file, whatever they say.
 const MOST_IN_ALL: usize = 10_000;
 
-/// Check homes, session logs and beliefs: name every fault and every doubtful entry
+/// Check homes, session logs, beliefs and tables of closed words: name every fault and every doubtful entry
 ///
 /// The file type is detected from its contents. In a session log, each step must be possible where
 /// it is taken, and so must each task that the log names.
@@ -46,7 +48,7 @@ Exit codes: 0 no fault, 2 at least one.
 Example: goodbot check home.json lessons.jsonl"
 )]
 pub struct CheckArgs {
-    /// Homes (JSON or drawn as text), session logs and beliefs (JSON Lines); - is standard input
+    /// Homes (JSON or drawn as text), session logs and beliefs (JSON Lines), tables of closed words; - is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<String>,
     #[command(flatten)]
@@ -195,7 +197,7 @@ fn check(file: &str, lifted: &[LiftedTask]) -> Result<Findings, Fault> {
         return check_worlds(name, opened);
     }
     if matches!(content, Content::Model | Content::Picture) {
-        let message = format!("this is {}; check looks at homes, session logs and beliefs", content.name());
+        let message = format!("this is {}; check looks at homes, session logs, beliefs and tables of closed words", content.name());
         return Err(Fault::new(name, message));
     }
     let bytes = input::rest(name, opened)?;
@@ -210,6 +212,7 @@ fn check(file: &str, lifted: &[LiftedTask]) -> Result<Findings, Fault> {
     Ok(match content {
         Content::Beliefs => check_beliefs(name, &text),
         Content::Map => check_map(name, &text),
+        Content::ClosedWords => check_closed_words(name, &text),
         _ => check_environment(name, &text),
     })
 }
@@ -228,6 +231,25 @@ fn check_map(file: &str, text: &str) -> Findings {
         Err(wrong) => found.faults.push(Fault::on_line(file, wrong.line, wrong.message)),
     }
     found
+}
+
+/// Each line by itself, and then all together: what is wrong between two lines.
+fn check_closed_words(file: &str, text: &str) -> Findings {
+    let in_line = |(line, number): (&str, usize)| Some(Fault::on_line(file, number, without_line(ClosedWords::new(line).err()?)));
+    let mut faults: Vec<Fault> = text.lines().zip(1..).filter_map(in_line).take(MOST_FAULTS).collect();
+    let mut count = 0;
+    match ClosedWords::new(text) {
+        Ok(table) => count = Class::ALL.iter().map(|&class| table.count(class)).sum(),
+        Err(error @ ClosedWordsError::Opposites { lines: [_, line], .. }) => faults.push(Fault::on_line(file, line, error)),
+        Err(_) => {}
+    }
+    Findings { what: format!("a table of {}", counted(count, "closed word")), faults, warnings: vec![] }
+}
+
+/// What is wrong in a text of one line, without the line's number.
+fn without_line(error: ClosedWordsError<'_>) -> String {
+    let text = error.to_string();
+    text.strip_prefix("line 1: ").map_or_else(|| text.clone(), str::to_owned)
 }
 
 fn check_environment(file: &str, text: &str) -> Findings {

@@ -317,6 +317,21 @@ fn a_session_is_judged_alike_by_all_who_read_it() {
 }
 
 #[test]
+fn a_table_of_closed_words_is_checked_too() {
+    let run = check(goodbot(&["example", "closed-words"], b"").output.as_bytes());
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert!(run.output.starts_with("standard input: a table of ") && run.output.ends_with(" closed words, no fault\n"), "{}", run.output);
+    let messages = [
+        "2: \"colour\" is no class of words",
+        "3: write \"Halt\" in lower case and without punctuation",
+        "4: write a class and a colon before \"wait\"",
+    ];
+    assert_refused(b"# My words\ncolour: red\nstop: Halt\nwait\n", &messages);
+    assert_refused(b"yes: yes ok\n\nno: ok no\n", &["3: \"ok\" is yes on line 1 and no on line 3; leave it in one of them"]);
+    assert!(goodbot(&["learn", "-", "--out", "-"], b"no: no\n").messages.contains("this is a table of closed words, not a session log"));
+}
+
+#[test]
 fn a_home_drawn_as_text_is_checked_too() {
     let drawing = goodbot(&["example", "map"], b"").output;
     assert_eq!(check(drawing.as_bytes()).output, "standard input: a home, drawn as text, no fault\n");
