@@ -16,7 +16,8 @@ pub mod worlds;
 use crate::believes::Believes;
 use crate::load::content::Content;
 use crate::load::input;
-use crate::messages::{bar, counted, printable, say, summed};
+use crate::load::limit::Limit;
+use crate::messages::{bar, counted, counting, printable, say, summed};
 use crate::outcome::Failure;
 use evidence::{Witness, told_pairs};
 use goodbot::Options;
@@ -122,6 +123,8 @@ pub struct Told {
     pub believes: Option<Believes>,
     /// Whether sessions at fault are passed over.
     pub keep_going: bool,
+    /// How many sessions are read of all files together.
+    pub limit: Limit,
 }
 
 /// Reads the sessions of all files and walks through them.
@@ -131,6 +134,8 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);
     let (mut lessons, mut homes, mut remarks) = (Vec::new(), None, Vec::new());
     let ways = lifted.iter().any(LiftedTask::has_way);
+    let mut left = told.limit.count();
+    let progress = counting("reading sessions");
     for file in files {
         let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
         let name = input::name(file);
@@ -140,7 +145,8 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
             return Err(Failure::Input(Fault::new(name, message).to_string()));
         }
         if !is_of_homes {
-            worlds::read(name, opened, options, told.believes.as_ref(), plans, |lesson| {
+            worlds::read(name, opened, options, told.believes.as_ref(), plans, &mut left, |lesson| {
+                progress.inc(1);
                 match lesson {
                     Ok(Some(_)) if lessons.len() >= MOST_SESSIONS => return Err(too_many(name)),
                     Ok(Some(lesson)) => {
@@ -148,21 +154,24 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
                         lessons.push(lesson);
                     }
                     Ok(None) => no_task += 1,
-                    Err(fault) => refuse(&[fault], keep_going, &mut skipped)?,
+                    Err(fault) => progress.suspend(|| refuse(&[fault], keep_going, &mut skipped))?,
                 }
                 Ok(())
             })?;
             continue;
         }
-        for session in SessionReader::new(opened) {
+        for session in SessionReader::new(opened).take(left) {
+            progress.inc(1);
+            left -= 1;
             match session {
                 Ok(session) if session.header.has_way() && !ways => with_way += 1,
                 Ok(_) if sessions.len() >= MOST_SESSIONS => return Err(too_many(name)),
                 Ok(session) => sessions.push((name.to_owned(), session)),
-                Err(error) => refuse(&[Fault::from_format(name, error)], keep_going, &mut skipped)?,
+                Err(error) => progress.suspend(|| refuse(&[Fault::from_format(name, error)], keep_going, &mut skipped))?,
             }
         }
     }
+    progress.finish_and_clear();
     let progress = bar(sessions.len(), "walking through sessions");
     let walked: Vec<Result<Lesson, Vec<Fault>>> = sessions
         .par_iter()

@@ -43,7 +43,8 @@ struct Worlds<'b> {
 }
 
 /// Reads a log of worlds, and hands over each lesson, or what is wrong with it: `None` for a command whose meaning is none of the tasks.
-/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted.
+/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted. So many
+/// commands and sessions are read as are `left`.
 ///
 /// # Errors
 /// What `take` says.
@@ -53,11 +54,16 @@ pub fn read<E>(
     options: Options,
     believes: Option<&Believes>,
     plans: bool,
+    left: &mut usize,
     mut take: impl FnMut(Result<Option<Lesson>, Fault>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut known = Worlds { options, believes, plans, worlds: HashMap::new() };
     let mut lines = WorldReader::new(log);
     while let Some(line) = lines.next() {
+        if *left == 0 {
+            break;
+        }
+        *left -= usize::from(!matches!(line, Ok(Line::World(_))));
         match line {
             Err(error) => take(Err(Fault::from_format(file, error)))?,
             Ok(Line::World(world)) => {

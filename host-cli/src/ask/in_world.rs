@@ -54,7 +54,8 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     let agent = restored::options(&options.with)?;
     if options.log.is_some() {
         let mut lessons = Vec::new();
-        worlds::read(name, opened, agent, None, false, |lesson| {
+        let mut left = usize::MAX;
+        worlds::read(name, opened, agent, None, false, &mut left, |lesson| {
             lessons.extend(lesson.map_err(fault)?);
             Ok::<(), Failure>(())
         })?;

@@ -15,6 +15,7 @@ use goodbot_console::lessons::worlds;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, counting, printable, summed};
 use goodbot_console::outcome;
 use goodbot_console::whole_file::MOST_BYTES;
@@ -53,6 +54,8 @@ pub struct CheckArgs {
     files: Vec<String>,
     #[command(flatten)]
     kinds: TaskKinds,
+    #[command(flatten)]
+    limit: Limit,
     /// Print a line of JSON for each fault and each warning, and one for each file
     #[arg(long)]
     json: bool,
@@ -99,7 +102,7 @@ pub fn run(args: &CheckArgs) -> u8 {
     };
     let mut sound = true;
     for file in &args.files {
-        let found = check(file, &lifted).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
+        let found = check(file, &lifted, args.limit).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
         sound &= found.faults.is_empty();
         let told = if args.json { tell_json(input::name(file), &found) } else { tell(input::name(file), &found) };
         // The exit code says the same, should no one read the output to its end.
@@ -118,7 +121,7 @@ pub fn run(args: &CheckArgs) -> u8 {
 /// The first fault, and how many there are.
 pub fn summary(file: &str) -> Result<String, String> {
     let lifted = paper_tasks().map_err(|error| error.to_string())?;
-    let found = check(file, &lifted).map_err(|fault| fault.to_string())?;
+    let found = check(file, &lifted, Limit::default()).map_err(|fault| fault.to_string())?;
     match found.faults.split_first() {
         None => Ok(found.what),
         Some((first, [])) => Err(first.to_string()),
@@ -185,16 +188,16 @@ fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
 ///
 /// # Errors
 /// Why it cannot be read.
-fn check(file: &str, lifted: &[LiftedTask]) -> Result<Findings, Fault> {
+fn check(file: &str, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
     let name = input::name(file);
     let mut opened = input::open(file)?;
     let unreadable = |error: std::io::Error| Fault::new(name, format!("cannot be read ({error}); check its name and that you may read it"));
     let content = Content::of(opened.fill_buf().map_err(unreadable)?);
     if content == Content::Log {
-        return Ok(check_log(name, opened, lifted));
+        return Ok(check_log(name, opened, lifted, limit));
     }
     if content == Content::Worlds {
-        return check_worlds(name, opened);
+        return check_worlds(name, opened, limit);
     }
     if matches!(content, Content::Model | Content::Picture) {
         let message = format!("this is {}; check looks at homes, session logs, beliefs and tables of closed words", content.name());
@@ -243,7 +246,7 @@ fn check_closed_words(file: &str, text: &str) -> Findings {
         Err(error @ ClosedWordsError::Opposites { lines: [_, line], .. }) => faults.push(Fault::on_line(file, line, error)),
         Err(_) => {}
     }
-    Findings { what: format!("a table of {}", counted(count, "closed word")), faults, warnings: vec![] }
+    Findings { what: format!("a table of {}", counted(count, "closed word")), faults, ..Findings::default() }
 }
 
 /// What is wrong in a text of one line, without the line's number.
@@ -281,15 +284,17 @@ fn warned(file: &str, environment: &EnvironmentFile, line: Option<usize>, way: &
     Fault { line, ..Fault::new(file, format!("{named}: {message}")) }.in_field(field)
 }
 
-fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
+fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask], limit: Limit) -> Findings {
     let mut found = Findings::default();
     let (mut sessions, mut steps) = (0_usize, 0_usize);
     let mut ids: HashMap<String, usize> = HashMap::new();
     // Most sessions of a log are in a home that was there before.
     let mut homes: Vec<EnvironmentFile> = Vec::new();
     let progress = counting("sessions checked");
-    for recorded in SessionReader::new(log) {
+    let mut left = limit.count();
+    for recorded in SessionReader::new(log).take(left) {
         progress.inc(1);
+        left -= 1;
         match recorded {
             Ok(recorded) => {
                 sessions += 1;
@@ -308,8 +313,13 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask]) -> Findings {
         }
     }
     progress.finish_and_clear();
-    found.what = format!("{} of {}", counted(sessions, "session"), counted(steps, "step"));
+    found.what = format!("{} of {}{}", counted(sessions, "session"), counted(steps, "step"), as_far(left));
     found
+}
+
+/// Says of a log that the limit was reached.
+const fn as_far(left: usize) -> &'static str {
+    if left == 0 { ", as far as --limit" } else { "" }
 }
 
 /// So many states of a robot are looked at.
@@ -340,12 +350,12 @@ fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Fl
 }
 
 /// A world, be it on one line or on many, or a log of worlds.
-fn check_worlds(file: &str, mut opened: impl BufRead) -> Result<Findings, Fault> {
+fn check_worlds(file: &str, mut opened: impl BufRead, limit: Limit) -> Result<Findings, Fault> {
     let (head, is_more) = first_line(file, &mut opened)?;
     if is_world(&head, is_more) {
         return check_world(&input::WorldInFile::parse(file, input::rest(file, head.chain(opened))?)?);
     }
-    Ok(check_log_of_worlds(file, head.chain(opened)))
+    Ok(check_log_of_worlds(file, head.chain(opened), limit))
 }
 
 /// All up to the end of the first line that is not blank, and whether more follows.
@@ -392,10 +402,13 @@ fn check_world(read: &input::WorldInFile) -> Result<Findings, Fault> {
     Ok(found)
 }
 
-fn check_log_of_worlds(file: &str, opened: impl BufRead) -> Findings {
+fn check_log_of_worlds(file: &str, opened: impl BufRead, limit: Limit) -> Findings {
     let mut found = Findings::default();
     let (mut sessions, mut commands, mut no_task) = (0_usize, 0_usize, 0_usize);
-    let read = worlds::read(file, opened, Options::DEFAULT, None, false, |lesson| {
+    let mut left = limit.count();
+    let progress = counting("sessions checked");
+    let read = worlds::read(file, opened, Options::DEFAULT, None, false, &mut left, |lesson| {
+        progress.inc(1);
         match lesson {
             Ok(Some(lesson)) if lesson.header.kind != Kind::Labelled => {
                 sessions += 1;
@@ -409,6 +422,7 @@ fn check_log_of_worlds(file: &str, opened: impl BufRead) -> Findings {
         }
         if found.is_full() { Err(()) } else { Ok(()) }
     });
+    progress.finish_and_clear();
     if read.is_err() {
         found.cut(file);
     }
@@ -422,7 +436,7 @@ fn check_log_of_worlds(file: &str, opened: impl BufRead) -> Findings {
     let told =
         [(sessions, "session"), (commands, "command")].into_iter().filter(|&(count, what)| count > 0 || what == "command" && sessions == 0);
     let told: Vec<String> = told.map(|(count, what)| counted(count, what)).collect();
-    found.what = format!("a log of worlds with {}", told.join(" and "));
+    found.what = format!("a log of worlds with {}{}", told.join(" and "), as_far(left));
     found
 }
 

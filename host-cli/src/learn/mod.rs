@@ -6,6 +6,7 @@ use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
 use goodbot_console::lessons::{self, Told, training};
 use goodbot_console::load::kinds::{TaskKinds, with_kinds};
+use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
@@ -48,6 +49,8 @@ pub struct LearnOptions {
     /// Leave out the session of this id; may be given several times
     #[arg(long, value_name = "ID")]
     without: Vec<String>,
+    #[command(flatten)]
+    limit: Limit,
     /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
@@ -60,7 +63,7 @@ pub struct LearnOptions {
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
-    let told = Told { believes: options.believes.clone(), keep_going: options.keep_going };
+    let told = Told { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
     let lessons::Lessons { mut lessons, skipped, with_way, no_task, long } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {

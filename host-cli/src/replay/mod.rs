@@ -16,6 +16,7 @@ use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, is_quiet, printable, say};
 use goodbot_console::output::Output;
 use goodbot_formats::session::SessionReader;
@@ -73,6 +74,8 @@ pub struct ReplayArgs {
     /// Learn all words anew after every session: the time grows with the square of their number
     #[arg(long)]
     every_session: bool,
+    #[command(flatten)]
+    limit: Limit,
     /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
@@ -152,8 +155,11 @@ impl Replay {
     }
 
     fn files(&mut self, args: &ReplayArgs) -> Result<u8, Failure> {
-        let mut commands = 0;
+        let (mut commands, mut left) = (0, args.limit.count());
         for file in &args.files {
+            if left == 0 {
+                break;
+            }
             let opened = match input::log(file) {
                 Ok(opened) => opened,
                 Err(fault) => {
@@ -164,6 +170,9 @@ impl Replay {
             let name = input::name(file);
             if Content::of(opened.buffer()) == Content::Worlds {
                 for line in WorldReader::new(opened) {
+                    if left == 0 {
+                        break;
+                    }
                     let replayed = match line {
                         Ok(Line::Session(session)) => self.history.replay_in(name, &session),
                         Ok(Line::World(_)) => continue,
@@ -173,13 +182,15 @@ impl Replay {
                         }
                         Err(error) => Err(vec![Fault::from_format(name, error)]),
                     };
+                    left -= 1;
                     if !self.take_or_tell(args, replayed)? {
                         return Ok(2);
                     }
                 }
                 continue;
             }
-            for session in SessionReader::new(opened) {
+            for session in SessionReader::new(opened).take(left) {
+                left -= 1;
                 let replayed = match session {
                     Ok(session) => self.history.replay(name, &session),
                     Err(error) => {

@@ -332,6 +332,26 @@ fn a_table_of_closed_words_is_checked_too() {
 }
 
 #[test]
+fn no_more_of_a_log_is_read_than_the_limit_says() {
+    let sound = |id: &str| session(AGENT, "feedback", "go", r#","intended":["agentInRoom(agent0,room1)"]"#).replace(r#""id":"s""#, id);
+    let north = step("north", "reward");
+    let input = log([&sound(r#""id":"a""#), &north, END, &sound(r#""id":"b""#), &north, END, "broken"]);
+    let checked = |limit: &str| goodbot(&["check", "-", "--limit", limit], &input);
+    assert_eq!(checked("1").output, "standard input: 1 session of 1 step, as far as --limit, no fault\n");
+    assert_eq!(checked("2").code, 0);
+    assert_eq!(checked("3").code, 2);
+    let folder = tempfile::tempdir().unwrap();
+    let model = folder.path().join("words.goodbot");
+    for command in [&["replay", "-"][..], &["learn", "-", "--out", model.to_str().unwrap()], &["evaluate", "-"]] {
+        let run = |limit: &str| goodbot(&[command, &["--limit", limit]].concat(), &input);
+        let (two, three) = (run("2"), run("3"));
+        assert_eq!((two.code, three.code), (0, 2), "{command:?}: {} {}", two.messages, three.messages);
+    }
+    let none = checked("0");
+    assert!(none.code == 2 && none.messages.contains("give a whole number of 1 or more"), "{}", none.messages);
+}
+
+#[test]
 fn a_home_drawn_as_text_is_checked_too() {
     let drawing = goodbot(&["example", "map"], b"").output;
     assert_eq!(check(drawing.as_bytes()).output, "standard input: a home, drawn as text, no fault\n");

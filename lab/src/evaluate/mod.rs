@@ -26,6 +26,7 @@ use goodbot::task::LiftedTask;
 use goodbot::{Capacities, Options};
 use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
 use goodbot_console::load::kinds::TaskKinds;
+use goodbot_console::load::limit::Limit;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
@@ -102,6 +103,8 @@ pub struct EvaluateOptions {
     /// Replace files that goodbot did not write
     #[arg(long)]
     force: bool,
+    #[command(flatten)]
+    limit: Limit,
     /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
@@ -239,7 +242,7 @@ fn with_model(
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
     let agent = restored::options(file)?;
-    let told = Told { keep_going: options.keep_going, ..Told::default() };
+    let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
     let asked = lessons::read(&files, lifted, agent, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let synonyms = options.synonyms.read()?;
@@ -279,7 +282,7 @@ struct Sessions {
 impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let plans = options.learner == Method::Action;
-        let told = Told { keep_going: options.keep_going, ..Told::default() };
+        let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
         let taught = lessons::read(&options.files, lifted, agent, plans, &told)?;
         let asked = match options.test.as_slice() {
             [] => None,
