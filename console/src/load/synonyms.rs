@@ -4,8 +4,10 @@ use super::input;
 use crate::outcome::Failure;
 use crate::refusal;
 use clap::{Args, ValueHint};
+use goodbot::capacity::CapacityError;
 use goodbot::language::{LanguageRef, Synonyms};
 use goodbot_lesson::Fault;
+use std::borrow::Cow;
 
 /// Where the table is.
 #[derive(Debug, Args)]
@@ -49,6 +51,33 @@ impl SynonymFile {
         let text = str::from_utf8(&self.bytes).map_err(|_| fault("is not UTF-8; write words in UTF-8".to_owned()))?;
         Synonyms::new(text).map_err(|error| fault(error.to_string()))
     }
+
+    /// The same, for as long as the program runs.
+    ///
+    /// # Errors
+    /// As [`table`](Self::table).
+    pub fn kept(self) -> Result<Synonyms<'static>, Failure> {
+        // A program reads one table.
+        Box::leak(Box::new(self)).table()
+    }
+}
+
+/// What was said, with unknown words replaced by known synonyms. Where there are none it stays as it is, with its punctuation: a robot that
+/// listens reads that.
+///
+/// # Errors
+/// A [`CapacityError`] where a word is too long.
+pub fn said_in_known_words<'w>(synonyms: Synonyms<'_>, language: LanguageRef<'_>, words: &'w str) -> Result<Cow<'w, str>, CapacityError> {
+    let mut is_other = false;
+    synonyms.for_each_word(language, words, |said, heard| {
+        is_other |= said != heard;
+        Ok(())
+    })?;
+    if !is_other {
+        return Ok(Cow::Borrowed(words));
+    }
+    let mark = if words.trim_end().ends_with(['?', '？']) { "?" } else { "" };
+    Ok(Cow::Owned(synonyms.in_known_words(language, words)? + mark))
 }
 
 /// A command with unknown words replaced by known synonyms, if a table has them.

@@ -1,6 +1,7 @@
 //! The agent that goes through recorded sessions, one after the other.
 
 use goodbot::feedback::Feedback;
+use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::Domain;
 use goodbot::session::{Evidence, Options};
@@ -8,6 +9,7 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::{evidence, restored};
+use goodbot_console::load::synonyms::said_in_known_words;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
@@ -19,6 +21,7 @@ use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Step;
 use goodbot_lesson::world::robot::{self, Robot, Tables};
 use goodbot_lesson::{Fault, home, world};
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The name of the paper's trainer strategy, which is considered where no session names others.
@@ -61,6 +64,8 @@ pub struct History {
     strategies: Vec<String>,
     /// What is expected of trainers, where that is not what the sessions say.
     believes: Option<Believes>,
+    /// Words that the agent hears as words that it knows.
+    synonyms: Synonyms<'static>,
     /// Who trained last.
     trainer: Option<String>,
     last: Last,
@@ -103,12 +108,13 @@ pub struct Outcome {
 
 impl History {
     /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, and `believes` is what it expects of trainers,
-    /// in place of what the sessions say.
+    /// in place of what the sessions say. Unknown words are heard as known ones of their line of `synonyms`.
     pub fn new(
         lifted: &[LiftedTask],
         options: Options,
         learning: Learning,
         believes: Option<Believes>,
+        synonyms: Synonyms<'static>,
     ) -> Result<Self, goodbot::AgentError> {
         let options = believes.as_ref().map_or(options, |believes| believes.options(options));
         Ok(Self {
@@ -120,6 +126,7 @@ impl History {
             worlds: vec![],
             strategies: vec![BALANCED.to_owned()],
             believes,
+            synonyms,
             trainer: None,
             last: Last::Nothing,
         })
@@ -162,10 +169,10 @@ impl History {
             }
         };
         let Some((_, robot, lifted)) = self.worlds.get(known) else { return Err(vec![]) };
-        let session = world::checked::check_steps(file, recorded, *robot, lifted)?;
+        let mut session = world::checked::check_steps(file, recorded, *robot, lifted)?;
         let lifted = lifted.clone();
         self.expect_tasks(&lifted).map_err(|message| at(&message))?;
-        self.go_through(file, &recorded.session, &session, "this step of the demonstration changes nothing")
+        self.go_through(file, &recorded.session, &mut session, "this step of the demonstration changes nothing")
     }
 
     /// Makes the agent one whose commands may mean these tasks. What the words mean is taken along.
@@ -190,10 +197,10 @@ impl History {
 
     fn try_replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         self.check_continues(file, recorded)?;
-        let session = check_steps(file, recorded, &self.lifted, home::memory())?;
+        let mut session = check_steps(file, recorded, &self.lifted, home::memory())?;
         let lifted = self.lifted.clone();
         self.expect_tasks(&lifted).map_err(|message| vec![Fault::on_line(file, recorded.header_line, message)])?;
-        self.go_through(file, recorded, &session, "the demonstration walks into a wall or a held block, and nothing moves")
+        self.go_through(file, recorded, &mut session, "the demonstration walks into a wall or a held block, and nothing moves")
     }
 
     /// Goes through a session. `bump` says of a demonstration's step that it changes nothing.
@@ -201,12 +208,17 @@ impl History {
         &mut self,
         file: &str,
         recorded: &RecordedSession,
-        session: &CheckedSession<D>,
+        session: &mut CheckedSession<D>,
         bump: &str,
     ) -> Result<Outcome, Vec<Fault>> {
         let header = &recorded.header;
         let at = |line: usize| move |error: AgentError| vec![Fault::on_line(file, line, error)];
         self.meet(file, recorded).map_err(at(recorded.header_line))?;
+        let said = [Some(&mut session.walk.command), session.walk.listening.as_mut().map(|listening| &mut listening.utterance)];
+        for words in said.into_iter().flatten() {
+            let heard = said_in_known_words(self.synonyms, self.agent.language(), words).map(Cow::into_owned);
+            *words = heard.map_err(|error| at(recorded.header_line)(error.into()))?;
+        }
         if let (Some(records), false) = (&header.strategies, self.expects()) {
             self.strategies = records.iter().map(|record| record.name.clone()).collect();
         }

@@ -17,6 +17,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
+use goodbot_console::load::synonyms::{SynonymFile, SynonymOptions};
 use goodbot_console::messages::{counted, is_quiet, printable, say};
 use goodbot_console::output::Output;
 use goodbot_formats::session::SessionReader;
@@ -65,6 +66,8 @@ pub struct ReplayArgs {
     /// line tells how right it was in sessions with feedback
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON[,LAGS]", allow_hyphen_values = true)]
     believes: Option<Believes>,
+    #[command(flatten)]
+    synonyms: SynonymOptions,
     /// Write a reliability diagram: how often a task was intended, against its probability at the end; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
@@ -140,6 +143,7 @@ impl Replay {
                 args.options(),
                 learning,
                 args.believes.clone(),
+                args.synonyms.read().and_then(SynonymFile::kept).map_err(|failure| failure.to_string())?,
             )?,
             totals: Totals::default(),
             progress,

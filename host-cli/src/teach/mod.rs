@@ -33,6 +33,7 @@ use goodbot_console::learner::Learner;
 use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds;
+use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::Output;
@@ -117,6 +118,8 @@ pub struct TeachOptions {
     wanted: Option<PathBuf>,
     #[command(flatten)]
     closed_words: ClosedWordOptions,
+    #[command(flatten)]
+    synonyms: SynonymOptions,
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
@@ -212,7 +215,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     }
     let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
     let trainer = trainer.with_starter(starter).map_err(refuse)?;
-    let trainer = trainer.with_closed_words(options.closed_words.read()?.kept()?);
+    let trainer = trainer.with_closed_words(options.closed_words.read()?.kept()?).with_synonyms(options.synonyms.read()?.kept()?);
     let kept = places.map(|places| Kept::open(places, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));

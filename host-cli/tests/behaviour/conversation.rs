@@ -45,6 +45,27 @@ fn several_commands_are_a_session_each_and_other_commands_read_their_log() {
 }
 
 #[test]
+fn a_robot_with_a_table_of_synonyms_hears_known_words_and_its_log_has_these() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let [log, table] = ["log.jsonl", "words.txt"].map(|name| folder.path().join(name).to_str().expect("a name").to_owned());
+    std::fs::write(&table, "blue azure\ngreen emerald\n").expect("a file");
+    {
+        let mut robot = Robot::new(&["--model", &model, "--log", &log, "--synonyms", &table]);
+        robot.tell(&format!("home {}", three_rooms().json()));
+        let heard = robot.one("command go to the azure room");
+        assert_eq!((&heard["command"], &heard["certainty"]), (&json!("go to the blue room"), &json!("sure")), "{heard}");
+        robot.tell("step");
+        robot.tell("silence");
+        robot.tell("say no, the emerald room");
+        assert_eq!(robot.walk(silence), go(2));
+        robot.tell("finish");
+    }
+    let written = std::fs::read_to_string(&log).expect("a log");
+    assert!(written.contains(r#""command":"go to the blue room""#) && !written.contains("azure"), "{written}");
+    assert_eq!(goodbot(&["replay", &log], b"").code, 0);
+}
+
+#[test]
 fn all_things_of_a_kind_are_brought_one_after_another() {
     let (_folder, model) = taught(120, &ENGLISH);
     let mut robot = Robot::new(&["--model", &model]);

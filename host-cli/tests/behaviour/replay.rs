@@ -48,6 +48,25 @@ fn what_is_learned_from_one_session_is_believed_in_the_next() {
 }
 
 #[test]
+fn an_unknown_word_is_heard_as_a_known_synonym() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let table = folder.path().join("words.txt");
+    std::fs::write(&table, "green emerald\n").expect("a file");
+    let home = format!("{AGENT},{BLOCK}");
+    let walks = |word: &str| {
+        let [first, then] = ["green", word].map(|word| session(&home, "feedback", &format!("walk to the {word} one"), ""));
+        log([&first, &step("north", "reward"), &step("north", "reward"), END, &then, END])
+    };
+    let arguments = ["replay", "--json", "-", "--synonyms", table.to_str().expect("a name")];
+    let believed = |word: &str, arguments: &[&str]| goodbot(arguments, &walks(word)).output;
+    assert_eq!(believed("emerald", &arguments), believed("green", &arguments));
+    assert_ne!(believed("emerald", &arguments[..3]), believed("green", &arguments[..3]));
+    std::fs::write(&table, "green Emerald\n").expect("a file");
+    let run = goodbot(&arguments, &walks("green"));
+    assert!(run.code == 2 && run.messages.contains("\"Emerald\" is not heard as one word"), "{}", run.messages);
+}
+
+#[test]
 fn a_recorded_prior_and_recorded_strategies_are_believed() {
     let more = format!(
         r#","prior":{{"{TO_GREEN}":0.25,"{TAKE}":0.75}},"strategies":[{{"name":"kind","mu_plus":0.1,"mu_minus":0.9,"epsilon":0.1,"prior":0.6}},{{"name":"stern","mu_plus":0.9,"mu_minus":0.1,"epsilon":0.1,"prior":0.4}}]"#

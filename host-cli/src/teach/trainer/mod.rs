@@ -22,6 +22,7 @@ use crate::teach::site::{Recorded, Setting, Site, SiteState};
 use crate::teach::table::{Table, table};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
+use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
@@ -32,6 +33,7 @@ use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_console::load::kinds::with_kinds;
+use goodbot_console::load::synonyms::said_in_known_words;
 use goodbot_console::messages::say;
 use goodbot_console::refusal::InWords;
 use goodbot_console::starter::Starter;
@@ -45,6 +47,7 @@ use goodbot_lesson::live::{Lesson, LiveError};
 use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
+use std::borrow::Cow;
 use std::fmt;
 
 /// Why something was refused, in words for the trainer.
@@ -94,6 +97,8 @@ pub struct Trainer {
     listened: Option<Listened>,
     /// How many words of the last command it did not read.
     unread: usize,
+    /// Words that the robot hears as words that it knows.
+    synonyms: Synonyms<'static>,
 }
 
 impl Trainer {
@@ -105,7 +110,18 @@ impl Trainer {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
         let half_taught = HalfTaught::default();
-        Ok(Self { lesson, start, id: None, intended: None, random: generator(seed), believes, half_taught, listened: None, unread: 0 })
+        Ok(Self {
+            lesson,
+            start,
+            id: None,
+            intended: None,
+            random: generator(seed),
+            believes,
+            half_taught,
+            listened: None,
+            unread: 0,
+            synonyms: Synonyms::NONE,
+        })
     }
 
     /// The same robot, whose commands mean tasks of these kinds: it has learned nothing yet.
@@ -126,6 +142,17 @@ impl Trainer {
     pub const fn with_closed_words(mut self, closed: ClosedWords<'static>) -> Self {
         self.lesson.closed = closed;
         self
+    }
+
+    /// The same robot, which hears unknown words as known ones of their line in a table.
+    pub const fn with_synonyms(mut self, synonyms: Synonyms<'static>) -> Self {
+        self.synonyms = synonyms;
+        self
+    }
+
+    /// What was said, as the robot hears it.
+    fn in_known_words<'w>(&self, words: &'w str) -> Result<Cow<'w, str>, Refusal> {
+        said_in_known_words(self.synonyms, self.lesson.agent.language(), words).map_err(refused)
     }
 
     /// A mind that has learned nothing yet, with so much room and room for a starter.
@@ -240,6 +267,7 @@ impl Trainer {
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
+        let command = &self.in_known_words(command)?;
         let environment = self.lesson.environment();
         let read = read(command).map_err(refused)?;
         self.unread = read.long().map_or(0, |long| long.unread());
@@ -315,11 +343,12 @@ impl Trainer {
     pub fn said(&self, words: &str) -> Result<Said, Refusal> {
         // In a session, words that are too long are refused: their first ones could end it.
         let words = if self.lesson.is_under_way() { words } else { words_read(words) };
-        self.lesson.said(words).map_err(refused)
+        self.lesson.said(&self.in_known_words(words)?).map_err(refused)
     }
 
     /// Takes in words that turn the robot on its way round.
     pub fn correct(&mut self, words: &str) -> Result<Evidence, Refusal> {
+        let words = &self.in_known_words(words)?;
         self.lesson.correct(words).map_err(refused)
     }
 
