@@ -5,7 +5,7 @@ import { t } from './language.js';
 import { WORD, spaced } from './learned.js';
 import { render } from './render.js';
 import { begin, finishWithoutLearning, giveFeedback, keepSession, leaveSession, noteAnswer, startSession, stopSession, takeStepBack, thatWasIt, togglePause, undo, wake } from './session.js';
-import { $, announce, attempt, state } from './state.js';
+import { $, announce, attempt, state, tell } from './state.js';
 import { beliefNow, taskWords } from './words.js';
 
 // The command that was told last.
@@ -98,11 +98,17 @@ function follow(heard, words) {
   else remark(t(heard.verdict === 'none' ? 'talk.none' : 'talk.unsure'), words);
 }
 
-// The robot says something while nothing is asked of it. `words` may be a command all the same.
+// The robot says something while nothing is asked of it. `words` may be a command all the same. On its way its bubble says what it does: it would
+// say the rest when nobody thinks of it any more.
 function remark(text, words) {
   state.said = [text, ''];
   state.already = words;
   announce(text);
   render();
+  if (state.session) {
+    $('command').value = '';
+    tell(text);
+    return;
+  }
   if (words) $('else').focus();
 }

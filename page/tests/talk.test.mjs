@@ -227,6 +227,24 @@ test('“stop”, “good” and “hello” are no commands; who means one can 
   await close(page);
 });
 
+test('an emoji alone, while the robot walks, is answered at once, and not when the session is over', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await say(page, 'go to the red room');
+  await waits(page);
+  const bubble = await page.textContent('#say');
+  await say(page, '👍');
+  assert.match(await page.textContent('#live'), /There is no word in that/);
+  assert.ok(await page.isVisible('#toast'), 'who looks sees it too');
+  assert.equal(await page.inputValue('#command'), '', 'the field is free for words');
+  assert.equal(await page.textContent('#say'), bubble);
+  await page.click('#drop');
+  await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  assert.doesNotMatch(await page.textContent('#say'), /There is no word in that/);
+  await close(page);
+});
+
 test('“undo” takes back the last session', async () => {
   const page = await open(browser);
   await play(page, 'A');
