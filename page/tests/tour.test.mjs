@@ -26,7 +26,7 @@ async function ask(page, at) {
 
 test('a test says whether its command was taught: three of five repeat a lesson in another home', async () => {
   const page = await open(browser);
-  assert.match(await page.textContent('#tour-hint'), /knows no word/);
+  assert.match(await page.textContent('#say'), /know no word/);
   await page.locator('#dots button').nth(9).click();
   assert.match(await page.textContent('#tour-hint'), /never heard this command/, 'a robot that was taught nothing');
   await page.locator('#dots button').first().click();
