@@ -260,6 +260,36 @@ test('“undo” takes back the last session', async () => {
   await close(page);
 });
 
+test('what would change something is no command where nothing was before, in every language', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  for (const [language, nothing, undone, sentences, undo] of [
+    ['en', /nothing to change yet/, /nothing to undo/, ['no, the other one', 'No, the blue one!', 'forget it', 'put it back'], 'undo'],
+    ['de', /nichts zu ändern/, /nichts rückgängig/, ['nein, den anderen', 'vergiss es', 'leg es zurück'], 'rückgängig'],
+    ['es', /nada que cambiar/, /nada que deshacer/, ['no, el otro'], 'deshaz'],
+    ['fr', /rien à changer/, /rien à annuler/, ['non, l’autre'], 'annule'],
+    ['zh', /还没有可以改的/, null, ['不，另一个', '忘了吧', '放回去'], ''],
+  ]) {
+    await page.selectOption('#language', language);
+    for (const words of sentences) {
+      await say(page, words);
+      assert.match(await page.textContent('#say'), nothing, words);
+      assert.ok(await page.isHidden('#finish'), words + ' begins no session');
+    }
+    if (!undone) continue;
+    await say(page, undo);
+    assert.match(await page.textContent('#say'), undone, undo);
+  }
+  await page.selectOption('#language', 'en');
+  await say(page, 'no, the other one');
+  await page.click('#else');
+  await waits(page);
+  await page.click('#drop');
+  await say(page, 'no, go to the red room');
+  await waits(page);
+  await close(page);
+});
+
 test('talk is known in the language of the page', async () => {
   const page = await open(browser);
   await play(page, 'A');

@@ -185,7 +185,7 @@ impl Goodbot {
     }
 
     /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the
-    /// number of a choice, `stop`, `undo`, `again`, `unjudged` or `nothing`.
+    /// number of a choice, `stop`, `undo`, `again`, `unjudged`, `unchanged` or `nothing`.
     pub fn said(&self, words: &str) -> Thrown<String> {
         self.0.said(words).map_err(thrown)
     }

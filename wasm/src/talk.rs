@@ -53,7 +53,8 @@ pub(crate) fn listening<M: HomeMemory>(
 
 impl World {
     /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the number of a
-    /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, or `nothing`.
+    /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, `unchanged` for what would change something where
+    /// nothing was before, or `nothing`.
     ///
     /// # Errors
     /// Where the words are too many or too long.
@@ -70,6 +71,7 @@ impl World {
             Said::Undo => "undo",
             Said::Again => "again",
             Said::Nothing(Class::Praise | Class::Blame | Class::Yes | Class::No) => "unjudged",
+            Said::Nothing(Class::Back) => "unchanged",
             Said::Nothing(_) => "nothing",
         };
         Ok(word.to_owned())
