@@ -243,6 +243,12 @@ impl Goodbot {
         self.0.recorded_listening(utterance, after.as_deref(), &pairs(conversation)).map_err(thrown)
     }
 
+    /// The table of closed words that the recorded session had that is being told.
+    #[wasm_bindgen(js_name = recordedClosedWords)]
+    pub fn recorded_closed_words(&mut self, table: &str) -> Thrown<()> {
+        self.0.recorded_closed_words(table).map_err(thrown)
+    }
+
     /// Hears a command.
     pub fn hear(&mut self, command: &str) -> Thrown<()> {
         self.0.hear(command).map_err(thrown)
