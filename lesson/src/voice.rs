@@ -1,14 +1,16 @@
 //! What a person says while a session is under way, and between sessions, as [`goodbot::Agent::said`] tells it; and what is said along with the buttons:
 //! such words are praise or blame from then on, as long as the program runs.
 
+use crate::listening::tells_talk;
 use crate::live::{Lesson, LiveError};
 use crate::place::Place;
 use crate::walk::SessionAnswer;
 use goodbot::AgentError;
 use goodbot::feedback::Feedback;
+use goodbot::language::for_each_piece;
 use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
-use goodbot::talk::{ClosedWords, Said, Stage, for_each_open_word};
+use goodbot::talk::{Class, Classes, ClosedWords, Said, Stage, for_each_open_word};
 use goodbot::task::TaskSet;
 
 /// What was said along with the buttons: for each word, how often with "good" and with "bad".
@@ -45,7 +47,8 @@ impl Voice {
 }
 
 impl<D: Place> Lesson<D> {
-    /// What a person's words ask for, given where the conversation stands. Nothing is done yet.
+    /// What a person's words ask for, given where the conversation stands. Nothing is done yet. Words that change what was before are no command
+    /// where nothing was: they are [`Said::Nothing`] of [`Class::Back`].
     ///
     /// # Errors
     /// An [`AgentError`] where the words are too many or too long.
@@ -56,7 +59,31 @@ impl<D: Place> Lesson<D> {
             Some(acted) if acted.action == "noop" && acted.plan == OptimalSet::Goal => Stage::AtGoal,
             Some(_) => Stage::Stepped,
         };
-        Ok(self.agent.said(words, self.closed, stage, |word| self.voice.count(word))?)
+        let said = self.agent.said(words, self.closed, stage, |word| self.voice.count(word))?;
+        // With few lessons nothing is known of what words point at, and with no command before there is nothing to point at.
+        let is_new = !tells_talk(&self.agent) || self.conversation().facts.is_empty();
+        let may_point = stage == Stage::Between && matches!(said, Said::Command | Said::Nothing(Class::No));
+        if may_point && is_new && self.changes_what_was_before(words, said)? {
+            return Ok(Said::Nothing(Class::Back));
+        }
+        Ok(said)
+    }
+
+    /// Whether words would change what was before: "no, the other one", "put it back", "forget it". A command has more words of its own.
+    fn changes_what_was_before(&self, words: &str, said: Said) -> Result<bool, AgentError> {
+        let (mut is_no, mut points, mut open) = (false, false, 0_usize);
+        for_each_piece(words, |piece| {
+            let classes = self.closed.of(piece);
+            is_no |= open == 0 && classes.contains(Class::No);
+            points |= classes.contains_any(&[Class::Back, Class::Forget, Class::Other]);
+            // A sign of Chinese is half a word.
+            open = open.saturating_add(if classes == Classes::NONE { piece.chars().take(2).count() } else { 0 });
+            Ok(())
+        })?;
+        let is_short = open <= if is_no { 4 } else { 2 };
+        // "No" alone judges, and "no, go to the red room" is a command.
+        let is_turned = || Ok::<_, AgentError>(is_no && said == Said::Command && !self.agent.is_told_to_act(words, self.closed)?);
+        Ok(is_short && (points || is_turned()?))
     }
 
     /// Learns what is said along with a button.

@@ -334,3 +334,30 @@ fn words_for_which_there_was_nothing_to_do_are_a_command_when_they_are_said_agai
     lesson.tell("don't go to the blue room", rooms()).unwrap();
     assert!(!lesson.is_under_way() && lesson.is_about_what_shall_not_be(), "what shall not be is never a command for it");
 }
+
+#[test]
+fn what_would_change_something_is_no_command_where_nothing_was_before() {
+    let lifted = paper_tasks().expect("tasks");
+    let agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &lifted, Options::DEFAULT).expect("an agent");
+    let (place, start) = home::build(&rooms(), Moves::Push, home::memory()).expect("a home");
+    let untaught = Lesson::new(agent, place, start);
+    let mut taught = taught();
+    for words in
+        ["no, the other one", "No, the blue one!", "forget it", "put it back", "nein, den anderen", "non, l'autre", "不，另一个", "放回去"]
+    {
+        for lesson in [&untaught, &taught] {
+            assert_eq!(lesson.said(words), Ok(Said::Nothing(Class::Back)), "{words}");
+        }
+    }
+    for words in ["bring it back to the blue room", "forget the red room", "no vayas a la habitación roja", "回红色的房间", "nozu bika"]
+    {
+        assert_eq!(untaught.said(words), Ok(Said::Command), "{words}");
+    }
+    assert_eq!(taught.said("no, go to the red room"), Ok(Said::Command));
+    let now = taught.environment();
+    let _ = taught.listen("take the yellow chair to the green room", now, false).expect("heard");
+    walk(&mut taught, &mut Pcg32::new(1, 1));
+    let _ = taught.finish().expect("learned");
+    taught.agent.learn_fully();
+    assert_eq!(taught.said("put it back"), Ok(Said::Command), "now there is something to put back");
+}

@@ -21,7 +21,7 @@ async function begin() {
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
   const whole = expanded(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size), LC);
   let at = 0;
-  const [style, body, script, languages, module] = sizes.map(size => whole.slice(at, at += size));
+  const [module, languages, body, style, script] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));

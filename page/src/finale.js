@@ -1,4 +1,5 @@
 // The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to pass on.
+import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
 import { t } from './language.js';
@@ -8,6 +9,7 @@ import { picture } from './picture.js';
 import { rename } from './roster.js';
 import { sureness } from './silent.js';
 import { $, announce, make, percent, state, tell } from './state.js';
+import { logOf } from './store.js';
 import { quoted } from './words.js';
 
 const FILE = 'my-robot.png';
@@ -61,6 +63,8 @@ async function giveName(name) {
  * @param {{ home: string, intended: string, test: boolean }[]} stops the tour's lessons and tests */
 export function renderFinale(over, score, stops) {
   $('card').hidden = !over;
+  // With ways, there are more tasks in the tests' home than a robot has room for.
+  $('worth').hidden = !over || world.ways();
   const key = over ? JSON.stringify([state.robot.id, state.robot.name, state.robot.model, score, world.ways(), document.documentElement.lang]) : '';
   if (key === shown) return;
   shown = key;
@@ -76,11 +80,18 @@ export function renderFinale(over, score, stops) {
     ...(guest ? [] : [make('div', { class: 'field' }, make('label', { for: 'robot-name' }, t('card.name')), name)]),
     make('div', { class: 'row' },
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
-      canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null),
+      canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
+      make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
     make('p', {}, t('card.knows', { n: known.length })),
-    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))),
-    // With ways, there are more tasks in the tests' home than a robot has room for.
-    ...(world.ways() ? [] : [make('details', {}, make('summary', {}, t('card.silent')), make('table', {},
-      make('thead', {}, make('tr', {}, ...[t('card.sure'), t('card.with'), t('card.without')].map(words => make('th', { scope: 'col' }, words)))),
-      make('tbody', {}, ...sureness(stops).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.map(share => make('td', {}, percent(share))))))))]));
+    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))));
+  if (!world.ways()) renderWorth(stops);
+}
+
+// What the trainer's words were worth. Who said none has nothing to compare.
+function renderWorth(stops) {
+  const isQuiet = !/"feedback":"[rp]|"type":"answer"/.test(logOf(state.robot));
+  const shown = isQuiet ? 2 : 3;
+  $('worth').replaceChildren(make('summary', {}, t(isQuiet ? 'card.quiet' : 'card.silent')), make('table', {},
+    make('thead', {}, make('tr', {}, ...[t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), t('card.without')].slice(0, shown).map(words => make('th', { scope: 'col' }, words)))),
+    make('tbody', {}, ...sureness(stops).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.slice(0, shown - 1).map(share => make('td', {}, percent(share))))))));
 }

@@ -11,7 +11,7 @@ import { enterHome } from './tour.js';
 import { ACTIONS, sessionsWord } from './words.js';
 
 const LOG_FIELDS = {
-  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues', 'utterance', 'after', 'conversation'],
+  session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues', 'utterance', 'after', 'conversation', 'closed_words'],
   step: ['type', 'action', 'feedback', 'at_ms', 'said_ms'],
   answer: ['type', 'tasks', 'yes', 'eta', 'others', 'words', 'said_ms'],
   end: ['type', 'learn'],
@@ -62,6 +62,7 @@ function tellBeginning(record, last) {
     world.recordedStrategies(Float32Array.from(record.strategies.flatMap((one, at) => [...numbersOf(one), shares[at]])));
   }
   if (record.utterance) world.recordedListening(...ofListening(record));
+  if (record.closed_words !== undefined) world.recordedClosedWords(record.closed_words);
   if (record.prior) world.recordedPrior(Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
 }
 

@@ -5,8 +5,12 @@ import { t } from './language.js';
 import { WORD, spaced } from './learned.js';
 import { render } from './render.js';
 import { begin, finishWithoutLearning, giveFeedback, keepSession, leaveSession, noteAnswer, startSession, stopSession, takeStepBack, thatWasIt, togglePause, undo, wake } from './session.js';
-import { $, announce, attempt, state } from './state.js';
+import { $, announce, attempt, state, tell } from './state.js';
 import { beliefNow, taskWords } from './words.js';
+
+/** What is answered where nothing is under way.
+ * @type {Record<string, import('./language.js').Key>} */
+const IDLE = { unjudged: 'judge.nothing', undo: 'undo.nothing', unchanged: 'talk.unchanged' };
 
 // The command that was told last.
 let last = '';
@@ -32,7 +36,7 @@ export async function say(written) {
   } else if (session) toTheRobot(session, said, words);
   else if (said === 'undo' && state.robot.past.length) undo('past');
   // It may be a command all the same, in a secret language.
-  else remark(t(said === 'unjudged' ? 'judge.nothing' : 'say.ready'), words);
+  else remark(t(IDLE[said] || 'say.ready'), words);
 }
 
 // What is said to a robot on its way.
@@ -98,8 +102,14 @@ function follow(heard, words) {
   else remark(t(heard.verdict === 'none' ? 'talk.none' : 'talk.unsure'), words);
 }
 
-// The robot says something while nothing is asked of it. `words` may be a command all the same.
+// The robot says something while nothing is asked of it. `words` may be a command all the same. On its way its bubble says what it does: it would
+// say the rest when nobody thinks of it any more.
 function remark(text, words) {
+  if (state.session) {
+    $('command').value = '';
+    tell(text);
+    return;
+  }
   state.said = [text, ''];
   state.already = words;
   announce(text);

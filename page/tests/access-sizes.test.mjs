@@ -85,6 +85,43 @@ for (const [width, height, least, settings] of [[320, 568, 90, '{}'], [360, 640,
   });
 }
 
+test('the class view fits on the screen, whatever its size', async () => {
+  const page = await open(browser);
+  await page.evaluate(() => localStorage.setItem('goodbot.settings', '{"presenter":true}'));
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  const tall = [];
+  for (const [width, height] of [[1024, 768], [1280, 720], [1366, 768], [1920, 1080], [2560, 1440], [768, 1024], [375, 667]]) {
+    await page.setViewportSize({ width, height });
+    await still(page);
+    const scroll = await page.evaluate(() => document.documentElement.scrollHeight);
+    if (scroll > height) tall.push(width + ' by ' + height + ': ' + scroll);
+  }
+  assert.deepEqual(tall, []);
+  await close(page);
+});
+
+test('on arrival there are three lines to read at most, and the foot of the page is seen whole, in every language', async () => {
+  const page = await open(browser, { viewport: { width: 1280, height: 720 } });
+  for (const language of ['en', 'de', 'es', 'fr', 'zh']) {
+    await page.selectOption('#language', language);
+    await still(page);
+    const { lines, bottom } = await page.evaluate(() => {
+      const texts = [...document.querySelectorAll('main :is(p, li)')].filter(element => element.checkVisibility() && !element.closest('footer') && !element.querySelector('button') && element.textContent.trim());
+      const range = document.createRange();
+      const linesOf = element => {
+        range.selectNodeContents(element);
+        const tops = [...range.getClientRects()].map(({ bottom: end }) => end).sort((a, b) => a - b);
+        return tops.filter((end, at) => !at || end - tops[at - 1] > 8).length;
+      };
+      return { lines: texts.map(element => [element.textContent, linesOf(element)]), bottom: document.querySelector('footer').getBoundingClientRect().bottom };
+    });
+    assert.ok(lines.reduce((sum, [, count]) => sum + count, 0) <= 3, language + ': ' + JSON.stringify(lines));
+    assert.ok(bottom <= 720, language + ': the foot ends at ' + bottom);
+  }
+  await close(page);
+});
+
 test('on the smallest phone, between two lessons, the plan, Good and Bad are seen whole', async () => {
   const page = await open(browser, { viewport: { width: 320, height: 568 } });
   await page.selectOption('#speed', 'step');

@@ -73,7 +73,7 @@ test('the floor plan is there in words, and what happens is told', async () => {
 test('a first-time visitor sees one sentence and one button to begin with', async () => {
   for (const viewport of [{ width: 1280, height: 800 }, { width: 360, height: 640 }]) {
     const page = await open(browser, { viewport });
-    assert.match(await page.textContent('#tour-hint'), /Press Good when it goes the right way, Bad when it does not/);
+    assert.match(await page.textContent('#tour-hint'), /Good for a right step, Bad for a wrong one/);
     const button = await page.locator('#lesson').boundingBox();
     assert.match(await page.textContent('#lesson'), /Tell it: “go to the green room”/);
     assert.ok(button.y + button.height < viewport.height * 0.6, JSON.stringify(button));

@@ -1,6 +1,9 @@
 // Opens the page from a file, and watches that it makes no error and asks no other host for anything.
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { setTimeout as wait } from 'node:timers/promises';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { firefox } from 'playwright-core-firefox';
@@ -11,6 +14,7 @@ export const address = pathToFileURL(file).href;
 const FLAGS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 
 export async function launch() {
+  if (second) return second;
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
   const executablePath = process.env.GOODBOT_CHROMIUM || ['/usr/bin/chromium-headless-shell', '/usr/bin/chromium', '/usr/bin/chromium-browser'].find(existsSync);
   assert.ok(executablePath, 'there is no Chromium: `cargo xtask test --only page` fetches one, or name it in GOODBOT_CHROMIUM');
@@ -20,10 +24,18 @@ export async function launch() {
 // Debian's Firefox, or none where there is none: it is a second browser, and those tests are then left out.
 export const firefoxPath = process.env.GOODBOT_FIREFOX || ['/usr/bin/firefox-esr', '/usr/bin/firefox'].find(existsSync);
 
-// What it downloads goes into that folder: its driver tells only of downloads that come from a visit to another address.
-export async function launchFirefox(downloadsPath) {
+// Where Firefox puts what it downloads: its driver tells only of downloads that come from a visit to another address.
+let downloads = '';
+// One Firefox for all tests of a file.
+/** @type {Promise<import('playwright-core').Browser> | null} */
+let second = null;
+
+/** From now on this file's tests run in Firefox. */
+export function takeFirefox() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
-  return firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath });
+  downloads = mkdtempSync(join(tmpdir(), 'goodbot-firefox-'));
+  process.on('exit', () => rmSync(downloads, { recursive: true }));
+  second = firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath: downloads });
 }
 
 // A page of its own, with a storage of its own. `complaints` is what went wrong in it. Nothing moves in it by itself, which takes a tenth of a
@@ -154,8 +166,22 @@ export async function drag(page, tool, from, to = from) {
   await page.mouse.up();
 }
 
-// The bytes that a button downloads.
-export async function saved(page, button) {
-  const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
-  return readFileSync(await download.path());
+// What a button downloads: its name and its bytes.
+export async function downloaded(page, button) {
+  if (!downloads) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+  for (const name of readdirSync(downloads)) rmSync(join(downloads, name), { recursive: true });
+  await page.click(button);
+  for (let attempt = 0; attempt < 600; attempt += 1) {
+    // Firefox makes an empty file first, and moves what it got into its place.
+    const [name] = readdirSync(downloads).filter(each => !each.endsWith('.part'));
+    const bytes = name ? readFileSync(join(downloads, name)) : '';
+    if (bytes.length) return { name, bytes };
+    await wait(50);
+  }
+  return assert.fail('nothing was downloaded');
 }
+
+export const saved = async (page, button) => (await downloaded(page, button)).bytes;

@@ -1,37 +1,16 @@
 // What differs between browsers, once more in Firefox: beginning, input, storage of a page from a disk, tabs, links, files.
 import assert from 'node:assert/strict';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { setTimeout as wait } from 'node:timers/promises';
-import { BLOCKED, close, firefoxPath, launchFirefox, learned, model, open, openIn, opened, play, reload, sessions, toTheGoal } from './browser.mjs';
+import { BLOCKED, close, downloaded, firefoxPath, launch, learned, model, open, openIn, opened, play, reload, sessions, takeFirefox, toTheGoal } from './browser.mjs';
 
 const skip = firefoxPath ? false : 'there is no Firefox: `cargo xtask test --only page` fetches one, or name it in GOODBOT_FIREFOX';
 let browser;
-let downloads;
 before(async () => {
   if (skip) return;
-  downloads = mkdtempSync(join(tmpdir(), 'goodbot-firefox-'));
-  browser = await launchFirefox(downloads);
+  takeFirefox();
+  browser = await launch();
 });
-after(async () => {
-  if (skip) return;
-  await browser.close();
-  rmSync(downloads, { recursive: true });
-});
-
-// The bytes that a button downloads. Firefox makes an empty file first, and moves what it got into its place.
-async function saved(page, button) {
-  await page.click(button);
-  for (let attempt = 0; attempt < 600; attempt += 1) {
-    const [name] = readdirSync(downloads).filter(each => !each.endsWith('.part'));
-    const bytes = name ? readFileSync(join(downloads, name)) : '';
-    if (bytes.length) return { name, bytes };
-    await wait(50);
-  }
-  return assert.fail('nothing was downloaded');
-}
+after(() => browser?.close());
 
 test('in Firefox, an error, and a question to a host, would be seen', { skip }, async () => {
   const page = await open(browser);
@@ -114,7 +93,7 @@ test('in Firefox, a link brings a robot, a file saves it, and a file brings it b
   assert.match(await other.textContent('#guest-words'), /^Meet Robot 1\. It knows 5 words/);
   assert.deepEqual(await model(other), await model(page));
   await opened(other, 'Settings, keeping, sharing');
-  const { name, bytes } = await saved(other, '#save-model');
+  const { name, bytes } = await downloaded(other, '#save-model');
   assert.equal(name, 'Robot-1.goodbot');
   assert.deepEqual(Array.from(bytes), await model(page));
   const third = await open(browser);

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, pass, play, reload, saved, stopTime } from './browser.mjs';
+import { close, launch, learned, model, open, opened, pass, play, reload, saved, sessions, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -102,6 +102,25 @@ test('a session log teaches another page the same', async () => {
   assert.deepEqual(await model(other), learned);
   await close(page);
   await close(other);
+});
+
+test('a log with a table of closed words of its own is heard with that table', async () => {
+  const [page, other] = [await open(browser), await open(browser)];
+  const home = await page.evaluate(() => JSON.parse(window.goodbot.environment()));
+  const command = 'nix go to the red room';
+  const session = more => [{ type: 'session', version: 1, kind: 'feedback', environment: home, command, ...more }, { type: 'step', action: 'noop', feedback: 'neutral' }, { type: 'end', learn: true }];
+  const load = async (tab, lines, told) => {
+    await opened(tab, 'Settings, keeping, sharing');
+    await tab.setInputFiles('#load-log', { name: 'log.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(lines.map(line => JSON.stringify(line)).join('\n') + '\n') });
+    await tab.getByText(told).first().waitFor();
+  };
+  // Where "nix" forbids, the same words say something else.
+  await load(page, [...session({}), ...session({ utterance: command, closed_words: 'negation: nix' })], 'The robot has gone through the log');
+  await load(other, [...session({}), ...session({ utterance: command })], 'The robot has gone through the log');
+  assert.deepEqual([await sessions(page), await sessions(other)], [2, 2]);
+  assert.notDeepEqual(await model(page), await model(other));
+  await load(page, session({ closed_words: 'colour: nix' }), 'line 1 of this log cannot be used: “closed_words” is no table of words');
+  for (const tab of [page, other]) await close(tab);
 });
 
 test('the log says when each step was done and each word was said, also after a reload, and the times teach nothing', async () => {

@@ -227,6 +227,24 @@ test('“stop”, “good” and “hello” are no commands; who means one can 
   await close(page);
 });
 
+test('an emoji alone, while the robot walks, is answered at once, and not when the session is over', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await say(page, 'go to the red room');
+  await waits(page);
+  const bubble = await page.textContent('#say');
+  await say(page, '👍');
+  assert.match(await page.textContent('#live'), /There is no word in that/);
+  assert.ok(await page.isVisible('#toast'), 'who looks sees it too');
+  assert.equal(await page.inputValue('#command'), '', 'the field is free for words');
+  assert.equal(await page.textContent('#say'), bubble);
+  await page.click('#drop');
+  await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  assert.doesNotMatch(await page.textContent('#say'), /There is no word in that/);
+  await close(page);
+});
+
 test('“undo” takes back the last session', async () => {
   const page = await open(browser);
   await play(page, 'A');
@@ -239,6 +257,36 @@ test('“undo” takes back the last session', async () => {
   await say(page, 'undo');
   await learned(page, 0);
   assert.equal(await sessions(page), 0);
+  await close(page);
+});
+
+test('what would change something is no command where nothing was before, in every language', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  for (const [language, nothing, undone, sentences, undo] of [
+    ['en', /nothing to change yet/, /nothing to undo/, ['no, the other one', 'No, the blue one!', 'forget it', 'put it back'], 'undo'],
+    ['de', /nichts zu ändern/, /nichts rückgängig/, ['nein, den anderen', 'vergiss es', 'leg es zurück'], 'rückgängig'],
+    ['es', /nada que cambiar/, /nada que deshacer/, ['no, el otro'], 'deshaz'],
+    ['fr', /rien à changer/, /rien à annuler/, ['non, l’autre'], 'annule'],
+    ['zh', /还没有可以改的/, null, ['不，另一个', '忘了吧', '放回去'], ''],
+  ]) {
+    await page.selectOption('#language', language);
+    for (const words of sentences) {
+      await say(page, words);
+      assert.match(await page.textContent('#say'), nothing, words);
+      assert.ok(await page.isHidden('#finish'), words + ' begins no session');
+    }
+    if (!undone) continue;
+    await say(page, undo);
+    assert.match(await page.textContent('#say'), undone, undo);
+  }
+  await page.selectOption('#language', 'en');
+  await say(page, 'no, the other one');
+  await page.click('#else');
+  await waits(page);
+  await page.click('#drop');
+  await say(page, 'no, go to the red room');
+  await waits(page);
   await close(page);
 });
 

@@ -26,7 +26,7 @@ async function ask(page, at) {
 
 test('a test says whether its command was taught: three of five repeat a lesson in another home', async () => {
   const page = await open(browser);
-  assert.match(await page.textContent('#tour-hint'), /knows no word/);
+  assert.match(await page.textContent('#say'), /know no word/);
   await page.locator('#dots button').nth(9).click();
   assert.match(await page.textContent('#tour-hint'), /never heard this command/, 'a robot that was taught nothing');
   await page.locator('#dots button').first().click();
@@ -71,7 +71,7 @@ test('“Finish and learn” is outlined until something was said', async () => 
   await close(page);
 });
 
-test('“50 % sure” is not understood, and the end compares the robot with one that nobody spoke to', async () => {
+test('“50 % sure” is not understood, and who said nothing is told so at the end, with one figure for each test', async () => {
   const page = await open(browser);
   await silentLessons(page);
   const verdicts = [];
@@ -83,21 +83,33 @@ test('“50 % sure” is not understood, and the end compares the robot with one
     const sure = Number(verdict.match(/(\d+)% sure/)[1]);
     assert.equal(/: understood/.test(verdict), sure > 50 && !/not understood/.test(verdict), verdict);
   }
-  const rows = await page.locator('#card tbody tr').evaluateAll(all => all.map(row => [...row.cells].map(cell => cell.textContent)));
-  assert.equal(rows.length, 5);
-  for (const [command, own, silent] of rows) assert.equal(own, silent, command + ': nobody spoke to this robot either');
-  assert.match(await page.textContent('#card thead'), /with you.*without a word/);
+  const table = page.locator('#tour table');
+  assert.ok(await table.isVisible(), 'nobody has to unfold it');
+  assert.match(await page.textContent('#tour'), /You said neither Good nor Bad/);
+  const rows = await table.locator('tbody tr').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => cell.textContent)));
+  assert.deepEqual(rows.map(row => row.length), [1, 1, 1, 1, 1]);
+  assert.doesNotMatch(await table.locator('thead').textContent(), /with you/);
+  for (const [language, told] of [['de', /weder Gut noch Schlecht/], ['es', /ni Bien ni Mal/], ['fr', /ni Bien ni Mal/], ['zh', /没有说过好/]]) {
+    await page.selectOption('#language', language);
+    assert.match(await page.textContent('#tour'), told);
+  }
   await close(page);
 });
 
-test('what feedback was worth is seen at the end', async () => {
+test('what feedback was worth is seen at the end, and all steps are a table with one click', async () => {
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.getByText('The tour is over').first().waitFor();
-  const rows = await page.locator('#card tbody tr').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => parseInt(cell.textContent, 10))));
+  const worth = page.locator('#tour table');
+  assert.ok(await worth.isVisible(), 'nobody has to unfold it');
+  assert.match(await worth.locator('thead').textContent(), /with you.*without a word/);
+  const rows = await worth.locator('tbody tr').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => parseInt(cell.textContent, 10))));
   const sum = column => rows.reduce((total, row) => total + row[column], 0);
   assert.ok(sum(0) > sum(1), JSON.stringify(rows));
+  const table = (await saved(page, '#tour-table')).toString().trim().split('\r\n');
+  assert.equal(table[0], 'session,command,heard,step,action,feedback,seed,version,citation');
+  assert.match(table.at(-1), /^7,/, 'all seven lessons');
   await close(page);
 });
 

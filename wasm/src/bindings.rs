@@ -185,7 +185,7 @@ impl Goodbot {
     }
 
     /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the
-    /// number of a choice, `stop`, `undo`, `again`, `unjudged` or `nothing`.
+    /// number of a choice, `stop`, `undo`, `again`, `unjudged`, `unchanged` or `nothing`.
     pub fn said(&self, words: &str) -> Thrown<String> {
         self.0.said(words).map_err(thrown)
     }
@@ -241,6 +241,12 @@ impl Goodbot {
     #[wasm_bindgen(js_name = recordedListening)]
     pub fn recorded_listening(&mut self, utterance: &str, after: Option<String>, conversation: &str) -> Thrown<()> {
         self.0.recorded_listening(utterance, after.as_deref(), &pairs(conversation)).map_err(thrown)
+    }
+
+    /// The table of closed words that the recorded session had that is being told.
+    #[wasm_bindgen(js_name = recordedClosedWords)]
+    pub fn recorded_closed_words(&mut self, table: &str) -> Thrown<()> {
+        self.0.recorded_closed_words(table).map_err(thrown)
     }
 
     /// Hears a command.

@@ -7,7 +7,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::talk::{Class, Listened, Said, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground_with_done};
 use goodbot_lesson::conversing::Conversing;
-use goodbot_lesson::listening::tells_talk;
+use goodbot_lesson::listening::{kept_table, tells_talk};
 use goodbot_lesson::walk::Listening;
 
 use crate::cells::MIND;
@@ -53,7 +53,8 @@ pub(crate) fn listening<M: HomeMemory>(
 
 impl World {
     /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the number of a
-    /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, or `nothing`.
+    /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, `unchanged` for what would change something where
+    /// nothing was before, or `nothing`.
     ///
     /// # Errors
     /// Where the words are too many or too long.
@@ -70,6 +71,7 @@ impl World {
             Said::Undo => "undo",
             Said::Again => "again",
             Said::Nothing(Class::Praise | Class::Blame | Class::Yes | Class::No) => "unjudged",
+            Said::Nothing(Class::Back) => "unchanged",
             Said::Nothing(_) => "nothing",
         };
         Ok(word.to_owned())
@@ -167,6 +169,16 @@ impl World {
         let walk = &mut told.walk;
         told.tasks = named_tasks(&walk.home, lifted, &walk.start)?;
         walk.listening = Some(listening(&walk.home, lifted, &told.tasks, utterance, after, conversation)?.0);
+        Ok(())
+    }
+
+    /// The recorded session that is being told had this table of closed words.
+    ///
+    /// # Errors
+    /// A text that is no table.
+    pub fn recorded_closed_words(&mut self, table: &str) -> Result<(), Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        told.walk.closed = kept_table(table).map_err(|_| Refusal("“closed_words” is no table of words".to_owned()))?;
         Ok(())
     }
 

@@ -21,11 +21,6 @@ pub struct Page {
     pub script: String,
 }
 
-/// How the page of `folder` looks.
-pub fn style(folder: &Path) -> Result<String> {
-    Ok(without_comments(&read(folder, "style.css")?))
-}
-
 /// What the page of `folder` shows, in lines without indentation.
 pub fn body(folder: &Path) -> Result<String> {
     Ok(without_comments(&read(folder, "body.html")?))

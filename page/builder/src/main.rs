@@ -32,11 +32,15 @@ fn main() -> Result<()> {
     let mut scripts = scripts::bundle(&source, &folder, node)?;
     let mut body = assemble::body(&source)?;
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
-    let shown =
-        [("the style", assemble::style(&source)?), ("the body", body), ("the scripts with the glue", scripts.others), ("the texts", texts)];
-    let module = ("the module", &*order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?);
-    // In the order in which page/src/begin.js takes them.
-    let parts: Vec<(&str, &[u8])> = shown.iter().map(|(name, text)| (*name, text.as_bytes())).chain([module]).collect();
+    let module = order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?;
+    // In the order in which page/src/begin.js takes them. So they pack best.
+    let parts: [(&str, &[u8]); 5] = [
+        ("the module", &module),
+        ("the texts", texts.as_bytes()),
+        ("the body", body.as_bytes()),
+        ("the style", scripts.style.as_bytes()),
+        ("the scripts with the glue", scripts.others.as_bytes()),
+    ];
     let page = assemble::assemble(&source, &parts, &scripts.begin)?;
     if let Some(dist) = out.parent() {
         std::fs::create_dir_all(dist).with_context(|| format!("{} cannot be made", dist.display()))?;

@@ -1,4 +1,4 @@
-//! The page's scripts: their types are checked, and they become one.
+//! The page's scripts: their types are checked, and they become one. Its style becomes small with them.
 
 use std::path::Path;
 use std::process::Command;
@@ -6,12 +6,14 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use serde_json::json;
 
-/// The page's scripts, small.
+/// The page's scripts and its style, small.
 pub struct Scripts {
     /// The one that expands what is packed.
     pub begin: String,
     /// All others, with the module's glue.
     pub others: String,
+    /// How the page looks.
+    pub style: String,
 }
 
 /// Joins the scripts of `page/src` with the module's glue, which `generated` has.
@@ -26,16 +28,16 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     std::fs::write(&config, settings.to_string()).with_context(|| format!("{} cannot be written", config.display()))?;
     let packages = page.join("node_modules");
     run(Command::new(node).arg(packages.join("typescript/bin/tsc")).arg("--project").arg(&config), "the types in page/src are wrong")?;
-    let [begin, others] = ["begin.min.js", "others.min.js"].map(|name| generated.join(name));
+    let [begin, others, style] = ["begin.min.js", "others.min.js", "style.min.css"].map(|name| generated.join(name));
     let mut bundle = Command::new(node);
     bundle
         .arg(page.join("builder/bundle.mjs"))
         .arg(generated.join("goodbot_wasm.js"))
-        .args([&begin, &others])
+        .args([&begin, &others, &style])
         .arg(env!("CARGO_PKG_VERSION"));
     run(&mut bundle, "the scripts in page/src cannot be joined")?;
     let read = |small: &Path| std::fs::read_to_string(small).with_context(|| format!("{} was not written", small.display()));
-    Ok(Scripts { begin: read(&begin)?, others: read(&others)? })
+    Ok(Scripts { begin: read(&begin)?, others: read(&others)?, style: read(&style)? })
 }
 
 fn run(command: &mut Command, failure: &str) -> Result<()> {

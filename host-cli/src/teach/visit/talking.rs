@@ -45,6 +45,7 @@ impl Visit {
             Said::Nothing(class) => {
                 self.message = match class {
                     Class::Praise | Class::Blame | Class::Yes | Class::No => "There is no step to judge yet.".to_owned(),
+                    Class::Back => "There is nothing to change yet.".to_owned(),
                     class => format!("It takes that for {}, and there is nothing to do.", class.name()),
                 };
                 Ok(())
