@@ -3,7 +3,7 @@
 use super::bitext::{Bitext, BitextRef, Extent};
 use super::layer::Layer;
 #[cfg(feature = "layer")]
-use super::layer::LayerRef;
+use super::layer::{Known, LayerRef};
 use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -393,9 +393,11 @@ impl<'t> LanguageMut<'t> {
             layer.possible.add_session(&[])?;
         }
         let extent = layer.possible.extent();
+        let mut known = Known::of(layer.possible.read());
         let mut added = self.tables.fits_rows(self.tokens.len(), self.words.len());
         for (description, prior) in tasks {
-            added = added.and_then(|()| layer.possible.add_pair(description, if is_weight(prior) { prior } else { 0.0 }));
+            let weight = if is_weight(prior) { prior } else { 0.0 };
+            added = added.and_then(|()| known.add_pair(&mut layer.possible, description, weight));
         }
         match added {
             // A task that was not meant may speak of what no pair does.

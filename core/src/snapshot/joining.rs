@@ -2,6 +2,8 @@
 
 use super::contents::{Contents, Index};
 use super::error::RestoreError;
+#[cfg(feature = "layer")]
+use super::possible::Possible;
 use super::record::{CommandRecord, PairRecord, SessionRecord};
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::Pair;
@@ -74,8 +76,7 @@ impl LanguageMut<'_> {
         let own = self.read().bitext().sessions() as u16;
         let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
         #[cfg(feature = "layer")]
-        let (mut possible, mut counts, commands) =
-            (contents.possible.iter(), contents.possible_counts.iter(), contents.possible_commands.index());
+        let (mut possible, mut counts) = (Possible::of(contents), contents.possible_counts.iter());
         for (position, session) in contents.sessions.iter().enumerate() {
             let count = session.pairs as usize;
             #[cfg(feature = "layer")]
@@ -83,11 +84,15 @@ impl LanguageMut<'_> {
             let mut same = (0..own).filter(|&own| self.has_session(own, &session, pairs.clone().take(count), &texts)).peekable();
             let known = same.peek().is_some().then(|| times_before(contents, position)).and_then(|times| same.nth(times));
             let at = match known {
-                Some(known) => known,
+                Some(known) => {
+                    #[cfg(feature = "layer")]
+                    possible.pass(tasks);
+                    known
+                }
                 None => {
                     self.add_record(&session, pairs.clone().take(count), &texts)?;
                     #[cfg(feature = "layer")]
-                    self.add_possible_record(possible.clone().take(tasks), &commands, &texts)?;
+                    possible.add_next(self, tasks)?;
                     added = added.saturating_add(1);
                     self.read().bitext().sessions().saturating_sub(1) as u16
                 }
@@ -96,8 +101,6 @@ impl LanguageMut<'_> {
                 self.bitext_mut().set_heard_again(at);
             }
             let _ = pairs.by_ref().take(count).count();
-            #[cfg(feature = "layer")]
-            let _ = possible.by_ref().take(tasks).count();
         }
         Ok(added)
     }
@@ -150,29 +153,10 @@ impl LanguageMut<'_> {
         }
         Ok(command)
     }
-
-    /// The tasks of the session of a file that was added last.
-    #[cfg(feature = "layer")]
-    fn add_possible_record(
-        &mut self,
-        pairs: impl Iterator<Item = PairRecord>,
-        commands: &Index<'_, CommandRecord>,
-        texts: &Texts<'_>,
-    ) -> Result<(), CapacityError> {
-        if !self.read().settings().layer {
-            return Ok(());
-        }
-        self.add_possible(core::iter::empty())?;
-        for pair in pairs {
-            let command = self.symbols_here(&commands.get(usize::from(pair.command)).unwrap_or_default(), texts)?;
-            self.add_possible(core::iter::once((command.as_slice(), pair.weight)))?;
-        }
-        Ok(())
-    }
 }
 
 /// A role's marker: it is the same in all models.
-fn marker(token: u16) -> Option<Symbol> {
+pub(super) fn marker(token: u16) -> Option<Symbol> {
     Some(Symbol(token)).filter(|&symbol| is_marker(symbol))
 }
 

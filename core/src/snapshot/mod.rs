@@ -17,6 +17,8 @@ pub(crate) mod contents;
 pub(crate) mod error;
 mod joining;
 mod language;
+#[cfg(feature = "layer")]
+mod possible;
 pub(crate) mod record;
 mod restoring;
 mod saving;

@@ -35,6 +35,8 @@ mod contexts;
 #[cfg(feature = "layer")]
 pub(crate) mod fold;
 #[cfg(feature = "layer")]
+mod known;
+#[cfg(feature = "layer")]
 mod parts;
 #[cfg(feature = "layer")]
 mod posterior;
@@ -47,6 +49,8 @@ mod unmet;
 #[cfg(feature = "layer")]
 mod weights;
 
+#[cfg(feature = "layer")]
+pub(in crate::language) use known::Known;
 #[cfg(feature = "layer")]
 pub use tables::LAYER_WEIGHTS;
 pub(in crate::language) use tables::Layer;

@@ -5,7 +5,7 @@ use super::speaking::Found;
 #[cfg(feature = "layer")]
 use super::weights::CELLS;
 #[cfg(feature = "layer")]
-use crate::capacity::LIFTED_TASKS;
+use crate::capacity::{LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::language::bitext::LeftOut;
 #[cfg(feature = "layer")]
 use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span};
@@ -76,9 +76,12 @@ impl LayerMemory {
 
     /// Room for this many tasks of this many sessions.
     pub(crate) fn new(sessions: usize, tasks: usize) -> Self {
+        // More descriptions have no number, however many tasks have them.
+        let commands = tasks.min(usize::from(u16::MAX));
+        let tokens = tasks.saturating_mul(Self::SYMBOLS).min(commands.saturating_mul(TOKENS_PER_COMMAND));
         Self {
-            commands: vec![Span::UNUSED; tasks],
-            command_tokens: vec![Symbol::new(0); tasks.saturating_mul(Self::SYMBOLS)],
+            commands: vec![Span::UNUSED; commands],
+            command_tokens: vec![Symbol::new(0); tokens],
             sessions: vec![Span::UNUSED; sessions],
             pairs: vec![Pair::UNUSED; tasks],
             shares: vec![0.0; tasks],

@@ -114,7 +114,8 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
     let kinds = Kinds::of(layout, tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
     for first in 0..count {
         let token = form(first);
-        if (0..first).any(|before| form(before) == token) {
+        // From the nearest on: tasks of one kind follow each other, and there may be thousands.
+        if (0..first).rev().any(|before| form(before) == token) {
             continue;
         }
         let whole = total(weights.iter().enumerate().filter(|&(task, _)| form(task) == token).map(|(_, &weight)| weight));

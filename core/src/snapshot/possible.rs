@@ -1,0 +1,77 @@
+//! The tasks that a model file has for the [layer](crate::language::layer), on their way into another model. There are thousands in a world, so
+//! each description and each token of the file is found once.
+
+use super::contents::{Contents, symbols, take};
+use super::joining::marker;
+use super::record::{CommandRecord, PairRecord};
+use crate::capacity::{CapacityError, TOKENS_PER_COMMAND};
+use crate::language::LanguageMut;
+use crate::symbols::Symbol;
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// The tasks of a file from one session on.
+pub(super) struct Possible<'a> {
+    /// Where the next task begins.
+    rest: &'a [u8],
+    /// Where each description begins.
+    descriptions: Vec<&'a [u8]>,
+    tokens: Vec<&'a str>,
+    /// What each token is here, of those that were met.
+    here: Vec<Option<Symbol>>,
+}
+
+impl<'a> Possible<'a> {
+    /// The tasks of all sessions of a file.
+    pub fn of(contents: &Contents<'a>) -> Self {
+        let (mut rest, mut descriptions) = (contents.possible_commands.bytes(), Vec::new());
+        for _ in 0..contents.possible_commands.len() {
+            descriptions.push(rest);
+            let _: Option<CommandRecord> = take(&mut rest);
+        }
+        let here = vec![None; contents.tokens.len()];
+        Self { rest: contents.possible.bytes(), descriptions, tokens: contents.tokens.iter().collect(), here }
+    }
+
+    /// Passes over the next so many tasks.
+    pub fn pass(&mut self, tasks: usize) {
+        for _ in 0..tasks {
+            let _: Option<PairRecord> = take(&mut self.rest);
+        }
+    }
+
+    /// Adds the next so many tasks, for the last session there.
+    ///
+    /// # Errors
+    /// A [`CapacityError`].
+    pub fn add_next(&mut self, language: &mut LanguageMut<'_>, tasks: usize) -> Result<(), CapacityError> {
+        if !language.read().settings().layer {
+            self.pass(tasks);
+            return Ok(());
+        }
+        let mut added: Vec<(heapless::Vec<Symbol, TOKENS_PER_COMMAND>, f32)> = Vec::new();
+        for _ in 0..tasks {
+            let Some(pair): Option<PairRecord> = take(&mut self.rest) else { break };
+            let mut record = self.descriptions.get(usize::from(pair.command)).copied().unwrap_or(&[]);
+            let mut description = symbols(&take(&mut record).unwrap_or_default());
+            for token in &mut description {
+                *token = self.symbol_here(language, *token)?;
+            }
+            added.push((description, pair.weight));
+        }
+        language.add_possible(added.iter().map(|(description, prior)| (description.as_slice(), *prior)))
+    }
+
+    /// The symbol here of a token of the file.
+    fn symbol_here(&mut self, language: &mut LanguageMut<'_>, token: Symbol) -> Result<Symbol, CapacityError> {
+        let known = marker(token.0).or_else(|| self.here.get(token.index()).copied().flatten());
+        if let Some(known) = known {
+            return Ok(known);
+        }
+        let symbol = language.tokens_mut().intern(self.tokens.get(token.index()).copied().unwrap_or(""))?;
+        if let Some(slot) = self.here.get_mut(token.index()) {
+            *slot = Some(symbol);
+        }
+        Ok(symbol)
+    }
+}
