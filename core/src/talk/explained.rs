@@ -114,7 +114,7 @@ impl<M: AgentMemory> Agent<M> {
         // "I want the bag in the red room" needs no word of a task.
         // "Come back": nothing behind the verb tells which it is.
         let points_with_verb = recalled.is_some() && matches!(new_verb(words), Some(None));
-        let wishes = words.iter().any(|word| word.classes.contains(Class::Wish)) && !words.iter().any(|word| word.is_new);
+        let wishes = words.has(Class::Wish) && !words.iter().any(|word| word.is_new);
         if view.has_act || wishes || points_with_verb {
             named.act();
         }

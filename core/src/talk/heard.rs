@@ -98,8 +98,24 @@ impl<'w> Words<'w> {
         self.iter().nth(at)
     }
 
+    /// The first position of a word of a class.
+    #[inline(never)]
+    pub fn at(self, class: Class) -> Option<usize> {
+        self.iter().position(|word| word.classes.contains(class))
+    }
+
+    /// Whether a word is of a class.
+    pub fn has(self, class: Class) -> bool {
+        self.at(class).is_some()
+    }
+
     /// Those that are wanted; each is asked for once, in order.
     pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
+        self.keep(&mut is_wanted)
+    }
+
+    #[inline(never)]
+    fn keep(self, is_wanted: &mut dyn FnMut(&Heard) -> bool) -> Self {
         let (mut words, mut kept) = (self.iter(), 0);
         while let Some(word) = words.next() {
             kept |= u64::from(is_wanted(word)) << words.at;

@@ -52,7 +52,7 @@ pub(super) struct Rest<'w> {
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
 fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
-    let is_out = cues.contains(&Class::Out) && words.iter().any(|word| word.classes.contains(Class::Out));
+    let is_out = cues.contains(&Class::Out) && words.has(Class::Out);
     let (mut probability, mut before) = (1.0, Before::Other);
     let rest = words.only(|word| {
         let is_cue = word.classes.contains_any(cues);
@@ -87,7 +87,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let cues = [Class::Negation, Class::Out, Class::But];
     let (rest, probability) = without(words, &cues)?;
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
-    let has = |class| words.iter().any(|word| word.classes.contains(class));
+    let has = |class| words.has(class);
     let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
@@ -96,7 +96,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     // "If it's not too much trouble" is none either.
     // "Anywhere" asks nothing: "n'importe où".
     let is_question = !has(Class::But) && is_question(words);
-    let at = |class| words.iter().position(|word| word.classes.contains(class));
+    let at = |class| words.at(class);
     let is_not_but = at(Class::But).zip(at(Class::Negation)).is_some_and(|(but, not)| not < but);
     // "Go to the red room ... no": nothing is behind it that it could turn round.
     let turns = !is_not || at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
@@ -136,7 +136,7 @@ fn has_one_article(words: Words<'_>) -> bool {
         articles = if is_verb { 0 } else { articles.saturating_add(if word.is_strange() { 2 } else { 1 }) };
         has_verb |= is_verb;
     }
-    articles <= 1 && !words.iter().any(|word| word.classes.contains(Class::Or))
+    articles <= 1 && !words.has(Class::Or)
 }
 
 /// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command

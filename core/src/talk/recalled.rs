@@ -132,7 +132,7 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
 
 /// What the words that point back may point at, each with its share.
 fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
-    let has = |class| words.iter().any(|word| word.classes.contains(class));
+    let has = |class| words.has(class);
     let thing = if has(Class::Other) {
         Thing::Other
     } else if has(Class::Same) && !has(Class::There) {

@@ -94,7 +94,7 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
 
 /// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
-    let at = |class| words.iter().position(|word| word.classes.contains(class));
+    let at = |class| words.at(class);
     let (and, it) = (at(Class::Connective)?, at(Class::It)?);
     // "Fetch the bag from the green room and put it ..." names the place where it is.
     let from = at(Class::From).filter(|&from| from < and).unwrap_or(and);

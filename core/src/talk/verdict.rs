@@ -104,9 +104,7 @@ impl<M: AgentMemory> Agent<M> {
             let is_whole = explained.whole.contains(task);
             let has_act = match is_of_thing {
                 true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
-                false => {
-                    rest.is_act || explained.acts || place.is_rest || is_whole && words.iter().any(|word| word.classes.contains(Class::You))
-                }
+                false => rest.is_act || explained.acts || place.is_rest || is_whole && words.has(Class::You),
             };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
             let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
@@ -208,7 +206,7 @@ fn tells(words: Words<'_>) -> bool {
     // "I like the red room" has no word of a task, and none for where a way leads.
     let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    (tells || speaks && !asks) && !words.iter().any(|word| word.classes.contains(Class::You))
+    (tells || speaks && !asks) && !words.has(Class::You)
 }
 
 /// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.
