@@ -202,12 +202,16 @@ impl<'t> Objects<'t> {
 
     /// All objects, in the order in which they were added.
     pub fn iter(self) -> impl Iterator<Item = (ObjectId, &'t Object)> {
-        self.memory.objects.iter().take(self.count.objects).enumerate().map(|(position, object)| (ObjectId(position as u8), object))
+        self.iter_all()
+    }
+
+    const fn iter_all(self) -> EachObject<'t> {
+        EachObject { objects: self, next: 0 }
     }
 
     /// The objects of one class, in order.
     pub fn of_class(self, class: ClassId) -> impl Iterator<Item = ObjectId> + use<'t> {
-        self.iter().filter(move |(_, object)| object.class == class).map(|(id, _)| id)
+        OfClass { objects: self.iter_all(), class }
     }
 
     /// The object with this name.
@@ -247,5 +251,45 @@ impl<'t> Objects<'t> {
     /// How many objects, names and bytes of them there are.
     pub fn usage(self, used: &mut Capacities) {
         (used.objects, used.names, used.name_bytes) = (self.count.objects, self.count.names, self.names().byte_len());
+    }
+}
+
+/// Goes through objects. It is one function for all who look for objects: adapters would be one each.
+#[derive(Clone)]
+struct EachObject<'t> {
+    objects: Objects<'t>,
+    next: usize,
+}
+
+/// Goes through the objects of a class, in one function too.
+#[derive(Clone)]
+struct OfClass<'t> {
+    objects: EachObject<'t>,
+    class: ClassId,
+}
+
+impl Iterator for OfClass<'_> {
+    type Item = ObjectId;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<ObjectId> {
+        loop {
+            let (id, object) = self.objects.next()?;
+            if object.class == self.class {
+                return Some(id);
+            }
+        }
+    }
+}
+
+impl<'t> Iterator for EachObject<'t> {
+    type Item = (ObjectId, &'t Object);
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Self::Item> {
+        let position = self.next;
+        let object = self.objects.memory.objects.get(..self.objects.count.objects)?.get(position)?;
+        self.next = position.saturating_add(1);
+        Some((ObjectId(position as u8), object))
     }
 }

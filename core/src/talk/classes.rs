@@ -154,15 +154,6 @@ impl Class {
     pub const fn is_talk(self) -> bool {
         matches!(self, Self::Stop | Self::Praise | Self::Blame | Self::Yes | Self::No | Self::Again | Self::Greeting | Self::Asking)
     }
-
-    /// Whether its words are for what the robot does, or against it; `None` where they are neither.
-    const fn is_for_it(self) -> Option<bool> {
-        match self {
-            Self::Praise | Self::Yes => Some(true),
-            Self::Blame | Self::No => Some(false),
-            _ => None,
-        }
-    }
 }
 
 /// The classes that a word is in, one bit each.
@@ -278,11 +269,9 @@ impl<'t> ClosedWords<'t> {
                     return Err(ClosedWordsError::NotAWord { word, line });
                 }
                 // A robot would be punished by its trainer's praise.
-                let Some(is_for_it) = class.is_for_it() else { continue };
-                for (first, (other, mut words)) in numbered(text).take_while(|(first, _)| *first < line) {
-                    if other.is_for_it() == Some(!is_for_it) && words.any(|known| known == word) {
-                        return Err(ClosedWordsError::Opposites { word, classes: [other, class], lines: [first, line] });
-                    }
+                let against = [Class::Blame, Class::No];
+                if matches!(class, Class::Praise | Class::Yes) && (Self { text }).of(word).contains_any(&against) {
+                    return Err(ClosedWordsError::Opposites { word, line });
                 }
             }
         }
@@ -290,7 +279,11 @@ impl<'t> ClosedWords<'t> {
     }
 
     fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
-        numbered(self.text).map(|(_, line)| line)
+        lines(self.text).filter_map(|line| {
+            let (name, words) = parted(line)?;
+            let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
+            Some((*class, words.split_whitespace()))
+        })
     }
 
     /// The classes of a word, as [`for_each_piece`] gives it.
@@ -367,15 +360,6 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.split(is('\n')).map(|line| line.split(is('#')).next().unwrap_or(""))
 }
 
-/// The classes of a table with their words, each with the number of its line, from 1.
-fn numbered(text: &str) -> impl Iterator<Item = (usize, (Class, core::str::SplitWhitespace<'_>))> {
-    lines(text).enumerate().filter_map(|(line, content)| {
-        let (name, words) = parted(content)?;
-        let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
-        Some((line.saturating_add(1), (*class, words.split_whitespace())))
-    })
-}
-
 /// The name of a class, and its words.
 fn parted(line: &str) -> Option<(&str, &str)> {
     line.split_once(is(':'))
@@ -410,10 +394,8 @@ pub enum ClosedWordsError<'t> {
     Opposites {
         /// The word.
         word: &'t str,
-        /// Both classes.
-        classes: [Class; 2],
-        /// Their lines, from 1.
-        lines: [usize; 2],
+        /// The line where it is praise or a yes, from 1.
+        line: usize,
     },
 }
 
@@ -423,13 +405,8 @@ impl fmt::Display for ClosedWordsError<'_> {
             Self::NoSuchClass { name, line } => write!(f, "line {line}: {name:?} is no class of words"),
             Self::NoClass { word, line } => write!(f, "line {line}: write a class and a colon before {word:?}"),
             Self::NotAWord { word, line } => write!(f, "line {line}: write {word:?} in lower case and without punctuation"),
-            Self::Opposites { word, classes: [one, other], lines: [first, second] } => {
-                write!(
-                    f,
-                    "{word:?} is {one} on line {first} and {other} on line {second}; leave it in one of them",
-                    one = one.name(),
-                    other = other.name()
-                )
+            Self::Opposites { word, line } => {
+                write!(f, "line {line}: {word:?} praises or agrees, and another line has it for the opposite; leave it in one of them")
             }
         }
     }
@@ -443,12 +420,15 @@ mod tests {
     use std::string::ToString;
 
     #[test]
-    fn a_word_that_is_for_the_robot_and_against_it_is_refused_with_both_lines() {
+    fn a_word_that_is_for_the_robot_and_against_it_is_refused_with_its_line() {
         let error = ClosedWords::new("yes: yeah ok\n\nno: nope ok").unwrap_err();
-        assert_eq!(error, ClosedWordsError::Opposites { word: "ok", classes: [Class::Yes, Class::No], lines: [1, 3] });
-        assert_eq!(error.to_string(), "\"ok\" is yes on line 1 and no on line 3; leave it in one of them");
-        for text in ["blame: so\npraise: well so", "praise: fine\nno: fine", "blame: right\nyes: right"] {
-            assert!(matches!(ClosedWords::new(text), Err(ClosedWordsError::Opposites { lines: [1, 2], .. })), "{text}");
+        assert_eq!(error, ClosedWordsError::Opposites { word: "ok", line: 1 });
+        assert_eq!(
+            error.to_string(),
+            "line 1: \"ok\" praises or agrees, and another line has it for the opposite; leave it in one of them"
+        );
+        for text in ["praise: well so\nblame: so", "praise: fine\nno: fine", "yes: right\nblame: right"] {
+            assert!(matches!(ClosedWords::new(text), Err(ClosedWordsError::Opposites { line: 1, .. })), "{text}");
         }
     }
 

@@ -389,12 +389,12 @@ impl LiftedTask {
 
     /// The parts of its way, in the order of the text.
     pub fn way(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
-        self.parts().filter(|&(part, _)| part != Part::Goal)
+        EachPart { lifted: self, next: 0, of_way: true }
     }
 
     /// The goal's propositions, and what it asks beside them.
     pub fn parts(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
-        self.propositions.iter().enumerate().map(|(position, &proposition)| (self.parts.get(position), proposition))
+        EachPart { lifted: self, next: 0, of_way: false }
     }
 
     /// The number of places of a variable.
@@ -429,6 +429,32 @@ fn pieces(text: &str, separator: u8) -> impl Iterator<Item = &str> {
         rest = after;
         Some(piece)
     })
+}
+
+/// Goes through the parts of a lifted task. It is one function for all who look at them: adapters would be one each.
+#[derive(Clone)]
+struct EachPart<'l> {
+    lifted: &'l LiftedTask,
+    next: usize,
+    /// Whether the goal is left out.
+    of_way: bool,
+}
+
+impl Iterator for EachPart<'_> {
+    type Item = (Part, LiftedProposition);
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let position = self.next;
+            let &proposition = self.lifted.propositions.get(position)?;
+            self.next = position.saturating_add(1);
+            let part = self.lifted.parts.get(position);
+            if !(self.of_way && part == Part::Goal) {
+                return Some((part, proposition));
+            }
+        }
+    }
 }
 
 #[cfg(test)]

@@ -243,7 +243,7 @@ fn check_closed_words(file: &str, text: &str) -> Findings {
     let mut count = 0;
     match ClosedWords::new(text) {
         Ok(table) => count = Class::ALL.iter().map(|&class| table.count(class)).sum(),
-        Err(error @ ClosedWordsError::Opposites { lines: [_, line], .. }) => faults.push(Fault::on_line(file, line, error)),
+        Err(error @ ClosedWordsError::Opposites { line, .. }) => faults.push(Fault::on_line(file, line, without_line(error))),
         Err(_) => {}
     }
     Findings { what: format!("a table of {}", counted(count, "closed word")), faults, ..Findings::default() }
@@ -252,7 +252,7 @@ fn check_closed_words(file: &str, text: &str) -> Findings {
 /// What is wrong in a text of one line, without the line's number.
 fn without_line(error: ClosedWordsError<'_>) -> String {
     let text = error.to_string();
-    text.strip_prefix("line 1: ").map_or_else(|| text.clone(), str::to_owned)
+    text.split_once(": ").filter(|(line, _)| line.starts_with("line ")).map_or_else(|| text.clone(), |(_, said)| said.to_owned())
 }
 
 fn check_environment(file: &str, text: &str) -> Findings {
