@@ -80,16 +80,14 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
         for_each_piece(utterance, |piece| {
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
             let word = at.and_then(|at| words.get(at));
-            if let (Some(at), Some(word)) = (at, word)
-                && let Some(slot) = mended.get_mut(at)
+            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
+                && let Some((symbol, slip)) = slip_for(language, piece, rate)
+                && (rate == SLIP || slips > 1)
+                && !(at == first && is_name(language.tables(), Some(symbol)))
             {
-                if let Some((symbol, slip)) = slip_for(language, piece, rate) {
-                    if (rate == SLIP || slips > 1) && !(Some(at) == first && is_name(language.tables(), Some(symbol))) {
-                        slips = slips.saturating_add(usize::from(rate == SLIP));
-                        *slot = word.mended(language, symbol, slip);
-                        slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
-                    }
-                }
+                slips = slips.saturating_add(usize::from(rate == SLIP));
+                *slot = word.mended(language, symbol, slip);
+                slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
             }
             position = position.saturating_add(1);
             Ok(())
