@@ -205,8 +205,8 @@ impl<'t> Objects<'t> {
         self.iter_all()
     }
 
-    const fn iter_all(self) -> EachObject<'t> {
-        EachObject { objects: self, next: 0 }
+    fn iter_all(self) -> EachObject<'t> {
+        EachObject { objects: self.memory.objects.split_at_checked(self.count.objects).map_or(&[], |(objects, _)| objects), next: 0 }
     }
 
     /// The objects of one class, in order.
@@ -254,10 +254,11 @@ impl<'t> Objects<'t> {
     }
 }
 
-/// Goes through objects. It is one function for all who look for objects: adapters would be one each.
+/// Goes through objects. On a page it is one function for all who look for objects: adapters would be one each. Elsewhere the compiler joins it with its
+/// users, which takes less flash.
 #[derive(Clone)]
 struct EachObject<'t> {
-    objects: Objects<'t>,
+    objects: &'t [Object],
     next: usize,
 }
 
@@ -271,7 +272,7 @@ struct OfClass<'t> {
 impl Iterator for OfClass<'_> {
     type Item = ObjectId;
 
-    #[inline(never)]
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn next(&mut self) -> Option<ObjectId> {
         loop {
             let (id, object) = self.objects.next()?;
@@ -285,10 +286,10 @@ impl Iterator for OfClass<'_> {
 impl<'t> Iterator for EachObject<'t> {
     type Item = (ObjectId, &'t Object);
 
-    #[inline(never)]
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn next(&mut self) -> Option<Self::Item> {
         let position = self.next;
-        let object = self.objects.memory.objects.get(..self.objects.count.objects)?.get(position)?;
+        let object = self.objects.get(position)?;
         self.next = position.saturating_add(1);
         Some((ObjectId(position as u8), object))
     }

@@ -443,7 +443,7 @@ struct EachPart<'l> {
 impl Iterator for EachPart<'_> {
     type Item = (Part, LiftedProposition);
 
-    #[inline(never)]
+    #[cfg_attr(target_family = "wasm", inline(never))]
     fn next(&mut self) -> Option<Self::Item> {
         loop {
             let position = self.next;
