@@ -1,5 +1,6 @@
 //! Another word for the one that lessons have beside the names of places: "chamber" for "room".
 
+use super::classes::Class;
 use super::heard::{Utterance, count};
 use crate::language::LanguageRef;
 use crate::language::roles::talk::{is_name, is_of_task};
@@ -14,6 +15,10 @@ pub(super) const RENAMED: f32 = 0.1;
 pub(super) fn renamed(language: LanguageRef<'_>, words: &Utterance, at: usize) -> Option<Symbol> {
     let bitext = language.bitext();
     let sessions = bitext.sessions();
+    // "I want a new blue car" has no word for what to do.
+    if words.iter().any(|word| word.classes.contains(Class::Wish)) {
+        return None;
+    }
     for (beside, is_behind) in [(at.wrapping_sub(1), true), (at.wrapping_add(1), false)] {
         if words.get(beside).is_none_or(|word| !word.is_name) {
             continue;

@@ -327,7 +327,10 @@ fn a_table_of_closed_words_is_checked_too() {
         "4: write a class and a colon before \"wait\"",
     ];
     assert_refused(b"# My words\ncolour: red\nstop: Halt\nwait\n", &messages);
-    assert_refused(b"yes: yes ok\n\nno: ok no\n", &["3: \"ok\" is yes on line 1 and no on line 3; leave it in one of them"]);
+    assert_refused(
+        b"yes: yes ok\n\nno: ok no\n",
+        &["1: \"ok\" praises or agrees, and another line has it for the opposite; leave it in one of them"],
+    );
     assert!(goodbot(&["learn", "-", "--out", "-"], b"no: no\n").messages.contains("this is a table of closed words, not a session log"));
 }
 

@@ -152,6 +152,9 @@ impl Trainer {
 
     /// What was said, as the robot hears it.
     fn in_known_words<'w>(&self, words: &'w str) -> Result<Cow<'w, str>, Refusal> {
+        if self.synonyms == Synonyms::NONE {
+            return Ok(Cow::Borrowed(words));
+        }
         said_in_known_words(self.synonyms, self.lesson.agent.language(), words).map_err(refused)
     }
 
