@@ -4,6 +4,7 @@ use goodbot_lesson::Fault;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -82,12 +83,17 @@ pub fn counting(what: &'static str) -> ProgressBar {
 
 /// Faults as lines to be read: where many say the same of many lines, the first one with their count.
 pub fn summed(faults: &[Fault]) -> Vec<String> {
-    let mut same: HashMap<(&str, Option<&str>, String), usize> = HashMap::new();
+    // Numbers differ from line to line.
+    let text = |fault: &Fault| fault.message.chars().filter(|letter| !letter.is_ascii_digit()).collect::<String>();
+    summed_by(faults, |fault| (fault.file.clone(), fault.field.clone(), text(fault)))
+}
+
+/// Faults as lines to be read: of those with the same key, the first one with their count.
+pub fn summed_by<K: Eq + Hash>(faults: &[Fault], key: impl Fn(&Fault) -> K) -> Vec<String> {
+    let mut same: HashMap<K, usize> = HashMap::new();
     let mut told: Vec<(&Fault, usize)> = Vec::new();
     for fault in faults {
-        // Numbers differ from line to line.
-        let text = fault.message.chars().filter(|letter| !letter.is_ascii_digit()).collect();
-        let at = *same.entry((&fault.file, fault.field.as_deref(), text)).or_insert(told.len());
+        let at = *same.entry(key(fault)).or_insert(told.len());
         match told.get_mut(at) {
             Some((_, more)) => *more += 1,
             None => told.push((fault, 0)),

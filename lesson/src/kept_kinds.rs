@@ -68,8 +68,7 @@ pub fn behind(file: &[u8], texts: &[String]) -> Vec<u8> {
 
 /// CRC-32, as a model has it.
 fn crc(bytes: &[u8]) -> u32 {
-    let bit = |crc: u32| if crc & 1 == 1 { crc >> 1 ^ 0xedb8_8320 } else { crc >> 1 };
-    !bytes.iter().fold(u32::MAX, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), |crc, _| bit(crc)))
+    crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC).checksum(bytes)
 }
 
 /// A kind of task as a text, the same for all texts of that kind: its variables are named in their order.

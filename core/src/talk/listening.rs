@@ -21,7 +21,7 @@ use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// How probable it is that a command has its place in front, "to the red room take the bag", or corrects itself.
+/// How probable it is that a command is said in other words: its place in front, "to the red room take the bag", or a correction in it.
 const TURNED: f32 = 0.2;
 /// How often a thing that is there already is meant, where all are to be brought.
 const NOT_MEANT: f32 = 1e-4;

@@ -87,25 +87,23 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let cues = [Class::Negation, Class::Out, Class::But];
     let (rest, probability) = without(words, &cues)?;
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
-    let has = |class| words.has(class);
-    let (is_out, is_not) = (has(Class::Out), has(Class::Negation));
+    let (is_out, is_not) = (words.has(Class::Out), words.has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
     // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none.
     // "Why don't you go" is no command.
     // "If it's not too much trouble" is none either.
     // "Anywhere" asks nothing: "n'importe où".
-    let is_question = !has(Class::But) && is_question(words);
-    let at = |class| words.at(class);
-    let is_not_but = at(Class::But).zip(at(Class::Negation)).is_some_and(|(but, not)| not < but);
+    let is_question = !words.has(Class::But) && is_question(words);
+    let is_not_but = words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but);
     // "Go to the red room ... no": nothing is behind it that it could turn round.
-    let turns = !is_not || at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
-    let is_act = is_out || has(Class::But) || rest.iter().any(Heard::may_act);
+    let turns = !is_not || words.at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
+    let is_act = is_out || words.has(Class::But) || rest.iter().any(Heard::may_act);
     // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for it.
     let stays = is_out && rest.iter().any(|word| word.is_toward);
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
-    let is_clear = !(is_question || has(Class::If) || is_not && is_out || is_not_but || is_there) && turns;
-    let is_act_for_things = is_act && (is_not || has(Class::From));
+    let is_clear = !(is_question || words.has(Class::If) || is_not && is_out || is_not_but || is_there) && turns;
+    let is_act_for_things = is_act && (is_not || words.has(Class::From));
     Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays })
 }
 

@@ -132,19 +132,18 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
 
 /// What the words that point back may point at, each with its share.
 fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
-    let has = |class| words.has(class);
-    let thing = if has(Class::Other) {
+    let thing = if words.has(Class::Other) {
         Thing::Other
-    } else if has(Class::Same) && !has(Class::There) {
+    } else if words.has(Class::Same) && !words.has(Class::There) {
         Thing::Named
-    } else if has(Class::It) {
+    } else if words.has(Class::It) {
         Thing::Last
     } else {
         Thing::Free
     };
-    let places: &'static [(Place, f32)] = if has(Class::There) {
+    let places: &'static [(Place, f32)] = if words.has(Class::There) {
         &[(Place::Named, 1.0)]
-    } else if has(Class::Back) {
+    } else if words.has(Class::Back) {
         &[(Place::Was, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
     } else if matches!(thing, Thing::Other | Thing::Named) {
         &[(Place::Named, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]

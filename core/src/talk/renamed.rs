@@ -6,7 +6,7 @@ use crate::language::LanguageRef;
 use crate::language::roles::talk::{is_name, is_of_task};
 use crate::symbols::Symbol;
 
-/// So many of 10 lessons have the word, and as many of its mentions stand beside a name.
+/// Of ten lessons so many have the word, and of ten of its mentions so many are beside a name.
 const MOST: usize = 8;
 /// How probable a word is that was never heard as another word for that one, against a word that means something else.
 pub(super) const RENAMED: f32 = 0.1;
@@ -26,7 +26,7 @@ pub(super) fn renamed(language: LanguageRef<'_>, words: &Utterance, at: usize) -
         for symbol in (0..language.tables().words()).map(|word| Symbol(word as u16)) {
             let mentions = count(bitext, symbol);
             let is_said = words.iter().any(|word| word.said.symbol == Some(symbol));
-            if is_said || mentions * 10 < sessions * MOST || is_name(language.tables(), Some(symbol)) {
+            if is_said || mentions.saturating_mul(10) < sessions.saturating_mul(MOST) || is_name(language.tables(), Some(symbol)) {
                 continue;
             }
             let mut with_name = 0_usize;
@@ -37,7 +37,8 @@ pub(super) fn renamed(language: LanguageRef<'_>, words: &Utterance, at: usize) -
                     with_name = with_name.saturating_add(usize::from(word == symbol && is_name(language.tables(), Some(name))));
                 }
             }
-            if with_name * 10 >= mentions * MOST && mentions > 0 && !is_of_task(language.tables(), Some(symbol)) {
+            if with_name.saturating_mul(10) >= mentions.saturating_mul(MOST) && mentions > 0 && !is_of_task(language.tables(), Some(symbol))
+            {
                 return Some(symbol);
             }
         }

@@ -94,10 +94,9 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
 
 /// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
-    let at = |class| words.at(class);
-    let (and, it) = (at(Class::Connective)?, at(Class::It)?);
+    let (and, it) = (words.at(Class::Connective)?, words.at(Class::It)?);
     // "Fetch the bag from the green room and put it ..." names the place where it is.
-    let from = at(Class::From).filter(|&from| from < and).unwrap_or(and);
+    let from = words.at(Class::From).filter(|&from| from < and).unwrap_or(and);
     let (front, behind) = (words.part(0, from), words.part(it.saturating_add(1), words.len()));
     let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
     let names = |words: Words<'_>| words.iter().any(|word| word.is_name);

@@ -16,7 +16,7 @@ use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{counted, counting, printable, summed};
+use goodbot_console::messages::{counted, counting, printable, summed, summed_by};
 use goodbot_console::outcome;
 use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
@@ -131,7 +131,7 @@ pub fn summary(file: &str) -> Result<String, String> {
 
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     let mut messages = std::io::stderr().lock();
-    for fault in alike(&found.faults) {
+    for fault in summed_by(&found.faults, mended) {
         writeln!(messages, "{}", printable(&fault))?;
     }
     let doubtful = |warning: &Fault| Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
@@ -154,24 +154,6 @@ type Mended = (Option<usize>, Option<String>, String);
 
 fn mended(fault: &Fault) -> Mended {
     (fault.line.filter(|_| !fault.message.contains("--task")), fault.field.clone(), fault.message.clone())
-}
-
-/// Faults as lines to be read. What one option mends on many lines is told once, with their count.
-fn alike(faults: &[Fault]) -> Vec<String> {
-    let mut places: HashMap<Mended, usize> = HashMap::new();
-    let mut told: Vec<(&Fault, usize)> = Vec::new();
-    for fault in faults {
-        let at = *places.entry(mended(fault)).or_insert(told.len());
-        match told.get_mut(at) {
-            Some((_, more)) => *more += 1,
-            None => told.push((fault, 0)),
-        }
-    }
-    let line = |(fault, more): (&Fault, usize)| match more {
-        0 => fault.to_string(),
-        more => format!("{fault}; and {} like it", counted(more, "line")),
-    };
-    told.into_iter().map(line).collect()
 }
 
 fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
