@@ -12,7 +12,6 @@ use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::Marker;
-use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap};
 
 /// Memory for a language model of these lessons, and for no search.
@@ -96,6 +95,7 @@ pub fn data<'m, 'l>(
     settings: Settings,
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
     let mut model = LanguageModel::new(memory, settings)?;
+    let mut interned = Interned::of(&model);
     for lesson in lessons.filter(|lesson| lesson.learn) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
@@ -105,7 +105,7 @@ pub fn data<'m, 'l>(
             .collect::<Result<_, CapacityError>>()?;
         model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
         if settings.layer {
-            let possible = possible(&mut model, lesson)?;
+            let possible = possible(&mut model, lesson, &mut interned)?;
             model.add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
         }
     }
@@ -113,10 +113,13 @@ pub fn data<'m, 'l>(
 }
 
 /// The descriptions of a lesson's tasks, each once, and how probable each is before any word.
-fn possible(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<(Vec<Symbol>, f32)>, CapacityError> {
+fn possible(
+    model: &mut LanguageModel<impl AgentMemory>,
+    lesson: &Lesson,
+    interned: &mut Interned,
+) -> Result<Vec<(Vec<Symbol>, f32)>, CapacityError> {
     let mut possible: Vec<(Vec<Symbol>, f32)> = Vec::new();
     let mut known: HashMap<Vec<Symbol>, usize> = HashMap::new();
-    let mut interned = Interned::default();
     for reading in &*lesson.readings {
         let Some(description) = reading.commands.first() else { continue };
         let description = interned.symbols(model, description)?;
@@ -131,17 +134,25 @@ fn possible(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Res
     Ok(possible)
 }
 
-/// The symbols of the tokens of one lesson, each looked up once: a world has thousands of tasks that share them.
-#[derive(Default)]
-struct Interned<'l> {
-    symbols: HashMap<&'l str, Symbol>,
+/// The symbols of tokens, each looked up once: a world has thousands of tasks that share them, and may have thousands of tokens.
+struct Interned {
+    symbols: HashMap<String, Symbol>,
 }
 
-impl<'l> Interned<'l> {
-    fn symbols(&mut self, model: &mut LanguageModel<impl AgentMemory>, command: &'l MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
-        let symbol = |token: &'l String| match self.symbols.entry(token) {
-            Entry::Occupied(known) => Ok(*known.get()),
-            Entry::Vacant(new) => Ok(*new.insert(symbol(model, token)?)),
+impl Interned {
+    /// Those that a model has.
+    fn of(model: &LanguageModel<impl AgentMemory>) -> Self {
+        Self { symbols: model.tokens().iter().map(|(symbol, text)| (text.to_owned(), symbol)).collect() }
+    }
+
+    fn symbols(&mut self, model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+        let symbol = |token: &String| match self.symbols.get(token) {
+            Some(&known) => Ok(known),
+            None => {
+                let symbol = symbol(model, token)?;
+                self.symbols.insert(token.clone(), symbol);
+                Ok(symbol)
+            }
         };
         command.iter().map(symbol).collect()
     }
@@ -165,25 +176,27 @@ pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCom
 /// A [`CapacityError`] where the command has no room.
 pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
-    let (mut scores, mut forms, mut interned) = (Vec::new(), Vec::new(), Interned::default());
+    let (mut scores, mut forms, mut descriptions, mut interned) = (Vec::new(), Vec::new(), Vec::new(), Interned::of(model));
     for reading in &*lesson.readings {
         // In the same order as a robot that hears: so both give the same bits.
         let share = 1.0 / reading.commands.len().max(1) as f32;
-        let mut sum = Scaled::ZERO;
+        let (mut sum, mut description) = (Scaled::ZERO, None);
         for command in &reading.commands {
             let command = interned.symbols(model, command)?;
             if forms.len() == scores.len() {
                 forms.extend(command.first().copied());
             }
             sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
+            description.get_or_insert(command);
         }
         scores.push(sum.scaled_by(reading.prior));
+        descriptions.push(description.unwrap_or_default());
     }
     let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
     let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
     model.read().weigh_kinds(&sentence, form, prior, &mut scores);
     if model.settings().layer {
-        weigh_parts(model, lesson, &sentence, &mut scores)?;
+        weigh_parts(model.read(), &descriptions, &sentence, &mut scores);
     }
     model.forget_unlearned();
     let whole = total(scores.iter().copied());
@@ -191,24 +204,14 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
 }
 
 /// Lets the layer speak.
-fn weigh_parts(
-    model: &mut LanguageModel<impl AgentMemory>,
-    lesson: &Lesson,
-    sentence: &[Option<Symbol>],
-    scores: &mut [Scaled],
-) -> Result<(), CapacityError> {
-    let (mut descriptions, mut interned) = (Vec::new(), Interned::default());
-    for reading in &*lesson.readings {
-        descriptions.push(reading.commands.first().map_or_else(|| Ok(vec![]), |description| interned.symbols(model, description))?);
-    }
+fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &[Option<Symbol>], scores: &mut [Scaled]) {
     let mut firsts: HashMap<&Vec<Symbol>, usize> = HashMap::new();
     for (task, description) in descriptions.iter().enumerate() {
         firsts.entry(description).or_insert(task);
     }
     let same = |task: usize| descriptions.get(task).and_then(|description| firsts.get(description)).copied().unwrap_or(task);
     let description = |task: usize| descriptions.get(task).map_or(&[][..], |description| &description[..]);
-    model.read().weigh_parts(sentence, same, description, scores);
-    Ok(())
+    model.weigh_parts(sentence, same, description, scores);
 }
 
 /// How a word was explained.

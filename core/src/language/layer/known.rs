@@ -44,3 +44,46 @@ impl Known {
 fn hash(tokens: &[Symbol]) -> u32 {
     tokens.iter().fold(0x811c_9dc5, |hash, token| (hash ^ u32::from(token.0)).wrapping_mul(0x0100_0193))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::bitext::{Extent, Pair, Span};
+    use crate::memory::BitextTables;
+    use alloc::collections::BTreeMap;
+
+    /// Two descriptions of one hash.
+    fn alike() -> [[Symbol; 2]; 2] {
+        let high = |first: u16| hash(&[Symbol(first)]) >> 16;
+        let mut firsts = BTreeMap::new();
+        let (one, other) = (0..u16::MAX).find_map(|first| Some((firsts.insert(high(first), first)?, first))).unwrap();
+        // The rest of the hash after the first symbols differs by what a second symbol can be.
+        let second = hash(&[Symbol(one)]) ^ hash(&[Symbol(other)]);
+        [[Symbol(one), Symbol(0)], [Symbol(other), Symbol(second as u16)]]
+    }
+
+    #[test]
+    fn each_description_is_kept_once_and_two_of_one_hash_stay_apart() {
+        let (mut commands, mut command_tokens) = ([Span::UNUSED; 2], [Symbol(0); 4]);
+        let (mut sessions, mut pairs) = ([Span::UNUSED; 2], [Pair::UNUSED; 4]);
+        let mut used = Extent::NONE;
+        let memory = BitextTables {
+            commands: &mut commands,
+            command_tokens: &mut command_tokens,
+            sessions: &mut sessions,
+            sentence_words: &mut [],
+            pairs: &mut pairs,
+        };
+        let mut data = Bitext::new(memory, &mut used);
+        let alike = alike();
+        assert_eq!(hash(&alike[0]), hash(&alike[1]));
+        for order in [[0, 1], [1, 0]] {
+            data.add_session(&[]).unwrap();
+            let mut known = Known::of(data.read());
+            order.iter().for_each(|&description| known.add_pair(&mut data, &alike[description], 0.5).unwrap());
+        }
+        let commands: std::vec::Vec<u16> = data.read().pairs().iter().map(|pair| pair.command).collect();
+        assert_eq!((data.read().commands(), commands.as_slice()), (2, &[0, 1, 1, 0][..]));
+        assert_eq!(data.read().command(1), &alike[1]);
+    }
+}
