@@ -86,7 +86,7 @@ impl StarterOptions {
     }
 }
 
-/// With so many own sessions, half of the starter's sentences are left.
+/// With this many own sessions, half of the starter's sentences are left.
 const HALF: usize = 4;
 /// How often each sentence is said, of other things each time.
 const TIMES: usize = 2;
@@ -129,7 +129,7 @@ impl Starter {
         &self.lessons
     }
 
-    /// The lessons to learn from beside so many own ones: evenly of all.
+    /// The lessons to learn from beside this many own ones: evenly of all.
     pub fn beside(&self, own: usize) -> impl Iterator<Item = &Lesson> {
         let all = self.lessons.len();
         let left = (all * HALF).div_ceil(HALF + own).min(all);
@@ -150,7 +150,7 @@ impl Starter {
         both
     }
 
-    /// Adds the lessons to learn from beside so many own ones to what an agent has learned, and begins training. Gives how many were added:
+    /// Adds the lessons for this many own ones to what an agent has learned, and begins training. Gives how many were added:
     /// those that it has already are not.
     ///
     /// # Errors

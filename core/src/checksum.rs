@@ -43,7 +43,7 @@ impl core::fmt::Debug for Running {
 mod library {
     #[cfg(not(target_family = "wasm"))]
     type Steps = crc::Table<1>;
-    /// Bit by bit: everybody who opens the page would load the table, which nothing packs.
+    /// Bit by bit, for the page: a table would add its whole size to the page, as it does not compress.
     #[cfg(target_family = "wasm")]
     type Steps = crc::NoTable;
 

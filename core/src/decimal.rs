@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-/// So many parts of one are told.
+/// The smallest part of one that is told.
 const PARTS: u32 = 1_000_000;
 
-/// A number with at most six places. What `core::fmt` has for such numbers takes several kilobytes, which a controller and the page can save.
+/// A number with at most six places. `core::fmt` for floats would take several kilobytes on a controller and in the page.
 pub(crate) struct Decimal(pub f32);
 
 impl fmt::Display for Decimal {

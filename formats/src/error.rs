@@ -312,11 +312,11 @@ impl fmt::Display for Problem {
                 write!(f, "{} is here twice; name each once", quoted(name))
             }
             Problem::Task(error) => error.fmt(f),
-            Problem::StepBeforeSession => f.write_str("a step stands before any session; put a session line before it"),
+            Problem::StepBeforeSession => f.write_str("a step comes before any session; put a session line before it"),
             Problem::StepAfterEnd => {
-                f.write_str("a step stands after the end of its session; move it before the end line, or begin a session")
+                f.write_str("a step comes after the end of its session; move it before the end line, or begin a session")
             }
-            Problem::EndOutsideSession => f.write_str("an end stands outside of any session; remove it"),
+            Problem::EndOutsideSession => f.write_str("an end is outside of any session; remove it"),
             Problem::NoEnd { next_session: Some(line) } => {
                 write!(f, "the session that begins here is not ended when another begins on line {line}; add an end line before that")
             }
@@ -334,9 +334,7 @@ impl fmt::Display for Problem {
             Problem::AnswerWithoutFeedback => {
                 f.write_str("an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback")
             }
-            Problem::AnswerOutsideSession => {
-                f.write_str("an answer stands outside any session; put it between its session line and its end")
-            }
+            Problem::AnswerOutsideSession => f.write_str("an answer is outside any session; put it between its session line and its end"),
             Problem::AnswersMostlyWrong => f.write_str("must be less than 0.5: an answer that is more often wrong than right is no answer"),
             Problem::OtherAnswers { others } => write!(f, "{others} other answers are none to choose from; write a number from 1 to 255"),
             Problem::Lags => f.write_str("must be three probabilities that sum to 1"),
@@ -356,10 +354,10 @@ impl fmt::Display for Problem {
                 write!(f, "objects of the class {} do not carry this attribute; add the class to the attribute's list", quoted(class))
             }
             Problem::ArgumentCount { name, given, wanted } => {
-                write!(f, "{} was given {given} arguments, and it has {wanted} in this world; write so many", quoted(name))
+                write!(f, "{} was given {given} arguments, and it has {wanted} in this world; write that many", quoted(name))
             }
             Problem::WrongClass { name, class } => {
-                write!(f, "{} stands where an object of the class {} belongs; write one of those", quoted(name), quoted(class))
+                write!(f, "{} is where an object of the class {} belongs; write one of those", quoted(name), quoted(class))
             }
             Problem::Negated => f.write_str("says what does not hold; leave it out, for what is not written does not hold"),
             Problem::KindWithWay => {

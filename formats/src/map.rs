@@ -69,7 +69,7 @@ impl Notes {
         let block = |cell: &[i32; 2]| objects.iter().any(|it| matches!(*it, ObjectRecord::Block { x, y, .. } if [x, y] == *cell));
         let rooms =
             self.rooms.iter().filter(|(place, _)| !room(place)).map(|(_, (line, _))| (*line, "no room has this box, its walls included"));
-        let blocks = self.blocks.iter().filter(|(cell, _)| !block(cell)).map(|(_, (line, _))| (*line, "no block stands in this cell"));
+        let blocks = self.blocks.iter().filter(|(cell, _)| !block(cell)).map(|(_, (line, _))| (*line, "no block is in this cell"));
         let (line, what) = rooms.chain(blocks).next()?;
         Some(Misdrawn { line, message: format!("{what}; mend the numbers, or leave the line out") })
     }
@@ -245,7 +245,7 @@ mod tests {
             ("####\n#r!#\n####", 2, "means nothing"),
             ("####\n#r@#\n####\nr: red\n\nr: teal", 6, "on line 4 already"),
             ("####\n#r@#\n####\nroom red 0 0 3 3", 4, "no room has this box"),
-            ("####\n#r@#\n####\nblock red bag 1 1", 4, "no block stands"),
+            ("####\n#r@#\n####\nblock red bag 1 1", 4, "no block is in"),
         ] {
             let wrong = parse(drawing).unwrap_err();
             assert!(wrong.line == line && wrong.message.contains(message), "{wrong:?}");

@@ -7,7 +7,7 @@ use std::error::Error;
 
 /// Text.
 pub const INK: RGBColor = RGBColor(34, 34, 34);
-/// What is behind bars and in empty boxes.
+/// The background of bars and empty boxes.
 pub const PALE: RGBColor = RGBColor(245, 245, 242);
 /// The first kind of thing that is shown.
 pub const BLUE: RGBColor = RGBColor(94, 129, 172);

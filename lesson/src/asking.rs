@@ -13,7 +13,7 @@ use goodbot::task::TaskSet;
 /// With this much belief in a task nothing is asked. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
 /// commands, and understands 2 in 100 more.
 const SURE: f32 = 0.5;
-/// Answers as expected in so many sessions make it ask ever less.
+/// Expected answers in up to this many sessions make it ask ever less.
 const MOST_TRUST: u8 = 3;
 /// An answer with less than this share of an even part is a surprise.
 const LEAST_EXPECTED: f32 = 0.9;

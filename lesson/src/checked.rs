@@ -427,7 +427,7 @@ impl Checker<'_> {
 fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
     let action = quoted(&record.action);
     format!(
-        "{action} cannot be done here, where the agent is at {x}, {y}: no block beside it has a wall or another block behind it; correct the \
+        "{action} cannot be done here, where the agent is at {x}, {y}: no block beside it has a wall or another block on its far side; correct the \
          steps, or leave out the session"
     )
 }

@@ -1,4 +1,4 @@
-//! Conversations: what "it", "there" and "back" stand for, from one session to the next.
+//! Conversations: what "it", "there" and "back" refer to, from one session to the next.
 //!
 //! A task is remembered when its session is learned from, when the robot has done it although nothing is learned, and when it was done
 //! already. A conversation speaks of one home, and begins anew where things are put elsewhere.
@@ -111,7 +111,7 @@ impl<D: Place> Lesson<D> {
         self.conversations.now.id.get_or_insert_with(|| id.to_owned());
     }
 
-    /// Begins another conversation. The robot stands where it does, and remembers nothing of what was said. The session under way is forgotten.
+    /// Begins another conversation. The robot stays where it is, and remembers nothing of what was said. The session under way is forgotten.
     pub fn converse_anew(&mut self) {
         self.forget();
         self.declined = None;

@@ -77,7 +77,7 @@ pub fn words_read(text: &str) -> &str {
     read(text).map_or(text, |read| read.words)
 }
 
-/// That so many commands are not read to their end, as a remark.
+/// The remark that this many commands are not read to their end.
 pub fn told(count: usize) -> String {
     match count {
         1 => format!("1 command has more than {WORDS_PER_COMMAND} words; its first {WORDS_PER_COMMAND} are read"),

@@ -126,7 +126,7 @@ fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     flaws
 }
 
-/// What stands where it cannot stand: each block is tried without those found before.
+/// The things whose place is not possible: each block is tried without those found before.
 fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     let (mut flaws, mut left): (Vec<Flaw>, Vec<usize>) = (Vec::new(), (0..environment.objects.len()).collect());
     loop {

@@ -1,4 +1,4 @@
-//! The kinds of task that a model was learned for, in a record behind the model's bytes.
+//! The kinds of task that a model was learned for, in a record after the model's bytes.
 //!
 //! The model itself has no room for them: a controller is made with its kinds, and passes the record over. `docs/format.md` says what each
 //! byte means.
@@ -22,19 +22,19 @@ pub struct Damaged;
 
 impl fmt::Display for Damaged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the kinds of task behind the model are damaged: their length or their check is wrong; take another copy")
+        f.write_str("the kinds of task after the model are damaged: their length or their check is wrong; take another copy")
     }
 }
 
 impl std::error::Error for Damaged {}
 
-/// A model without what is behind it.
+/// A model without the record after it.
 pub fn model_alone(file: &[u8]) -> &[u8] {
     let stated = file.get(STATED).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
     stated.and_then(|stated| file.get(..usize::try_from(stated).ok()?)).unwrap_or(file)
 }
 
-/// The texts of the kinds of task behind a model; `None` where it has no record.
+/// The texts of the kinds of task after a model; `None` where it has no record.
 ///
 /// # Errors
 /// [`Damaged`].
@@ -53,8 +53,8 @@ pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
     Ok(Some(texts.lines().map(str::to_owned).collect()))
 }
 
-/// A model with these kinds of task behind it, in the place of those that were there.
-pub fn behind(file: &[u8], texts: &[String]) -> Vec<u8> {
+/// The model with a record of these kinds of task, in place of its own.
+pub fn with(file: &[u8], texts: &[String]) -> Vec<u8> {
     let mut record = [MAGIC.as_slice(), &[0; HEAD - MAGIC.len()]].concat();
     for text in texts {
         record.extend(text.as_bytes());
@@ -123,14 +123,14 @@ mod tests {
     fn kinds_behind_a_model_are_there_again_and_take_the_place_of_older_ones() {
         let [some, others] = [vec!["a(?a)".to_owned(), "b(?a,?b)".to_owned()], vec!["c(?a)".to_owned()]];
         assert_eq!(of(&model()), Ok(None));
-        let file = behind(&model(), &some);
+        let file = with(&model(), &some);
         assert_eq!((of(&file), model_alone(&file)), (Ok(Some(some)), model().as_slice()));
-        assert_eq!(of(&behind(&file, &others)), Ok(Some(others)));
+        assert_eq!(of(&with(&file, &others)), Ok(Some(others)));
     }
 
     #[test]
     fn a_changed_or_cut_record_is_refused() {
-        let file = behind(&model(), &["a(?a)".to_owned()]);
+        let file = with(&model(), &["a(?a)".to_owned()]);
         for at in model().len() + MAGIC.len()..file.len() {
             let mut changed = file.clone();
             changed[at] ^= 4;

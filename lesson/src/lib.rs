@@ -7,10 +7,10 @@
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
 //! - [`walk`]: what happens in a session;
 //! - [`replay`]: a recorded session, gone through once more;
-//! - [`kept_kinds`]: the kinds of task that a model was learned for, behind the model;
+//! - [`kept_kinds`]: the kinds of task that a model was learned for, in a record after the model;
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;
-//! - `conversing`, with the feature `talk`: what "it", "there" and "back" stand for, from one session to the next;
+//! - `conversing`, with the feature `talk`: what "it", "there" and "back" refer to, from one session to the next;
 //! - `voice`, with the feature `talk`: praise, blame, answers and corrections in words;
 //! - `asking`, with the feature `talk`: when the robot asks in it;
 //! - [`place`]: where a session takes place;

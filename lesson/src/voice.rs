@@ -47,7 +47,7 @@ impl Voice {
 }
 
 impl<D: Place> Lesson<D> {
-    /// What a person's words ask for, given where the conversation stands. Nothing is done yet. Words that change what was before are no command
+    /// What a person's words ask for, at this point of the conversation. Nothing is done yet. Words that change what was before are no command
     /// where nothing was: they are [`Said::Nothing`] of [`Class::Back`].
     ///
     /// # Errors

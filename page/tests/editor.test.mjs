@@ -38,7 +38,7 @@ test('an invalid drawing says why, and the robot stays where it was', async () =
   await page.locator('#objects summary', { hasText: 'robot' }).click();
   await page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input').fill('0');
   await page.keyboard.press('Tab');
-  assert.match(await page.textContent('#build-error'), /agent0: it stands in a wall or outside every room/);
+  assert.match(await page.textContent('#build-error'), /agent0: it is in a wall or outside every room/);
   assert.equal(await page.evaluate(() => window.goodbot.environment()), old);
   await close(page);
 });
@@ -137,7 +137,7 @@ test('a home is drawn by keyboard alone, from nothing', async () => {
   await press('#clear');
   await press('[data-add=room]');
   await press('[data-add=agent]');
-  assert.match(await page.textContent('#build-error'), /Not a home yet: agent0: it stands in a wall/);
+  assert.match(await page.textContent('#build-error'), /Not a home yet: agent0: it is in a wall/);
   const field = page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input');
   await field.focus();
   for (let step = 0; step < 8 && !/This is a home/.test(await page.textContent('#build-error')); step += 1) {

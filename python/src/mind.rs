@@ -76,7 +76,7 @@ impl Mind {
     pub fn saved(&self) -> PyResult<Vec<u8>> {
         let model = self.core.saved().map_err(error::save)?;
         Ok(match &self.kinds {
-            Some(kinds) => kept_kinds::behind(&model, kinds),
+            Some(kinds) => kept_kinds::with(&model, kinds),
             None => model,
         })
     }

@@ -40,7 +40,7 @@ def test_other_kinds_than_those_of_the_file_are_refused_with_both() -> None:
     model = goodbot.Agent([*PAPER, BOTH]).to_bytes()
     with pytest.raises(ValueError, match=r"blockInRoom\(\?c,\?d\), and tasks= names agentInRoom\(\?a,\?r\); blockInRoom"):
         goodbot.Agent.from_bytes(model, PAPER)
-    with pytest.raises(goodbot.ModelError, match="the kinds of task behind the model are damaged"):
+    with pytest.raises(goodbot.ModelError, match="the kinds of task after the model are damaged"):
         goodbot.Agent.from_bytes(model[:-1] + bytes([model[-1] ^ 1]))
 
 

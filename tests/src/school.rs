@@ -95,7 +95,7 @@ impl Lesson {
 
     /// The position of the intended task among the agent's.
     pub fn intended(&self, agent: &Agent<impl AgentMemory>) -> usize {
-        // Rooms stand first, doors next, then blocks and the agent; `objects` names them by their order of arrival.
+        // Rooms come first, doors next, then blocks and the agent; `objects` names them by their order of arrival.
         let (block, room) = self.intended;
         let is_it = |task: &GroundedTask| {
             let first = task.bindings[0].index();

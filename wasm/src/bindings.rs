@@ -184,7 +184,7 @@ impl Goodbot {
         json(&self.0.asked(environment, command).map_err(thrown)?)
     }
 
-    /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the
+    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the
     /// number of a choice, `stop`, `undo`, `again`, `unjudged`, `unchanged` or `nothing`.
     pub fn said(&self, words: &str) -> Thrown<String> {
         self.0.said(words).map_err(thrown)

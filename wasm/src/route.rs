@@ -48,7 +48,7 @@ impl Scout {
 pub struct Lookahead {
     states: Vec<HomeState>,
     task: usize,
-    /// As many tasks as stand before it, and the task itself, with how far its way has come.
+    /// The task at its position, with how far its way has come; those before it only fill their places.
     tasks: Vec<GroundedTask>,
     left: u32,
     searching: bool,
@@ -56,7 +56,7 @@ pub struct Lookahead {
 }
 
 impl Lookahead {
-    /// A look from a state to where a task is done, which has this position and stands as it does in the session.
+    /// A look from a state to where a task is done. The task has this position and progress in the session.
     pub fn new(state: HomeState, task: usize, goal: GroundedTask) -> Self {
         let tasks = vec![goal; task + 1];
         Self { states: vec![state], task, tasks, left: MOST_EXPANSIONS, searching: false, arrived: false }

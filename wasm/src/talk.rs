@@ -52,7 +52,7 @@ pub(crate) fn listening<M: HomeMemory>(
 }
 
 impl World {
-    /// What a person's words ask for, given where the session stands: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the number of a
+    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the number of a
     /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, `unchanged` for what would change something where
     /// nothing was before, or `nothing`.
     ///

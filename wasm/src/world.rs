@@ -39,7 +39,7 @@ impl Refusal {
     }
 }
 
-/// The robot that the page starts with stands in a home of one room.
+/// The page starts with a robot in a home of one room.
 const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
 
 /// One home, one robot, and the session under way.

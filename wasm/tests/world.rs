@@ -204,7 +204,7 @@ fn a_damaged_model_is_refused_and_the_old_one_stays() {
 fn a_home_that_is_none_is_refused_by_the_name_of_what_is_wrong() {
     let json = r#"{"version":1,"objects":[{"class":"room","name":"hall","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"robbie","x":0,"y":2}]}"#;
     let refusal = check(json).unwrap_err();
-    assert!(refusal.0.starts_with("robbie: it stands in a wall"), "{refusal}");
+    assert!(refusal.0.starts_with("robbie: it is in a wall"), "{refusal}");
 }
 
 #[test]

@@ -17,7 +17,7 @@ use std::path::Path;
 /// The most that any table may hold, whatever a file says.
 const MOST_OF_A_FIELD: usize = 1 << 24;
 
-/// From so many sessions on, learning may take seconds.
+/// From this many sessions on, learning may take seconds.
 const MANY: usize = 500;
 
 /// An agent that knows what a model file knows.

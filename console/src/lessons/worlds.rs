@@ -20,7 +20,7 @@ use std::collections::hash_map::Entry;
 use std::io::BufRead;
 use std::sync::Arc;
 
-/// A state of a world without a robot: the tasks there, and where each stands among them.
+/// A state of a world without a robot: the tasks there, and the position of each.
 struct Scene {
     readings: Arc<[Reading]>,
     positions: HashMap<Vec<GroundAtomText>, usize>,

@@ -108,5 +108,5 @@ pub fn texts(lifted: &[LiftedTask]) -> Vec<String> {
 /// A model file of a robot in homes with its kinds of task. Those of the paper are left out: a file without any is for every robot.
 pub fn with_kinds(model: Vec<u8>, lifted: &[LiftedTask]) -> Vec<u8> {
     let is_papers = home::paper_tasks().is_ok_and(|paper| are_same(&texts(&paper), &texts(lifted)));
-    if is_papers { model } else { kept_kinds::behind(&model, &texts(lifted)) }
+    if is_papers { model } else { kept_kinds::with(&model, &texts(lifted)) }
 }

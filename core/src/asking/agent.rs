@@ -32,7 +32,7 @@ impl Asked {
     }
 }
 
-/// What came of considering a question, in parts.
+/// The result of considering a question, in parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Considered {
     /// It is not known yet: call again.
@@ -96,7 +96,7 @@ impl<M: AgentMemory> Agent<M> {
         let (belief, tasks, lifted, asked) = (self.belief(), self.tasks(), self.lifted(), self.asked.sets.as_slice());
         let candidates = Candidates { belief, whole: belief.whole(), tasks, lifted, asked, asking };
         let question = candidates.best()?;
-        // So many more questions like this one would make it sure.
+        // The number of further questions like this one until it is sure.
         let wanted = candidates.uncertainty() - binary_entropy(asking.sure);
         if wanted * asking.kappa > asking.patience * question.information {
             return None;

@@ -38,9 +38,9 @@ pub struct Hazard {
     pub rested: f32,
     /// After a later rest in a row, where nothing was said.
     pub resting: f32,
-    /// So many times as probable it is where the last word was "good bot".
+    /// The factor if the last word was "good bot".
     pub praised: f32,
-    /// So many times as probable it is where the last word was "bad bot".
+    /// The factor if the last word was "bad bot".
     pub scolded: f32,
 }
 

@@ -61,8 +61,8 @@ impl core::fmt::Display for Problem {
             Self::NoRoom => "there is no room; add one",
             Self::RoomOfNoArea => "the room has no cell inside; its right must be at least left + 2 and its top at least bottom + 2",
             Self::DoorOfNoArea => "the door has no cell; its right must be at least its left and its top at least its bottom",
-            Self::InWall => "it stands in a wall or outside every room; move it inside a room or into a doorway",
-            Self::OnAnother => "it stands where the agent or another block is; move one of them",
+            Self::InWall => "it is in a wall or outside every room; move it inside a room or into a doorway",
+            Self::OnAnother => "it is where the agent or another block is; move one of them",
             Self::TooFar => "a coordinate is beyond -255 to 255; move the home nearer to the origin",
             Self::TooManyStates => {
                 "the free cells and the blocks have more states together than can be numbered; take blocks or cells away"
@@ -297,7 +297,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
         while self.find_cells(u32::MAX)? == Progress::Working {}
         let count = self.cells.free;
-        let (start, blocks) = self.stand(agent, count)?;
+        let (start, blocks) = self.start(agent, count)?;
         let block_count = self.objects().of_class(BLOCK).count();
         // Numbers that ran over would make two states one to the search.
         let is_numbered = (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_some();
@@ -335,7 +335,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         }
     }
 
-    fn stand(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
+    fn start(&self, agent: ObjectId, count: usize) -> Result<(HomeState, [ObjectId; BLOCKS]), HomeError> {
         let free = self.memory.read().places.get(..count).unwrap_or(&[]);
         let cell_of = |id: ObjectId| {
             let area = self.memory.read().areas.get(id.index()).map_or(Area::NOWHERE, |area| area.area());

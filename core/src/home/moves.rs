@@ -29,7 +29,7 @@ const ACTIONS: [ActionKind<'static>; 5] = [
     ActionKind::new("pull", 1),
 ];
 
-/// Bits that tell so many cells apart.
+/// Bits needed to number `cells` cells.
 pub(super) const fn cell_bits(cells: usize) -> usize {
     (usize::BITS - cells.saturating_sub(1).leading_zeros()) as usize
 }

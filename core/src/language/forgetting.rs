@@ -7,7 +7,7 @@
 //!
 //! - Where a new session finds no room among the others, the oldest strange one goes, if more than two and more than an eighth of the
 //!   sessions are strange. Otherwise one goes whose command others have too, if there is one: the one that is repeated most, by how often
-//!   its command is kept and in how many sessions its rarest word stands (three count as many); of these the one that taught least, for it
+//!   its command is kept and how many sessions have its rarest word (three count as many); of these the one that taught least, for it
 //!   goes with the most machine commands.
 //! - Where the alignment tables are full, the new session's machine commands of less than a tenth that need a table of their own are left
 //!   out. Where those of more find no room, the oldest strange session of another length goes, then one whose command has the rarest
@@ -26,19 +26,19 @@ use crate::symbols::{Symbol, SymbolsRef};
 use crate::task::role::is_marker;
 use heapless::Vec;
 
-/// The part of the vocabulary that is kept free: one in so many.
+/// The inverse of the share of the vocabulary that is kept free.
 const FREE_PART: usize = 8;
 
-/// The least room for so many entries where an eighth of it is kept free.
+/// The least room for `entries` if an eighth of it is kept free.
 pub(crate) const fn with_free_part(entries: usize) -> usize {
     entries.saturating_add(entries.saturating_sub(1) / (FREE_PART - 1))
 }
 
-/// The part of the sessions that may be strange: one in so many, or two.
+/// The inverse of the share of sessions that may be strange; two always may.
 const STRANGE_PART: usize = 8;
 const STRANGE: usize = 2;
 
-/// A word that stands in so many sessions is well known.
+/// A word in this many sessions is well known.
 const WELL_KNOWN: usize = 3;
 
 /// Machine commands of a smaller weight are left out where the alignment tables have no room for their lengths.
@@ -47,7 +47,7 @@ pub(super) const LIGHT: f32 = 0.1;
 /// The least of a session's weight that must be kept.
 pub(super) const LEAST_KEPT: f32 = 0.5;
 
-/// What came of one try to keep a session.
+/// The result of one try to keep a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use]
 pub(crate) enum Room {
@@ -72,7 +72,7 @@ pub(crate) struct Alone {
 enum Want {
     /// Room for one more session.
     Session,
-    /// Room for the alignment tables of a command of so many words.
+    /// Room for the alignment tables of a command of this many words.
     Lengths(usize),
     /// Room for words and machine tokens.
     Vocabulary,
@@ -199,7 +199,7 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// The session to give way among the first so many.
+    /// The session to give way among the first.
     fn least(&self, want: Want, among: usize) -> Option<u16> {
         let sessions = || (0..among).map(|session| session as u16);
         let strange = || sessions().filter(|&session| self.is_strange(session));
@@ -236,7 +236,7 @@ impl LanguageMut<'_> {
         (0..data.sessions() as u16).filter(|&other| data.sentence(other) == sentence).count()
     }
 
-    /// In how many sessions a word stands, counted up to `most`: few are gone through for a word that is well known.
+    /// How many sessions have a word, counted up to `most`: few are visited for a word that is well known.
     fn sessions_with(&self, word: Symbol, most: usize) -> usize {
         let data = self.bitext.read();
         (0..data.sessions() as u16).filter(|&session| data.sentence(session).contains(&word)).take(most).count()
@@ -247,7 +247,7 @@ impl LanguageMut<'_> {
         self.bitext.read().sentence(session).iter().filter(|&&word| self.sessions_with(word, 2) <= 1).count()
     }
 
-    /// In how many sessions the rarest word of a session stands, itself included; a well-known one stands in [`WELL_KNOWN`].
+    /// How many sessions have the rarest word of a session, itself included; [`WELL_KNOWN`] for a well-known word.
     fn rarest(&self, session: u16) -> usize {
         self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }

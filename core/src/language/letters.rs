@@ -3,7 +3,7 @@
 //! A word is kept as it would be typed most shortly, in Unicode's composed form. Other spellings of one word, such as "gruen" and "grün", are
 //! kept as they were heard, and [compared](is_spelled_alike) as one.
 
-/// What a letter stands for: itself, or the ordinary one. `None` for characters that nobody sees.
+/// The ordinary form of a letter, often itself. `None` for characters that nobody sees.
 pub(super) const fn ordinary(letter: char) -> Option<char> {
     match letter {
         // What is plain stays.
@@ -20,7 +20,7 @@ const fn is_unseen(letter: char) -> bool {
     matches!(letter, '\u{ad}' | '\u{200c}' | '\u{200d}' | '\u{2060}' | '\u{feff}')
 }
 
-/// Whether a letter stands within words beside what writes them: what nobody sees, and the marks that make が of か and ぱ of は.
+/// Whether a character is part of a word without being a letter: invisible ones, and the marks that make が of か and ぱ of は.
 pub(super) const fn is_within_words(letter: char) -> bool {
     is_unseen(letter) || matches!(letter, '\u{3099}' | '\u{309a}')
 }

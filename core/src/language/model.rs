@@ -280,7 +280,7 @@ impl<'t> LanguageRef<'t> {
         self.learned_tokens
     }
 
-    /// Why a word that was heard is not in the vocabulary.
+    /// Why a heard word is not in the vocabulary.
     pub(super) fn no_room_for_a_word(self) -> CapacityError {
         let (words, bytes) = self.words.room();
         if self.words.len() < words { CapacityError::full(Capacity::WordBytes, bytes) } else { CapacityError::full(Capacity::Words, words) }
@@ -355,7 +355,7 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A weight that is
-    /// no number from 0 to 1,000,000 counts as 0, so that it spoils nothing else. A training must follow:
+    /// not a number from 0 to 1,000,000 counts as 0. A training must follow:
     /// [`begin_training`](Self::begin_training).
     ///
     /// # Errors
@@ -495,7 +495,7 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Takes note of one more machine command for a command of so many words, in the parameters that the data want.
+    /// Counts the parameters for one more machine command of a command of this many words.
     ///
     /// # Errors
     /// A [`CapacityError`] where the tables have no room.
@@ -507,7 +507,7 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Goes on with the role model's Pr(e|t), with at most about `left` table cells of work and at least one word. Returns whether all
-    /// words are read. What it knows meanwhile stands behind the parameters.
+    /// words are read. Its state in between is kept after the parameters in the tables.
     pub(crate) fn likelihood_on(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -537,7 +537,7 @@ impl<'t> LanguageMut<'t> {
     /// the share of 1 that this meaning has. Nothing for Model 2, before anything is learned and while learning.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the command is too long for the room that the tables have behind the parameters.
+    /// A [`CapacityError`] where the command is too long for the room that the tables have after the parameters.
     pub fn explain(
         &mut self,
         sentence: &[Option<Symbol>],

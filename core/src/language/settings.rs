@@ -13,7 +13,7 @@ pub const MOST_WEIGHT: f32 = 1e6;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {
-    /// IBM Model 2, the paper's: every word stands for one token of a machine command, or for none. With the feature `model2`, which is on
+    /// IBM Model 2, the paper's: every word translates one token of a machine command, or none. With the feature `model2`, which is on
     /// by default.
     #[default]
     Model2,
@@ -49,7 +49,7 @@ pub struct Settings {
     /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words. Model 2 cuts the rest off; the
     /// role model keeps the word that it heard first.
     pub word_letters: u8,
-    /// Where a constraint's facts stand in a machine command.
+    /// The position of a constraint's facts in a machine command.
     pub order: TokenOrder,
     /// Whether the [`layer`](super::layer) is trained above the role model, in memory [that has room for it](crate::memory::AgentHeap::with_layer).
     #[cfg(feature = "layer")]
@@ -154,7 +154,7 @@ pub enum SettingError {
     Kappa(f32),
     /// How often an answer is wrong: `Asking::eta`.
     Eta(f32),
-    /// From where on the robot is sure: `Asking::sure`.
+    /// The probability from which on the robot is sure: `Asking::sure`.
     Sure(f32),
     /// For how many steps the trainer has patience: `Asking::patience`.
     Patience(f32),

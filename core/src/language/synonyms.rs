@@ -1,8 +1,8 @@
 //! Words that a table says mean the same: colour names above all.
 //!
 //! The table is a shell's, and never learned: a robot links it, a program loads it. What was learned comes first. A word that the model
-//! knows, also by its beginning or with a slip of the pen, stays as it is. For any other, a word of its line stands that the model has
-//! learned, the first of them; where there is none, the word stays, and is learned as a new one.
+//! knows, also by its beginning or with a slip of the pen, stays as it is. Any other is replaced by the first word of its line that
+//! the model has learned; where there is none, the word stays, and is learned as a new one.
 
 use super::model::LanguageRef;
 use super::tokenizer::for_each_piece;
@@ -30,7 +30,7 @@ impl<'t> Synonyms<'t> {
     /// The table that a text holds.
     ///
     /// # Errors
-    /// A [`SynonymError`] where a word stands twice, or is not written as the model hears words: in lower case, without punctuation.
+    /// A [`SynonymError`] where a word occurs twice, or is not written as the model hears words: in lower case, without punctuation.
     pub fn new(text: &'t str) -> Result<Self, SynonymError<'t>> {
         let table = Self { text };
         let words = || table.lines().enumerate().flat_map(|(line, words)| words.map(move |word| (line.saturating_add(1), word)));
@@ -60,8 +60,8 @@ impl<'t> Synonyms<'t> {
         line.into_iter().flatten().filter(move |&other| other != word)
     }
 
-    /// Gives each word of a command to `take`, or the synonym of it that stands for it because the model knows that one. `take` gets both:
-    /// what was said, and what is to be heard.
+    /// Gives each word of a command to `take`, or the synonym of it that the model knows. `take` gets both: the
+    /// word that was said, and the one to be heard.
     ///
     /// # Errors
     /// As [`for_each_piece`].
@@ -108,7 +108,7 @@ impl<'t> Synonyms<'t> {
 /// Why a text is no table of synonyms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SynonymError<'t> {
-    /// A word stands in the table twice.
+    /// A word is in the table twice.
     Twice {
         /// The word.
         word: &'t str,
@@ -117,7 +117,7 @@ pub enum SynonymError<'t> {
     },
     /// This is not heard as one word in lower case.
     NotAWord {
-        /// What stands there.
+        /// The text there.
         word: &'t str,
         /// Its line, the first being 1.
         line: usize,

@@ -88,7 +88,7 @@ impl<'t> Tables<'t> {
         (Cells { values: memory.translations, counts: of_translations }, Cells { values: memory.alignments, counts: of_alignments })
     }
 
-    /// Whether there is room for a row of so many words for NULL, or the background, and one for each of so many tokens.
+    /// Whether there is room for a row of `words` for NULL, or the background, and one for each of `tokens`.
     pub(super) fn fits_rows(&self, tokens: usize, words: usize) -> Result<(), CapacityError> {
         let cells = tokens.saturating_add(1).saturating_mul(words);
         let room = self.memory.translations.len();
@@ -116,7 +116,7 @@ impl<'t> TablesRef<'t> {
         (self.memory.translations, self.memory.alignments)
     }
 
-    /// The parameters that `trained` says are there, with room for the counts of so many `cells`.
+    /// The parameters that `trained` says are there, with room for the counts of `cells` cells.
     pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: &'t Trained) -> Self {
         let cells = counts.saturating_mul(2);
         memory.translations = memory.translations.get(..cells).unwrap_or(memory.translations);

@@ -61,7 +61,7 @@ pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), Ca
     give_pieces(command, &mut take)
 }
 
-/// The same, compiled once for all that take words.
+/// The same, compiled once for all callers.
 fn give_pieces(command: &str, take: &mut dyn FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
     // A command has no more words than bytes: to count those of a short one would take a controller a tenth of a call.
     if command.len() > WORDS_PER_COMMAND {
@@ -120,7 +120,7 @@ impl<'c> Iterator for Pieces<'c> {
         let (mut start, mut end, mut before, mut says) = (0_usize, 0_usize, Script::Spaced, false);
         for (at, letter) in self.rest.char_indices() {
             if is_apostrophe(letter) {
-                // Those at both ends are none of the word.
+                // Those at both ends are not part of the word.
                 continue;
             }
             #[cfg(feature = "marks")]
@@ -206,7 +206,7 @@ const fn is_apostrophe(letter: char) -> bool {
     matches!(letter, '\'' | '’' | '‘')
 }
 
-/// Letters and digits, and what stands within words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
+/// Letters and digits, and other characters of words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
 fn is_of_word(letter: char) -> bool {
     if letter.is_ascii() {
         return letter.is_ascii_alphanumeric() || is_apostrophe(letter);

@@ -14,7 +14,7 @@ use super::settings::{Model, Settings};
 use super::tables::Tables;
 use crate::planning::Progress;
 
-/// Where the training stands.
+/// The next step of a training.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Phase {
     #[default]
@@ -47,7 +47,7 @@ impl Training {
     /// No training is under way.
     pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
 
-    /// Begins, for so many words and tokens. The caller has made sure that the tables have room. Without words there is nothing to train.
+    /// Begins, for `words` and `tokens`. The caller has made sure that the tables have room. Without words there is nothing to train.
     pub(super) fn begin(
         tables: &mut Tables<'_>,
         bitext: BitextRef<'_>,
@@ -136,7 +136,7 @@ impl Training {
     }
 }
 
-/// What follows a trained role model.
+/// The step after a trained role model.
 #[cfg(feature = "layer")]
 fn after_roles(layer: &mut Layer<'_>, words: usize, bitext: BitextRef<'_>, settings: &Settings) -> Phase {
     match layer.left_out().first() {

@@ -128,7 +128,7 @@ pub struct World<'a> {
 /// 6. name the tasks that commands may mean: [`LiftedTask::parse`](crate::task::LiftedTask::parse) reads them, such as
 ///    `cupInPlace(?c, ?p)`. Give them to [`Agent::new`](crate::Agent::new), and the domain and its state to all that the agent does.
 ///
-/// An agent tells one domain from another, so that no plan serves where it was not made: by their objects and the values of these, their
+/// An agent tells one domain from another, so that no plan is used in a domain that it was not made for: by their objects and the values of these, their
 /// actions, their number of states and, for a [`PushGrid`](super::PushGrid), the floor. Where two domains differ in nothing but what
 /// [`step`](Self::step) or [`holds`](Self::holds) does, end the session before you change one for the other, with
 /// [`Agent::leave`](crate::Agent::leave), or give one of their objects another name.

@@ -140,7 +140,7 @@ impl<'t> ObjectSet<'t> {
     }
 
     /// Adds an object with its values of the schema's attributes, in their order: `&["", "school"]` where its class does not carry the first
-    /// one. `""` stands for no value, and what is not given is none.
+    /// one. `""` means no value, as do values that are left out.
     ///
     /// # Errors
     /// [`ObjectError`]; the set is then unchanged but for names it may have interned.

@@ -134,7 +134,7 @@ pub trait PushGrid: Domain {
         false
     }
 
-    /// Whether each action that is no direction does nothing but swap the robot with a piece beside it that has a wall or a piece behind it,
+    /// Whether each action that is no direction does nothing but swap the robot with a piece beside it with a wall or a piece on its far side,
     /// as by pulling; it need not do so in every such place. Where this holds, or where there are only directions, and where pushes are
     /// plain, floors with more states than the memory holds get exact plans too. If in doubt, return `false`.
     fn swaps(&self) -> bool {

@@ -58,7 +58,7 @@ impl<'a> Class<'a> {
 pub struct Carrier<'a> {
     /// The class.
     pub class: ClassId,
-    /// What stands before the capitalised value: `roomIs` makes `roomIsRed`.
+    /// The text before the capitalised value: `roomIs` makes `roomIsRed`.
     pub prefix: &'a str,
 }
 

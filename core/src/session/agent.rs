@@ -50,7 +50,7 @@ pub struct Decision {
     pub plan: OptimalSet,
 }
 
-/// What came of a piece of evidence.
+/// What the belief did with a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
@@ -402,7 +402,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(progress)
     }
 
-    /// By itself, like every part of the work that takes much of the stack: parts that follow each other then take it in turn.
+    /// A function of its own, as every step that needs much stack, so that one step's stack is free for the next.
     #[inline(never)]
     fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, key: StateKey) {
         // A goal that could not be reached can be reached again where somebody else has moved things.
@@ -424,7 +424,7 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.release_marks();
     }
 
-    /// The tasks that are at least so probable.
+    /// The tasks of at least this probability.
     fn at_least(&self, probability: f32) -> TaskSet {
         let belief = self.belief();
         let least = belief.whole().scaled_by(probability);
@@ -489,7 +489,7 @@ impl<M: AgentMemory> Agent<M> {
         let plan = self.planned().optimal(task);
         let words = self.words_expected();
         let action = self.onward(task, words.as_ref(), draw);
-        // A domain that changes unseen is no domain; whatever it does, no action is decided on that cannot be done.
+        // Even if the domain changes unseen, no action is chosen that cannot be done.
         apply(domain, state, action).ok_or(AgentError::NotPlanned)?;
         self.followed = Some(task);
         Ok(Decision { action, task, plan })
@@ -669,14 +669,14 @@ impl<M: AgentMemory> Agent<M> {
         used
     }
 
-    /// How full each of its tables was at most, at the end of a command that was heard or of a session that was learned from. See also
+    /// The most that each of its tables held, at the end of a command that was heard or of a session that was learned from. See also
     /// [`needed`](Self::needed).
     pub fn most_used(&self) -> Capacities {
         self.most.at_least(self.usage())
     }
 
-    /// Memory of these capacities has room for the same life once more: [`most_used`](Self::most_used), an eighth of the vocabulary free, and
-    /// what exact plans for the last command's tasks take. Where the memory has too few states for these, it is all that there are.
+    /// Capacities with room for the same life once more: [`most_used`](Self::most_used), an eighth of the vocabulary free, and exact plans
+    /// for the last command's tasks. If the memory has too few states for these, all states are counted.
     pub fn needed<D: Domain + ?Sized>(&mut self, domain: &D) -> Capacities {
         let (most, rooms) = (self.most_used(), self.capacities());
         let mut session = self.memory.lend().session;

@@ -47,7 +47,7 @@ impl GaveWay {
         self.full
     }
 
-    /// One more, by its position now, because this table was full.
+    /// Adds one, by its position now, because this table was full.
     fn add(&mut self, now: u16, full: Capacity) {
         self.full = Some(full);
         let told = self.count().min(MOST_TOLD);
@@ -55,9 +55,9 @@ impl GaveWay {
         let before =
             self.positions().iter().fold(now, |position, &gone| if gone <= position { position.saturating_add(1) } else { position });
         let at = self.positions().partition_point(|&gone| gone < before);
-        if let Some(behind) = self.told.get_mut(at..told.saturating_add(1).min(MOST_TOLD)) {
+        if let Some(later) = self.told.get_mut(at..told.saturating_add(1).min(MOST_TOLD)) {
             let mut moved = before;
-            for slot in behind {
+            for slot in later {
                 core::mem::swap(slot, &mut moved);
             }
         }
@@ -143,7 +143,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Ends the session and adds it to the training data, without training. The next [`finish`](Self::finish) or
-    /// [`begin_learning`](Self::begin_learning) trains on it too, so many sessions in a row cost one training.
+    /// [`begin_learning`](Self::begin_learning) trains on it too, so a row of sessions costs one training.
     ///
     /// # Errors
     /// As [`finish`](Self::finish); but no other session gives way: where there is no room, [`AgentError::Capacity`] says so, the session
@@ -401,8 +401,8 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Working)
     }
 
-    /// Goes on learning, with at most about `budget` table cells of work. The first call also gives the tables their new sizes, which is not
-    /// cut.
+    /// Goes on learning, with at most about `budget` table cells of work. The first call also sizes the tables, regardless of the
+    /// budget.
     pub fn learn(&mut self, budget: u32) -> Progress {
         self.language_mut().train(budget)
     }

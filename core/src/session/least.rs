@@ -89,8 +89,8 @@ impl<M: AgentMemory> Agent<M> {
     /// Returns the least capacities with which this robot, with its tasks, options and strategies, is refused nothing and nothing gives way,
     /// in sessions that start from any state of the domain.
     ///
-    /// The agent's own memory is the desk for the sum, so ask an agent in roomy memory, on a host. A session under way ends unlearned.
-    /// [`Lessons::of`] counts the commands. The sum is a bound for any session of that many words: sessions of few likely tasks leave much of
+    /// Uses the agent's tables as scratch space, so call it on a host, in roomy memory. A session under way ends unlearned.
+    /// [`Lessons::of`] counts the commands. The result holds for any session of that many words: sessions of few likely tasks leave much of
     /// `pairs`, `commands` and `command_tokens` free, as [`most_used`](Self::most_used) shows.
     ///
     /// - With `states`, every plan is exact. A [`PushGrid`](crate::oomdp::PushGrid) can do with fewer: its plans are then approximate

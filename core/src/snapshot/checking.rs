@@ -54,10 +54,10 @@ pub(super) const POSSIBLE_COUNTS: usize = 10;
 #[cfg(feature = "layer")]
 pub(super) const POSSIBLE: usize = 11;
 
-/// So many bytes are checked for one cell of budget.
+/// Bytes checked for one cell of budget.
 pub(super) const BYTES_PER_CELL: usize = 8;
 
-/// How much the records of a file take together.
+/// The totals over a file's records.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tally {
     pub word_bytes: usize,
@@ -76,7 +76,7 @@ enum Stage {
     /// The check of all bytes, up to here.
     Bytes(usize),
     Head,
-    /// The records of a section; so many are left.
+    /// The records of a section that are left.
     Section(usize, u32),
     Done,
 }
@@ -213,7 +213,7 @@ impl<'a> Checking<'a> {
         self.places.get(section).copied().unwrap_or(Place::NONE)
     }
 
-    /// Whether a section agrees with those before it, now that all of its records were seen.
+    /// Whether a section, all of its records seen, agrees with those before it.
     fn end(&self, section: usize) -> Result<(), RestoreError> {
         let count = self.count(section);
         let agrees = |with: usize| count == 0 || count == self.count(with);
@@ -251,7 +251,7 @@ impl<'a> Checking<'a> {
             WORDS => {
                 let text: &str = take(rest)?;
                 self.tally.word_bytes = self.tally.word_bytes.saturating_add(text.len());
-                // A longer word than the model keeps would be another one once it is heard.
+                // A word longer than the model keeps would not be found again when it is heard.
                 (text.len() <= NAME_BYTES && word_form(text, self.letters) == text).then_some(text.len())
             }
             TOKENS => {
@@ -312,7 +312,7 @@ impl<'a> Checking<'a> {
         Some(record.len())
     }
 
-    /// A number that is another one for another file.
+    /// A number that identifies the file.
     pub fn mark(&self) -> u32 {
         self.running.value()
     }
@@ -358,11 +358,11 @@ impl<'a> Checking<'a> {
     }
 }
 
-/// What a host's record behind a model begins with: the kinds of task that it was learned for. A robot is made with its kinds, so this is
-/// passed over here; anything else behind a model is refused.
+/// How a host's record after a model begins. The record names the kinds of task that the model was learned for. A robot is made with its
+/// kinds, so the record is skipped here; anything else after a model is refused.
 const KINDS: &[u8] = b"gbkinds\0";
 
-/// The format of a file whose first bytes and whose length are right, and the model without what a host wrote behind it.
+/// The format of a file whose first bytes and whose length are right, and the model without what a host wrote after it.
 fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };
@@ -372,7 +372,7 @@ fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
     match bytes.split_at_checked(stated as usize) {
-        Some((model, behind)) if model.len() >= LEAST_BYTES && (behind.is_empty() || behind.starts_with(KINDS)) => Ok((found, model)),
+        Some((model, after)) if model.len() >= LEAST_BYTES && (after.is_empty() || after.starts_with(KINDS)) => Ok((found, model)),
         _ => Err(RestoreError::Length { stated, given: bytes.len() }),
     }
 }

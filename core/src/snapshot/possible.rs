@@ -33,14 +33,14 @@ impl<'a> Possible<'a> {
         Self { rest: contents.possible.bytes(), descriptions, tokens: contents.tokens.iter().collect(), here }
     }
 
-    /// Passes over the next so many tasks.
+    /// Skips the next tasks.
     pub fn pass(&mut self, tasks: usize) {
         for _ in 0..tasks {
             let _: Option<PairRecord> = take(&mut self.rest);
         }
     }
 
-    /// Adds the next so many tasks, for the last session there.
+    /// Adds the next tasks, for the last session there.
     ///
     /// # Errors
     /// A [`CapacityError`].

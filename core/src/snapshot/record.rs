@@ -16,8 +16,8 @@ use serde::{Deserialize, Serialize};
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
 /// The format of a model without the [layer](crate::language::layer).
 pub const VERSION: u16 = 2;
-/// The format of a model with the [layer](crate::language::layer): the other, and the tasks that each session could have meant behind it.
-/// Programs without the layer read it as the other.
+/// The format of a model with the [layer](crate::language::layer): after the other format's records it has the tasks that each session could
+/// have meant. Programs without the layer read it as the other format.
 pub const LAYERED_VERSION: u16 = 3;
 /// The oldest format that this version reads.
 pub const OLDEST_VERSION: u16 = 1;
@@ -43,7 +43,7 @@ pub const SAVED: [Capacity; 13] = [
     Capacity::LengthPairs,
 ];
 
-/// How large the tables were in the memory that the model was saved from, in the order of [`SAVED`].
+/// The table sizes of the memory that the model was saved from, in the order of [`SAVED`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Sizes([u32; SAVED.len()]);
 

@@ -159,7 +159,7 @@ impl Bits {
 
 /// The tokens of this many objects are cached; those of others are looked up each time.
 const REMEMBERED: usize = 16;
-/// Stands for a value that has no token: it is empty, or found no room.
+/// Marks a value that has no token: it is empty, or found no room.
 const NO_TOKEN: u16 = u16::MAX;
 
 impl<S> Scene<S> {

@@ -7,7 +7,7 @@ use crate::oomdp::{ClassId, PropositionId, Schema};
 use core::fmt;
 use heapless::Vec;
 
-/// Stands for an argument that the propositional function does not have.
+/// Fills the place of an argument that the propositional function does not have.
 pub const NO_VARIABLE: u8 = u8::MAX;
 
 /// A propositional function of a lifted task's variables.
@@ -65,12 +65,12 @@ pub enum TaskTextError {
     Form,
     /// The domain has no propositional function of this name.
     UnknownProposition {
-        /// Which of the propositions that were given, from 0.
+        /// The proposition, by its position among those given, from 0.
         proposition: u8,
     },
     /// A proposition has more or fewer arguments than its function.
     ArgumentCount {
-        /// Which of the propositions that were given, from 0.
+        /// The proposition, by its position among those given, from 0.
         proposition: u8,
         /// How many arguments it was given.
         given: u8,
@@ -81,7 +81,7 @@ pub enum TaskTextError {
     ClassConflict {
         /// The proposition with the second class, by its position among those given, from 0.
         proposition: u8,
-        /// Which of its arguments, from 0.
+        /// The argument, from 0.
         argument: u8,
     },
     /// A way goes through something that the goal asks for anyway, or asks for the same twice.
@@ -116,7 +116,7 @@ impl fmt::Display for TaskTextError {
             Self::ClassConflict { proposition, argument } => {
                 return write!(
                     f,
-                    "argument {} of proposition {} is a variable that stands for an object of another class; name it otherwise",
+                    "argument {} of proposition {} is a variable for objects of another class; use another name",
                     nth(argument),
                     nth(proposition)
                 );
@@ -129,7 +129,7 @@ impl fmt::Display for TaskTextError {
     }
 }
 
-/// As people count.
+/// Counted from 1.
 const fn nth(position: u8) -> u16 {
     position as u16 + 1
 }
@@ -239,17 +239,17 @@ impl LiftedTask {
         // Earlier goals and clauses so far.
         let (mut stages, mut clauses) = (0_u8, 0_u8);
         loop {
-            let (name, behind) = split_at_byte(rest, b'(').ok_or(TaskTextError::Form)?;
-            let (arguments, behind) = split_at_byte(behind, b')').ok_or(TaskTextError::Form)?;
+            let (name, after) = split_at_byte(rest, b'(').ok_or(TaskTextError::Form)?;
+            let (arguments, after) = split_at_byte(after, b')').ok_or(TaskTextError::Form)?;
             let proposition = task.read(name, arguments, &mut names, schema)?;
             task.add(proposition, part)?;
-            let behind = behind.trim_ascii();
-            if behind.is_empty() {
+            let after = after.trim_ascii();
+            if after.is_empty() {
                 break;
             }
-            let (connective, after) = match behind.strip_prefix('&') {
+            let (connective, after) = match after.strip_prefix('&') {
                 Some(after) => ("&", after),
-                None => split_at_byte(behind, b' ').ok_or(TaskTextError::Form)?,
+                None => split_at_byte(after, b' ').ok_or(TaskTextError::Form)?,
             };
             part = match (connective, part) {
                 ("&", Part::Goal) | ("or", Part::Through(_) | Part::Avoiding) => part,
@@ -333,14 +333,14 @@ impl LiftedTask {
             if self.parts.get(goal) != Part::Goal {
                 continue;
             }
-            for behind in (0..goal).rev() {
-                if self.parts.get(behind) == Part::Goal {
+            for place in (0..goal).rev() {
+                if self.parts.get(place) == Part::Goal {
                     break;
                 }
-                let (part, before) = (self.parts.get(behind + 1), self.parts.get(behind));
-                self.parts.set(behind, part);
-                self.parts.set(behind + 1, before);
-                if let Some([first, second]) = self.propositions.get_mut(behind..=behind + 1) {
+                let (part, before) = (self.parts.get(place + 1), self.parts.get(place));
+                self.parts.set(place, part);
+                self.parts.set(place + 1, before);
+                if let Some([first, second]) = self.propositions.get_mut(place..=place + 1) {
                     core::mem::swap(first, second);
                 }
             }

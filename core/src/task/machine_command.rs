@@ -31,7 +31,7 @@ pub struct Expression {
     head: Tokens,
     facts: Vec<[Symbol; 2], FACTS_PER_TASK, u8>,
     /// The number of head tokens before each fact, in rising order.
-    behind: Vec<u8, FACTS_PER_TASK, u8>,
+    places: Vec<u8, FACTS_PER_TASK, u8>,
 }
 
 impl Expression {
@@ -48,12 +48,12 @@ impl Expression {
         tokens: &mut Symbols<'_>,
     ) -> Result<Self, CapacityError> {
         let schema = domain.world().schema;
-        let mut expression = Self { head: head(&schema, lifted, tokens)?, facts: Vec::new(), behind: Vec::new() };
+        let mut expression = Self { head: head(&schema, lifted, tokens)?, facts: Vec::new(), places: Vec::new() };
         let mut facts = facts(domain, lifted, task)?;
         if order == TokenOrder::Propositions {
             sort(&mut facts, |fact| (place(domain, lifted, task, fact), fact.attribute));
         } else if lifted.has_way() {
-            sort(&mut facts, |fact| behind_goal(domain, lifted, task, fact));
+            sort(&mut facts, |fact| after_goal(domain, lifted, task, fact));
         }
         for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
@@ -65,13 +65,13 @@ impl Expression {
                 Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => continue,
                 Err(error) => return Err(error),
             };
-            let behind = match order {
-                TokenOrder::Attributes if lifted.has_way() => behind_goal(domain, lifted, task, fact),
+            let place_of_fact = match order {
+                TokenOrder::Attributes if lifted.has_way() => after_goal(domain, lifted, task, fact),
                 TokenOrder::Attributes => expression.head.len() as u8,
                 TokenOrder::Propositions => place(domain, lifted, task, fact).0,
             };
             let _ = expression.facts.push(pair);
-            let _ = expression.behind.push(behind);
+            let _ = expression.places.push(place_of_fact);
         }
         Ok(expression)
     }
@@ -99,14 +99,14 @@ impl Expression {
         command.clear();
         let mut head = self.head.iter();
         let mut taken = 0;
-        for (position, (pair, &behind)) in self.facts.iter().zip(&self.behind).enumerate() {
+        for (position, (pair, &place_of_fact)) in self.facts.iter().zip(&self.places).enumerate() {
             if constraint.checked_shr(position as u32).unwrap_or(0) & 1 == 0 {
                 continue;
             }
-            for &token in head.by_ref().take(usize::from(behind).saturating_sub(taken)) {
+            for &token in head.by_ref().take(usize::from(place_of_fact).saturating_sub(taken)) {
                 push(command, token)?;
             }
-            taken = taken.max(usize::from(behind));
+            taken = taken.max(usize::from(place_of_fact));
             for &token in pair {
                 push(command, token)?;
             }
@@ -168,7 +168,7 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
 
 /// The number of tokens before a fact, if a task has a way and facts are ordered by attribute: those of the goal, or those up to the part
 /// of the way in which its object first occurs.
-fn behind_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
+fn after_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
     let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len() + 1;
     let goal: usize = lifted.propositions().iter().map(parameters).sum();
     place(domain, lifted, task, fact).0.max(goal as u8)

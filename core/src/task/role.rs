@@ -70,7 +70,7 @@ pub struct Role(u16);
 
 const ARGUMENT_BITS: u32 = 2;
 const ABOUT_BITS: u32 = 6;
-/// No proposition has so many arguments, so this number stands for its name.
+/// The argument number of a proposition's name: no proposition has this many arguments.
 const NAME: usize = (1 << ARGUMENT_BITS) - 1;
 const ABOUT: u16 = (1 << ABOUT_BITS) - 1;
 

@@ -180,7 +180,7 @@ fn the_end_of_a_session_speaks_for_what_is_done_there() {
     let before = agent.belief().probability(green);
     assert_eq!(agent.trainer_ended(&home, &state), Ok(Evidence::Used));
     assert!(agent.belief().probability(green) > 1.5 * before);
-    assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone), "a word behind the end is about nothing");
+    assert_eq!(agent.feedback(Feedback::Reward), Err(AgentError::NothingDone), "a word after the end is about nothing");
 }
 
 #[test]

@@ -202,7 +202,7 @@ fn two_things_that_have_swapped_places_are_placed_at_once() {
     let mut rooms_memory = memory(0, 0);
     let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2), Cell::new(2, 2)]);
     let [first, second] = [home.blocks()[0], home.blocks()[1]];
-    assert_eq!(home.placed(&start, &[(first, Cell::new(2, 2))]), None, "the other stands there");
+    assert_eq!(home.placed(&start, &[(first, Cell::new(2, 2))]), None, "the other is there");
     let swapped = home.placed(&start, &[(first, Cell::new(2, 2)), (second, Cell::new(4, 2))]).unwrap();
     assert_eq!([first, second].map(|block| home.block_cell(&swapped, block)), [Some(Cell::new(2, 2)), Some(Cell::new(4, 2))]);
 }

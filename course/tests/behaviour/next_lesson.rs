@@ -14,7 +14,7 @@ use rand_core::Rng;
 
 const ROOMS: [&str; 4] = ["green", "red", "blue", "yellow"];
 const BLOCKS: [(&str, &str); 5] = [("blue", "chair"), ("purple", "bag"), ("yellow", "bag"), ("purple", "chair"), ("blue", "bag")];
-/// Who needs more lessons is counted with so many.
+/// A course that needs more lessons is counted with this many.
 const MOST: usize = 40;
 /// How many robots are taught in each way, where nothing else is asked for.
 const ROBOTS: u64 = 40;

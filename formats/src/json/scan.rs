@@ -59,9 +59,9 @@ pub(super) fn items(list: &str) -> Option<Vec<&str>> {
 pub(super) fn unescaped(quoted: &str) -> Result<String, &'static str> {
     let mut rest = quoted.get(1..quoted.len().saturating_sub(1)).unwrap_or_default();
     let mut text = String::with_capacity(rest.len());
-    while let Some((before, behind)) = rest.split_once('\\') {
+    while let Some((before, after)) = rest.split_once('\\') {
         text.push_str(before);
-        let mut characters = behind.chars();
+        let mut characters = after.chars();
         let escaped = characters.next();
         rest = characters.as_str();
         text.push(match escaped {
@@ -82,15 +82,15 @@ pub(super) fn unescaped(quoted: &str) -> Result<String, &'static str> {
 fn code_point(rest: &mut &str) -> Option<char> {
     let first = code_unit(rest)?;
     let pair = (0xd800..0xdc00).contains(&first).then(|| rest.strip_prefix("\\u")).flatten();
-    let Some(mut behind) = pair else { return char::from_u32(first) };
-    let second = code_unit(&mut behind)?.checked_sub(0xdc00).filter(|low| *low < 0x400)?;
-    *rest = behind;
+    let Some(mut after) = pair else { return char::from_u32(first) };
+    let second = code_unit(&mut after)?.checked_sub(0xdc00).filter(|low| *low < 0x400)?;
+    *rest = after;
     char::from_u32(0x10000 + ((first - 0xd800) << 10) + second)
 }
 
 fn code_unit(rest: &mut &str) -> Option<u32> {
-    let (digits, behind) = rest.split_at_checked(4)?;
-    *rest = behind;
+    let (digits, after) = rest.split_at_checked(4)?;
+    *rest = after;
     u32::from_str_radix(digits, 16).ok()
 }
 

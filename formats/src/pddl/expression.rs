@@ -29,7 +29,7 @@ impl Expression {
             let spaced = line.replace('(', " ( ").replace(')', " ) ");
             for token in spaced.split_whitespace() {
                 if whole.is_some() {
-                    return error(number, "is behind the end: write one definition in each file");
+                    return error(number, "is after the end: write one definition in each file");
                 }
                 match token {
                     "(" if open.len() >= DEEPEST => return error(number, format!("has more than {DEEPEST} open brackets; close some")),

@@ -37,7 +37,7 @@ fn typed(items: &[Expression]) -> Result<Vec<Typed>, PddlError> {
             all.push(Typed { name: word.to_owned(), kind: OBJECT.to_owned() });
             continue;
         }
-        let Some(kind) = items.next() else { return error(item.line(), "has no type behind -; write it") };
+        let Some(kind) = items.next() else { return error(item.line(), "has no type after -; write it") };
         if let Expression::List(_, line) = kind {
             return error(*line, "one of several types is not understood: give them one type above, and name that");
         }

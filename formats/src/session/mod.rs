@@ -26,7 +26,7 @@
 //! | `closed_words` | the table of closed words, where it is another than the one that is built in |
 //! | `conversation` | where the robot listened: the conversation's `id`, and what was said and done in it before, as texts by name |
 //!
-//! In a session of feedback, a line of type `answer` stands where the trainer answered a question of the robot's: `tasks` (the tasks that the
+//! In a session of feedback, a line of type `answer` is where the trainer answered a question of the robot's: `tasks` (the tasks that the
 //! answer is about), `yes` (whether what is meant is among them), `eta` (the probability that an answer is wrong, less than 0.5), and
 //! `others` (how many other answers there were; 1, as for yes and no, where it is absent). Where the trainer corrected the robot unasked,
 //! `words` are what was said: evidence beside the answer.
@@ -80,19 +80,19 @@ pub struct RecordedSession {
     pub end_line: usize,
 }
 
-/// An answer, and where it stands.
+/// An answer, and its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedAnswer {
     /// Its line.
     pub line: usize,
-    /// How many steps stand before it.
+    /// The number of steps before it.
     pub after: usize,
     /// The answer.
     pub answer: AnswerRecord,
 }
 
 impl RecordedSession {
-    /// The answers that stand behind so many steps.
+    /// The answers after this many steps.
     pub fn answers_after(&self, steps: usize) -> impl Iterator<Item = &RecordedAnswer> {
         self.answers.iter().filter(move |recorded| recorded.after == steps)
     }
@@ -105,7 +105,7 @@ impl RecordedSession {
         self.to_lines_with(self.header.to_json_line()?, |step, line| self.header.check(step, line))
     }
 
-    /// The session as lines behind its first. `check` tells whether a step can be one of this session's, given its line.
+    /// The session as lines, `first` being the first. `check` tells whether a step can be one of this session's, given its line.
     pub(crate) fn to_lines_with(
         &self,
         first: String,

@@ -9,7 +9,7 @@ use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, Problem};
 use crate::lines::Lines;
 
-/// Of what is no session so many lines are passed over to find the next one: what goes on beyond that is no log.
+/// Lines skipped, at most, to find the next session line. A file with more lines of something else is no log.
 const MOST_PASSED_OVER: usize = 100_000;
 
 /// Reads sessions. An iterator: each item is a whole session or what is wrong with it.

@@ -184,8 +184,8 @@ impl EndRecord {
 impl Record {
     /// Reads a line; `line` is its number in the file, for errors.
     ///
-    /// Whether the line belongs where it stands is not asked: that is what a
-    /// [`SessionReader`](super::SessionReader) is for.
+    /// Does not check whether the line may come here: a
+    /// [`SessionReader`](super::SessionReader) does.
     ///
     /// ```
     /// use goodbot_formats::session::Record;

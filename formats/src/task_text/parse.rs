@@ -55,7 +55,7 @@ impl fmt::Display for TaskTextError {
                 write!(f, "has no variable at its character {column}; begin each with ?, like agentInRoom(?a,?r)")
             }
             TaskTextError::UnusableName { name } => {
-                write!(f, "{} cannot stand in a task; use a name without blanks and without ( ) , & ? and quotes", quoted(name))
+                write!(f, "{} cannot be in a task; use a name without blanks and without ( ) , & ? and quotes", quoted(name))
             }
             TaskTextError::Empty => {
                 f.write_str("is empty; write at least one proposition, and each with an argument, like agentInRoom(agent0,room1)")

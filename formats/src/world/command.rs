@@ -8,7 +8,7 @@ use crate::task_text::GroundAtomText;
 /// A command in a world.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct CommandRecord {
-    /// The line on which it stands, counted from 1.
+    /// Its line, counted from 1.
     pub line: usize,
     /// The name of its world.
     pub world: String,

@@ -200,7 +200,7 @@ impl WorldFile {
         Ok(())
     }
 
-    /// The classes of a proposition's arguments, of which there must be so many.
+    /// The classes of a proposition's arguments, whose number must be right.
     pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
         match self.propositions.iter().find(|(name, _)| name == function) {
             None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),

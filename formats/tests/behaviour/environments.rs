@@ -151,7 +151,7 @@ fn names_are_unique_and_fit_into_tasks() {
     assert_eq!(refused_object(&format!("{agent},{agent}")), "line 2: field \"objects[1].name\": \"a\" is here twice; name each once");
     for name in ["", "a b", "a,b", "a(b", "?a", "a&b", "a\\u0007"] {
         let text = refused_object(&agent.replace("\"a\"", &format!("\"{name}\"")));
-        assert!(text.contains("cannot stand in a task"), "{text}");
+        assert!(text.contains("cannot be in a task"), "{text}");
     }
 }
 

@@ -53,12 +53,12 @@ fn the_last_line_needs_no_line_end() {
 
 #[test]
 fn stray_lines_are_refused() {
-    assert_eq!(outline(&[STEP]), ["line 1: a step stands before any session"]);
+    assert_eq!(outline(&[STEP]), ["line 1: a step comes before any session"]);
     assert_eq!(
         outline(&[&feedback(), END, STEP, STEP, END, &feedback(), END]),
-        ["1-2", "line 3: a step stands after the end of its session", "6-7"]
+        ["1-2", "line 3: a step comes after the end of its session", "6-7"]
     );
-    assert_eq!(outline(&[&feedback(), END, END]), ["1-2", "line 3: an end stands outside of any session"]);
+    assert_eq!(outline(&[&feedback(), END, END]), ["1-2", "line 3: an end is outside of any session"]);
 }
 
 #[test]

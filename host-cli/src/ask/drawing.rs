@@ -1,4 +1,4 @@
-//! The home of a question, drawn as text; in colour where that is wanted, which then stands beside the letters.
+//! The home of a question, drawn as text; colours, where wanted, come beside the letters.
 
 use goodbot::home::Map;
 use goodbot::memory::HomeMemory;

@@ -66,8 +66,8 @@ pub fn follow(
             state = planned.as_ref().map_or(state, |(_, end)| *end);
             whole = whole.zip(planned).map(|(whole, (more, _))| whole.and(more));
         }
-        let Some(behind) = part.rest.and_then(|at| rest.get(at..)) else { break };
-        rest = behind;
+        let Some(after) = part.rest.and_then(|at| rest.get(at..)) else { break };
+        rest = after;
         part = agent.listen_on(home, &state, rest, closed)?;
     }
     let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {

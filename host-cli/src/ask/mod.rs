@@ -129,7 +129,7 @@ fn probability(text: &str) -> Result<f32, String> {
 struct Question {
     /// The session that it is from, if it is from one.
     session: Option<String>,
-    /// Where it stands, for messages.
+    /// Its file and line, for messages.
     source: String,
     environment: EnvironmentFile,
     moves: Moves,
@@ -223,7 +223,7 @@ fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, messa
 
 /// That not all words were read.
 fn unread_words() -> String {
-    format!("the words behind the first {WORDS_PER_COMMAND} were not read: say it in parts")
+    format!("the words after the first {WORDS_PER_COMMAND} were not read: say it in parts")
 }
 
 /// How a run ends of whose commands some were refused.

@@ -78,7 +78,7 @@ impl Findings {
         self.faults.push(fault);
     }
 
-    /// Whether there are so many faults that the rest is not looked at.
+    /// Whether there are too many faults to go on.
     fn is_full(&self) -> bool {
         self.said.len() >= MOST_FAULTS || self.faults.len() >= MOST_IN_ALL
     }

@@ -23,8 +23,8 @@ impl Lexicon {
         }
     }
 
-    /// The same, with each cut word written out as it stands in these commands: `chair` for `chai`. Several that are one to the agent stand
-    /// beside each other.
+    /// The same, with each cut word written out as in these commands: `chair` for `chai`. Several that are one to the agent are written
+    /// side by side.
     pub fn written_out<'c>(mut self, commands: impl Iterator<Item = &'c str> + Clone, letters: usize) -> Self {
         if letters > 0 {
             for word in &mut self.words {

@@ -7,7 +7,7 @@ use std::str::FromStr;
 /// A trainer: a name, or three probabilities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrainerChoice {
-    /// As it stands in output.
+    /// Its name in output.
     pub name: String,
     /// How it gives feedback.
     pub trainer: CourseTrainer,
@@ -16,7 +16,7 @@ pub struct TrainerChoice {
 /// What the agent thinks of its trainer: a name, or three probabilities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BelievedChoice {
-    /// As it stands in output.
+    /// Its name in output.
     pub name: String,
     /// The strategy.
     pub strategy: Strategy,

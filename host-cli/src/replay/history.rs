@@ -37,8 +37,8 @@ const CAPACITIES: Capacities = Capacities {
     ..Capacities::STANDARD
 };
 
-/// All words are learned anew when one in so many sessions has come since they were: under a hundred, after each. A training takes time for
-/// all sessions so far. All of them together then take time for so many times the sessions, and not for the square of their number.
+/// Training runs again when the sessions have grown by one part in this many: under a hundred sessions, after each. A training takes time
+/// for all sessions so far. All trainings together then take time for this many times the sessions, and not for the square of their number.
 const PART: usize = 50;
 
 /// When words are learned anew.

@@ -49,7 +49,7 @@ fn add_once(said: &mut Vec<String>, command: &str) {
 }
 
 impl Classroom {
-    /// A robot as its files have it. Where a tour is given, it stands in the tour's home.
+    /// A robot as its files have it. With a tour, it is in the tour's home.
     pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Refusal> {
         let mut words = FullWords::new(trainer.word_letters());
         let (mut sessions, mut said) = (0, Vec::new());

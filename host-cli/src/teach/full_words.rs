@@ -11,7 +11,7 @@ pub struct FullWords {
 }
 
 impl FullWords {
-    /// Nothing was said yet to a robot that keeps so many letters of a word; 0 for all.
+    /// Nothing was said yet to a robot that keeps this many letters of a word; 0 for all.
     pub fn new(letters: usize) -> Self {
         Self { letters, full: BTreeMap::new() }
     }

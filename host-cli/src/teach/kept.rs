@@ -112,7 +112,7 @@ pub struct Kept {
     introduction: Option<String>,
 }
 
-/// A log in which nothing was written is not left behind.
+/// An empty log is removed.
 impl Drop for Kept {
     fn drop(&mut self) {
         if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {

@@ -71,7 +71,7 @@ pub enum Intent {
     AnotherHome,
     /// Put everything back.
     PutBack,
-    /// Move in a page by so many lines.
+    /// Move in a page by this many lines.
     Scroll(i16),
 }
 
@@ -201,7 +201,7 @@ mod tests {
         assert_eq!(pressed(KeyCode::Char('g'), Focus::Keys, true), Some(Intent::Good));
         assert_eq!(pressed(KeyCode::Right, Focus::Command, true), Some(Intent::Edit(Edit::Right)));
         assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
-        // No word has a question mark, and in the tour a command stands there already.
+        // No word has a question mark, and in the tour a command is there already.
         assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Explain));
     }
 

@@ -56,7 +56,7 @@ pub fn is_lesson(id: &str) -> bool {
     id.starts_with(LESSON_ID)
 }
 
-/// Where the tour stands.
+/// A tour under way.
 #[derive(Clone, Debug)]
 pub struct Tour {
     homes: Homes,
@@ -73,7 +73,7 @@ impl Tour {
         Self { homes, at, right: Vec::new() }
     }
 
-    /// The lesson or test where it stands; `None` at its end.
+    /// The current lesson or test; `None` at the end.
     pub fn stop(&self) -> Option<Stop> {
         let stop = |number, of, test| move |exercise| Stop { number, of, test, exercise };
         match self.at.checked_sub(LESSONS.len()) {
@@ -82,7 +82,7 @@ impl Tour {
         }
     }
 
-    /// The home of where it stands; at its end, the home of the tests.
+    /// The current home; at the end, the home of the tests.
     pub fn home(&self) -> Option<EnvironmentFile> {
         environment(self.homes.layout(self.stop().map_or(HomeName::Test, |stop| stop.exercise.home)))
     }

@@ -1,4 +1,4 @@
-//! Colours. Nothing is told by a colour alone: beside each stands a letter or a word.
+//! Colours. Nothing is told by a colour alone: each comes with a letter or a word.
 
 use ratatui::style::{Color, Modifier, Style};
 

@@ -7,7 +7,7 @@ use goodbot::oomdp::Domain;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_lesson::home::environment;
 
-/// What is at one cell, beneath what stands there.
+/// The ground of one cell.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Ground {
     /// Outside of every room.

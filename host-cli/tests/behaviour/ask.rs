@@ -42,7 +42,7 @@ impl Asked {
 
 #[test]
 fn what_is_done_already_is_said_with_its_probability() {
-    // The robot stands in the red room.
+    // The robot is in the red room.
     let (answer, text) = Asked::new().home("go to the red room");
     let first = &answer["meanings"][0];
     assert_eq!((&first["task"], &first["done"]), (&"agentInRoom(agent0,room0)".into(), &true.into()));
@@ -233,7 +233,7 @@ fn errors_are_in_plain_words_and_near_misses_are_suggested() {
     }
     let asked = Asked::new();
     let long = asked.ask(&["-e", &example("home.json"), &"go ".repeat(65)], "");
-    assert!(long.code == 0 && long.output.contains("the words behind the first 64 were not read: say it in parts"), "{}", long.output);
+    assert!(long.code == 0 && long.output.contains("the words after the first 64 were not read: say it in parts"), "{}", long.output);
 }
 
 #[test]

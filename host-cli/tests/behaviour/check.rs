@@ -60,7 +60,7 @@ fn a_second_agent_is_refused_on_its_line() {
 #[test]
 fn each_block_inside_a_wall_is_refused_on_its_line() {
     let objects = [&block("block0", 0, 2), AGENT, &block("block1", 5, 4)];
-    let in_wall = "it stands in a wall or outside every room; move it inside a room or into a doorway";
+    let in_wall = "it is in a wall or outside every room; move it inside a room or into a doorway";
     let messages =
         [format!(r#"3: field "objects[3]": object "block0": {in_wall}"#), format!(r#"5: field "objects[5]": object "block1": {in_wall}"#)];
     assert_refused(&environment(&objects), &[&messages[0], &messages[1]]);
@@ -69,7 +69,7 @@ fn each_block_inside_a_wall_is_refused_on_its_line() {
 #[test]
 fn an_agent_outside_every_room_is_refused() {
     let message =
-        r#"3: field "objects[3]": object "agent0": it stands in a wall or outside every room; move it inside a room or into a doorway"#;
+        r#"3: field "objects[3]": object "agent0": it is in a wall or outside every room; move it inside a room or into a doorway"#;
     assert_refused(&environment(&[r#"{"class":"agent","name":"agent0","x":40,"y":2}"#]), &[message]);
 }
 
@@ -170,7 +170,7 @@ fn an_unknown_action_is_refused() {
 #[test]
 fn a_step_after_the_end_is_refused() {
     let input = log([&session(AGENT, "feedback", "go", ""), END, &step("north", "reward")]);
-    let message = "3: a step stands after the end of its session; move it before the end line, or begin a session";
+    let message = "3: a step comes after the end of its session; move it before the end line, or begin a session";
     assert_refused(&input, &[message]);
 }
 
@@ -178,7 +178,7 @@ fn a_step_after_the_end_is_refused() {
 fn a_pull_of_nothing_is_refused_on_its_line() {
     let more = r#","actions":["north","south","east","west","pull"]"#;
     let input = log([&session(AGENT, "feedback", "go", more), &step("south", "reward"), &step("pull", "reward"), END]);
-    let message = r#"3: field "action": "pull" cannot be done here, where the agent is at 2, 2: no block beside it has a wall or another block behind it; correct the steps, or leave out the session"#;
+    let message = r#"3: field "action": "pull" cannot be done here, where the agent is at 2, 2: no block beside it has a wall or another block on its far side; correct the steps, or leave out the session"#;
     assert_refused_by_both(&input, message);
 }
 

@@ -29,7 +29,7 @@ fn flat() -> Value {
     json!({"version": 1, "objects": objects})
 }
 
-/// A lift that stands on the first of so many floors, each with a number of its own.
+/// A lift on the first of this many floors, each with a number of its own.
 fn lift(floors: usize) -> Value {
     let mut objects = vec![json!({"name": "lift0", "class": "lift"})];
     let floor = |floor| json!({"name": format!("floor{floor}"), "class": "floor", "attributes": {"name": format!("n{floor}")}});

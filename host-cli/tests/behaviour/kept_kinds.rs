@@ -168,7 +168,7 @@ fn damaged_kinds_are_refused() {
     *bytes.last_mut().unwrap() ^= 1;
     let damaged = files.write("damaged.goodbot", &bytes);
     let run = goodbot(&["evaluate", "--with", &damaged, "--test", &log], b"");
-    assert!(run.code == 2 && run.messages.contains("the kinds of task behind the model are damaged"), "{}", run.messages);
+    assert!(run.code == 2 && run.messages.contains("the kinds of task after the model are damaged"), "{}", run.messages);
 }
 
 #[test]

@@ -65,7 +65,7 @@ fn a_long_command_in_a_world_is_read_like_any_other() {
     let checked = goodbot(&["check", "-"], &log);
     assert!(checked.code == 0 && checked.messages.contains("3: field \"command\": warning: has 70 words"), "{}", checked.messages);
     let asked = goodbot(&["ask", "--with", &model, "-e", &world, &words(70)], b"");
-    assert!(asked.code == 0 && asked.output.contains("the words behind the first 64 were not read"), "{}{}", asked.output, asked.messages);
+    assert!(asked.code == 0 && asked.output.contains("the words after the first 64 were not read"), "{}{}", asked.output, asked.messages);
     let asked = goodbot(&["ask", "--with", &model, "-e", &world, "--json", &words(70)], b"");
     assert_eq!(line(&asked, "answer")["unread"], 6);
     let wrong = goodbot(&["evaluate", "-"], format!("{WORLD}\n{}\n", told(&"x".repeat(60), "a")).as_bytes());

@@ -22,7 +22,7 @@ fn lesson(command: &str) -> String {
     session(program::AGENT, "labelled", command, r#","intended":["agentInRoom(agent0,room1)"]"#) + "\n{\"type\":\"end\",\"learn\":true}\n"
 }
 
-/// Runs the program; files in capital letters stand for those of the folder.
+/// Runs the program; names in capital letters mean files of the folder.
 fn run(folder: &Path, arguments: &[&str]) -> program::Run {
     let file = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let arguments: Vec<String> = arguments

@@ -24,7 +24,7 @@ impl Place {
         self.0.path().join(name).to_str().unwrap().to_owned()
     }
 
-    /// Runs the program, which must do it; LOG, A, B and C stand for files of the folder.
+    /// Runs the program, which must do it; LOG, A, B and C mean files of the folder.
     #[track_caller]
     fn run(&self, arguments: &[&str]) -> String {
         let run = self.try_run(arguments);

@@ -298,7 +298,7 @@ fn the_answer_says_what_an_utterance_is_taken_for() {
     let sentences: Vec<String> = cases.iter().map(|(words, ..)| (*words).to_owned()).collect();
     for ((words, verdict, taken_for), answer) in cases.iter().zip(asked(&model, &home, &sentences)) {
         assert_eq!((answer["verdict"].as_str(), answer["taken_for"].as_str()), (Some(*verdict), Some(*taken_for)), "{words}: {answer}");
-        // The blocks stand along walls, and the robot cannot pull.
+        // The blocks are along walls, and the robot cannot pull.
         let is_to_do = *verdict == "sure" && !words.contains("chairs");
         assert_eq!(answer["plan"].is_array(), is_to_do, "{words}: a plan only for what was told and is to do: {answer}");
     }

@@ -12,7 +12,7 @@ fn command(group: &str, words: &str, meant: &str) -> String {
     format!(r#"{{"type":"command","world":"flat","id":"{words}","group":"{group}","command":"{words}","intended":["{meant}"]}}"#)
 }
 
-/// Each thing on and off, said in German: what stands for what is to be learned.
+/// Each thing on and off, said in German: their meanings are to be learned.
 fn log() -> String {
     let mut lines = vec![WORLD.to_owned()];
     for (thing, class, said) in
@@ -119,7 +119,7 @@ fn what_is_wrong_with_a_world_is_told_by_line_and_field() {
     for (from, to, told) in [
         ("\"classes\":[\"lamp\"", "\"classes\":[\"lump\"", "field \"attributes.room[0]\": the world has no class \"lamp\""),
         ("\"lampOn(?x)\"", "\"lampOn(?x,?y)\"", "field \"task_kinds[0]\": \"lampOn\" was given 2 arguments, and it has 1"),
-        ("\"lampOff(a)\"", "\"lampOff(c)\"", "field \"facts[0]\": \"c\" stands where an object of the class \"lamp\" belongs"),
+        ("\"lampOff(a)\"", "\"lampOff(c)\"", "field \"facts[0]\": \"c\" is where an object of the class \"lamp\" belongs"),
         ("\"name\":\"b\"", "\"name\":\"a\"", "field \"objects[3].name\": \"a\" is here twice"),
         ("\"room\":\"bath\",\"kind\":\"lamp\"", "\"size\":\"big\"", "the world has no attribute \"size\""),
         ("\"type\":\"world\",", "\"type\":\"world\",\"rooms\":[],", "field \"rooms\": is not known here"),

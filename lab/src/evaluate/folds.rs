@@ -29,7 +29,7 @@ pub struct Answer {
     pub right: bool,
     /// Whether a learner that sees no words was right, and how probable it took what was meant.
     pub wordless: (bool, f32),
-    /// How probable what was meant is by chance, where things stand as they do.
+    /// How probable the intended task is by chance in this scene.
     pub chance: f32,
     /// The session that this one is a copy of, where one was trained on.
     pub copy_of: Option<String>,

@@ -39,7 +39,7 @@ use split::{Group, Split};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Above so many sessions, ten parts are left out in turn instead of each session: the work of leaving out each grows with the square of
+/// Above this many sessions, ten parts are left out in turn instead of each session: the work of leaving out each grows with the square of
 /// their number.
 const MOST_LEFT_OUT_ONE_BY_ONE: usize = 500;
 /// Parts of the sessions where there are more.

@@ -1,4 +1,4 @@
-//! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks stand elsewhere.
+//! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks are elsewhere.
 
 use super::folds::no_room;
 use goodbot::Options;
@@ -11,7 +11,7 @@ use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use rand_core::Rng;
 use std::sync::Mutex;
 
-/// How often a layout is drawn anew where what was meant holds already, or nothing stands right.
+/// How often a layout is drawn anew if the intended task holds already, or things cannot be placed.
 const TRIES: usize = 200;
 
 /// Other layouts to ask commands in.

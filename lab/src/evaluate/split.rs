@@ -52,7 +52,7 @@ pub struct Split {
     pub group: Option<Group>,
     /// How many parts; one for each session or group where nothing is said.
     pub parts: Option<usize>,
-    /// Where nothing is said, no more parts than so many.
+    /// The most parts where no number is given.
     pub most: Option<usize>,
 }
 

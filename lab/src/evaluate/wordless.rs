@@ -1,4 +1,4 @@
-//! The control: a learner that sees where things stand and what was meant there, and no word.
+//! The control: a learner that sees the scene and the intended task, and no word.
 //!
 //! Where each task always begins in a room of its own, such a learner understands every command. An accuracy says something of words only
 //! as far as it is above this one's.

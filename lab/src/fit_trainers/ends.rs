@@ -3,7 +3,7 @@
 use super::walk::{Walk, WalkStep};
 use goodbot::feedback::{Ending, Feedback, Hazard};
 
-/// By so many steps of all moments together is the hazard of each moment held to theirs.
+/// The hazard of each moment is drawn to that of all moments by this many steps.
 const HOLD: f64 = 6.0;
 /// Rests in a row that are told apart: none, one, more.
 const RESTS: usize = 3;

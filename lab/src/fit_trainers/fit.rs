@@ -3,7 +3,7 @@
 //! Each trainer follows one strategy of the population; which one is not known, and neither is which action a word was about nor what the
 //! trainer took that action for. Expectation maximisation finds strategies and shares under which the words are most probable. There is
 //! much less to be seen of one trainer than three probabilities and a lag take, so every strategy is held to what all trainers together do:
-//! as if each had said so many words more, as they do on average ([`Fit::hold`]). How many is chosen inside the training data, by
+//! as if each had said a few more words, as all do on average ([`Fit::hold`]). Their number is chosen inside the training data, by
 //! leaving one trainer out.
 
 use super::walk::Walk;
@@ -16,7 +16,7 @@ pub const MOST: usize = 6;
 const ROUNDS: usize = 30;
 /// From how many words of all trainers the hold is chosen.
 const HOLDS: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
-/// What is thought of trainers before anything is seen, as if so many words had been.
+/// The prior of trainers, as a number of words.
 const BEFORE: (Manner, [f64; LAGS], f64) = (Manner { silence: [0.85, 0.85], mistake: 0.2 }, [0.7, 0.2, 0.1], 3.0);
 /// Who mistakes more than this means the opposite of what is said.
 const MOST_MISTAKEN: f64 = 0.45;
@@ -168,7 +168,7 @@ impl Parameters {
 }
 
 impl Expected {
-    /// The most probable strategy, held to another one as if that had been seen in so many words.
+    /// The most probable strategy, drawn to another one as if that had been seen in this many words.
     fn strategy(&self, to: &Parameters, hold: f64) -> Parameters {
         let share = |part: f64, whole: f64, before: f64| (part + hold * before) / (whole + hold);
         let manners = [0, 1].map(|at| {

@@ -10,7 +10,7 @@ use rand_core::Rng;
 
 /// The robot has understood where the intended task is this probable.
 pub const UNDERSTOOD: f32 = 0.95;
-/// A session has so many steps at most.
+/// The most steps of a session.
 pub const MOST_STEPS: u32 = Asking::DEFAULT.patience as u32;
 
 /// What a simulated trainer does.

@@ -38,7 +38,7 @@ const COLORS: [&str; 4] = ["red", "green", "blue", "yellow"];
 /// The shapes of blocks.
 const SHAPES: [&str; 4] = ["chair", "bag", "basket", "box"];
 
-/// Commands to go, none of them the paper's; `ROOM` stands for a colour.
+/// Commands to go, none of them the paper's; `ROOM` is replaced by a colour.
 const GO: [&str; 6] = [
     "walk over to the ROOM area",
     "please enter the ROOM room",

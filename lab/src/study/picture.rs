@@ -12,7 +12,7 @@ use std::error::Error;
 
 /// Panels beside each other.
 const PANELS: usize = 2;
-// In pixels: the names of agents, the bars, the numbers behind them, and the height of a bar.
+// In pixels: the names of agents, the bars, the numbers after them, and the height of a bar.
 const LEFT: i32 = 130;
 const WIDE: i32 = 240;
 const RIGHT: i32 = 110;

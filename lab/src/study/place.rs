@@ -40,7 +40,7 @@ impl Outlook {
 pub struct Place {
     /// The home.
     pub home: Home<HomeHeap>,
-    /// Where things stand at the beginning.
+    /// The places of things at the beginning.
     pub start: HomeState,
     /// What is said.
     pub command: String,

@@ -17,11 +17,11 @@ use goodbot::random::{below, unit};
 use goodbot_course::{CourseError, generator};
 use rand_pcg::Pcg32;
 
-/// The lesson ends after so many steps of doing nothing in a row at the goal that is meant.
+/// The lesson ends after this many steps of doing nothing in a row at the intended goal.
 pub const RESTS: u8 = 3;
-/// The trainer gives a lesson up after so many steps.
+/// The trainer gives a lesson up after this many steps.
 pub const MOST_STEPS: u16 = 150;
-/// A test ends after so many steps.
+/// A test ends after this many steps.
 pub const TEST_STEPS: u16 = 100;
 /// An agent that is surer than this is certain.
 pub const CERTAIN: f32 = 0.95;

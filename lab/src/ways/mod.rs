@@ -44,7 +44,7 @@ pub struct WaysOptions {
     /// How many lessons each has, 1 to 500
     #[arg(long, value_name = "N", default_value = "30", value_parser = lessons, allow_negative_numbers = true)]
     lessons: usize,
-    /// Test after so many lessons, again and again
+    /// Test after every N lessons
     #[arg(long, value_name = "N", default_value = "10", value_parser = lessons, allow_negative_numbers = true)]
     every: usize,
     /// How many commands a test has, 1 to 1000
@@ -129,7 +129,7 @@ struct Robots {
 
 /// One test of all robots.
 struct Test {
-    /// After so many lessons.
+    /// After this many lessons.
     lessons: usize,
     /// Commands that were understood, and asked.
     right: usize,

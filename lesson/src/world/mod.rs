@@ -227,8 +227,8 @@ fn parts_of_name(name: &str) -> impl Iterator<Item = &str> {
             return None;
         }
         let end = rest.char_indices().skip(1).find(|(_, letter)| letter.is_uppercase()).map_or(rest.len(), |(at, _)| at);
-        let (part, behind) = rest.split_at(end);
-        rest = behind;
+        let (part, after) = rest.split_at(end);
+        rest = after;
         Some(part)
     })
 }
@@ -238,7 +238,7 @@ mod tests {
     use super::*;
     use goodbot_formats::world::{Line, WorldReader};
 
-    /// The sorts of what is said of a lamp with so many attributes.
+    /// The sorts of what is said of a lamp with this many attributes.
     fn sorts(attributes: usize) -> Vec<u8> {
         let names = || (0..attributes).map(|number| format!("a{number}"));
         let carried: Vec<String> = names().map(|name| format!(r#""{name}":["lamp"]"#)).collect();

@@ -382,7 +382,7 @@ impl Digit {
 struct Mechanism {
     digits: Vec<Digit>,
     states: u64,
-    /// Where what can change stands: its digit, and the value with which it holds.
+    /// For each fact that can change: its digit, and the value with which it holds.
     places: HashMap<Key, (usize, u64)>,
     /// What holds and cannot change.
     fixed: BTreeSet<Key>,
@@ -499,7 +499,7 @@ impl Mechanism {
         self.actions.iter_mut().for_each(|action| action.cases.retain(|case| case.is_possible(&possible)));
         self.actions.retain(|action| !action.cases.is_empty());
         let is_kept = |digit: usize| possible.get(digit).is_some_and(|values| values.len() > 1);
-        // Where the digits and their values then stand.
+        // The new positions of the digits and their values.
         let mut next = 0..;
         let digits: Vec<usize> = possible.iter().map(|values| if values.len() > 1 { next.next().unwrap_or(0) } else { 0 }).collect();
         let at = |digit: usize, value: u64| -> Option<(usize, u64)> {

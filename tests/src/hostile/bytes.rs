@@ -24,7 +24,7 @@ impl<'a> Bytes<'a> {
         byte
     }
 
-    /// One of so many.
+    /// A number below `count`.
     pub fn below(&mut self, count: usize) -> usize {
         usize::from(self.byte()) % count.max(1)
     }
@@ -34,7 +34,7 @@ impl<'a> Bytes<'a> {
         choices[self.below(choices.len())]
     }
 
-    /// The next bytes, at most so many, as a text.
+    /// The next bytes, at most `most`, as a text.
     pub fn text(&mut self, most: usize) -> String {
         let (text, rest) = self.rest.split_at(most.min(self.rest.len()));
         self.rest = rest;

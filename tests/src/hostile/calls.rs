@@ -10,7 +10,7 @@ use goodbot::oomdp::Action;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_pcg::Pcg32;
 
-/// At most so many calls for one input.
+/// The most calls for one input.
 const MOST_CALLS: usize = 100;
 
 /// A robot for small homes: many inputs a second.

@@ -6,7 +6,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
-/// Takes any bytes as a model file, and once more with its length and check corrected, so that what is behind them is reached. What is
+/// Takes any bytes as a model file, and once more with its length and check corrected, so that the code after these checks is reached. What is
 /// restored can be trained, is sound, and is saved as a file that restores to the same.
 pub fn model(input: &[u8]) {
     restore(input);

@@ -85,7 +85,7 @@ fn a_common_past_is_kept_once_wherever_it_stands() {
         assert_eq!(agent.join(&other), Ok(1), "{options:?}");
         let joined = commands(&agent);
         assert_eq!((joined.len(), &joined[..3]), (4, here.as_slice()));
-        // Once more adds nothing, though the past does not stand in the same place any more.
+        // Once more adds nothing, though the past has other positions now.
         assert_eq!(agent.join(&other), Ok(0));
         assert_eq!(agent.join(&one), Ok(0));
         agent.learn_fully();

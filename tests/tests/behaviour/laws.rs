@@ -211,7 +211,7 @@ fn distance<D: Domain>(domain: &D, start: &D::State, holds: impl Fn(&D::State) -
     None
 }
 
-/// The logarithm of what EM maximises: the weighted likelihood of the data, and the priors that the pseudo-counts stand for.
+/// The logarithm of what EM maximises: the weighted likelihood of the data, and the priors that the pseudo-counts express.
 fn objective(model: goodbot::language::LanguageRef<'_>) -> f64 {
     let (tables, bitext, settings) = (model.tables(), model.bitext(), model.settings());
     let rows = || std::iter::once(None).chain(model.tokens().iter().map(|(token, _)| Some(token)));

@@ -34,7 +34,11 @@ fn lessons<S>(taught: &Taught<'_, S>) -> Lessons {
 fn least<D: Domain>(domain: &D, tasks: &[LiftedTask], options: Options, taught: &Taught<'_, D::State>) -> Capacities {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), tasks, options).unwrap();
     let least = agent.least_capacities(domain, &lessons(taught)).unwrap();
-    assert_eq!(agent.usage(), Agent::new(AgentHeap::new(&Capacities::STANDARD), tasks, options).unwrap().usage(), "the desk is clean");
+    assert_eq!(
+        agent.usage(),
+        Agent::new(AgentHeap::new(&Capacities::STANDARD), tasks, options).unwrap().usage(),
+        "nothing is left in the scratch space"
+    );
     least
 }
 

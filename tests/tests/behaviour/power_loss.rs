@@ -11,7 +11,7 @@ use rand_pcg::Pcg32;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
-/// A NOR flash of `ERASE`-byte blocks that is written `WRITE` bytes at a time and read `READ` at a time, and whose power goes after so many
+/// A NOR flash of `ERASE`-byte blocks that is written `WRITE` bytes at a time and read `READ` at a time, and whose power goes after this many
 /// bytes of writing and erasing.
 struct Flash<const READ: usize, const WRITE: usize, const ERASE: usize> {
     bytes: Vec<u8>,
@@ -299,7 +299,7 @@ impl embedded_storage_async::nor_flash::NorFlash for Slow {
     }
 }
 
-/// Polls so many times at most; nothing where that was not enough.
+/// Polls at most this many times; nothing where that was not enough.
 fn poll<T>(future: impl Future<Output = T>, times: usize) -> Option<T> {
     let mut future = pin!(future);
     let mut context = Context::from_waker(Waker::noop());

@@ -21,7 +21,7 @@ struct Cart {
     blue: u64,
 }
 
-/// The cart's objects stand in memory of their own.
+/// The cart's objects have memory of their own.
 struct OnRail<'m> {
     cart: Cart,
     objects: goodbot::oomdp::Objects<'m>,

@@ -25,7 +25,7 @@ struct Seen {
     reached: u32,
 }
 
-/// Plans for tasks of one block each, with room for so many states.
+/// Plans for tasks of one block each, with room for this many states.
 struct Scene<'a, M> {
     home: &'a Home<M>,
     planner: OwnPlanner,

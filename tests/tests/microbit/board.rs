@@ -131,7 +131,7 @@ impl Board {
         self.wait(60);
     }
 
-    /// Waits for about so many milliseconds of the board's own time, or longer: each of its rows of lights is on for four of them.
+    /// Waits for about this many milliseconds of the board's own time, or longer: each of its rows of lights is on for four of them.
     fn wait(&mut self, milliseconds: u32) {
         let mut row = self.row();
         for _ in 0..milliseconds / 4 {
@@ -152,7 +152,7 @@ impl Board {
         self.light_pins() >> 13 & 0b111
     }
 
-    /// Waits until the light that blinks has changed so many times.
+    /// Waits until the light that blinks has changed this many times.
     pub fn wait_blinks(&mut self, times: u32) {
         let mut lit = self.light_pins() >> 4 & 1;
         for _ in 0..times {

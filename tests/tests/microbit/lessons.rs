@@ -229,7 +229,7 @@ pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
             (brightest, dimmest) = (brightest.max(block), dimmest.min(block));
         }
     }
-    // The robot stands in the corner of the red room, where only the block's light is not steady.
+    // The robot is in the corner of the red room, where only the block's light is not steady.
     assert!(brightest > 12.0 && dimmest < 4.0, "the block's light is between {dimmest} and {brightest}");
     let expected = [[16, 1, 1, 1, 1], [1, 1, 0, 1, 1], [0, 2, 0, 2, 0], [4, 4, 0, 8, 8], [4, 4, 0, 8, 8]];
     for (row, lights) in all.lights().iter().enumerate() {

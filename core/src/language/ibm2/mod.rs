@@ -1,4 +1,4 @@
-//! IBM Model 2, the paper's (section 3): every word stands for one token of a machine command, or for none.
+//! IBM Model 2, the paper's (section 3): every word translates one token of a machine command, or none.
 //!
 //! ```text
 //! Pr(e | m) = product over the words i of the sum over the tokens j, NULL included, of a(j | i, l, n) t(e_i | m_j)

@@ -23,7 +23,7 @@ impl Tables<'_> {
     }
 }
 
-/// Makes room for a description of a command of so many words.
+/// Makes room for a description of a command of this many words.
 ///
 /// # Errors
 /// A [`CapacityError`] where there is none; nothing has changed then.

@@ -16,8 +16,8 @@ pub(super) const END: f32 = 0.1;
 /// Memories less probable than this, of 1 for all together, are dropped: most of the work is on them, and they change next to nothing.
 const LEAST_MASS: f32 = 1.0 / 1024.0;
 
-/// A memory's mass as a share of all, 0 where it is dropped. Shares are not negative, so their bits stand in their order; to compare those
-/// takes no function where floats are functions.
+/// A memory's mass as a share of all, 0 where it is dropped. Shares are not negative, so their bits have the same order; without a
+/// floating-point unit, bits are compared faster.
 pub(super) fn kept(share: f32) -> f32 {
     if share.to_bits() < LEAST_MASS.to_bits() { 0.0 } else { share }
 }
@@ -38,7 +38,7 @@ pub(super) type Moves = [f32; MOST_ROLES + 2];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Present {
     pub role: Role,
-    /// Where its probability stands in a row of p0: by its row where training has seen the lifted task, by its position otherwise.
+    /// The column of its probability in a row of p0: by its row if training has seen the lifted task, by its position otherwise.
     column: u8,
 }
 
@@ -54,7 +54,7 @@ pub(super) struct GroupShare {
     /// The role, by its position among those present.
     present: u8,
     sort: u8,
-    /// Where its values stand in the description, and how many there are.
+    /// Where its values begin in the description, and how many there are.
     first: u8,
     count: u8,
     /// What the group has of its role, spread evenly over its values.
@@ -92,7 +92,7 @@ pub(super) struct Reader<'t, 'd> {
 /// The farthest word before another that is a cue for it.
 const FARTHEST_CUE: usize = 4;
 
-/// What stands before a word.
+/// The context before a word.
 pub(super) struct Before {
     /// The word before it.
     pub previous: Option<usize>,
@@ -100,8 +100,7 @@ pub(super) struct Before {
     pub cues: Vec<u16, FARTHEST_CUE, u8>,
 }
 
-/// What is worked out for one word, where it stays from word to word: making it anew would clear it each time. Only what stands for roles
-/// that are present is read.
+/// Scratch buffers, reused across words to avoid zeroing them again. Only the entries of roles that are present are read.
 pub(super) struct Scratch {
     lifts: Moves,
     emissions: Roles,
@@ -115,8 +114,7 @@ impl Scratch {
 }
 
 impl<'t, 'd> Reader<'t, 'd> {
-    /// A reader that [`take_groups`](Self::take_groups) makes ready, where it stays: as the result of a function it would stand on the
-    /// stack twice.
+    /// A reader for [`take_groups`](Self::take_groups) to fill in place: returned by a function, it would be on the stack twice.
     #[inline(always)]
     pub fn new(layout: &'t Layout, translations: &'t [f32], alignments: &'t [f32], description: &'d [Symbol]) -> Self {
         let token = form(description);
@@ -173,7 +171,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
         for group in &mut self.groups {
             let whole = cell(&whole, group.present());
-            // The only value of its role has all of it. To say so takes no division, which is long where floats are functions.
+            // The only value of its role has all of it. This saves a division, which is slow without a floating-point unit.
             let is_all = group.count == 1 && group.share.to_bits() == whole.to_bits();
             group.share = match is_positive(whole) {
                 true if is_all => 1.0,
@@ -280,12 +278,12 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// What stands before a word.
+    /// The context before a word.
     pub fn before(&self, position: usize, word: impl Fn(usize) -> Option<usize>) -> Before {
         let at = |back: usize| position.checked_sub(back).and_then(&word);
         let mut before = Before { previous: at(1), cues: Vec::new() };
         if self.layout.has_ways() {
-            // What stands before a word that names something spoke of that.
+            // The words before a word that names something spoke of that.
             for cue in (1..=FARTHEST_CUE).map_while(at) {
                 let _ = before.cues.push(cue as u16);
                 if self.names(cue) {
@@ -318,7 +316,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         best
     }
 
-    /// Tells for each kind of role that the task has where its share stands that the words name, in a row of `naming`.
+    /// Tells a column of a row of `naming` for each kind of role that the task has: the share of it that the words name.
     pub fn naming(&self, words: impl Iterator<Item = usize>, mut tell: impl FnMut(usize)) {
         let mut named: Vec<Symbol, 8, u8> = Vec::new();
         for value in words.filter_map(|word| self.value_named(word)) {
@@ -341,7 +339,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// How probable it is that of each role so much is named as these words do.
+    /// The probability that commands name as much of each role as these words do.
     fn naming_of(&self, words: impl Iterator<Item = usize>) -> f32 {
         let mut product = 1.0;
         if let Some(form) = self.form.filter(|_| self.layout.has_ways()) {
@@ -399,7 +397,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// What stands for every row of p0 where training has not seen the lifted task.
+    /// The row of p0 for a lifted task that training has not seen.
     fn untrained_row(&self) -> Moves {
         prior(self.layout, self.present.iter().map(|present| present.kind()))
     }
@@ -433,7 +431,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// A memory's row of p0, and the probability of the end after it, where training has seen the lifted task: then it knows all roles
-    /// present, and a role's row is the one behind its column.
+    /// present, and a role's row is the one after its column.
     #[inline(always)]
     fn trained_row(&self, memory: usize) -> (&'t [f32], f32) {
         let present = memory.checked_sub(1).and_then(|present| self.present.get(present));
@@ -503,7 +501,7 @@ fn share_among(weights: &mut [f32]) -> f32 {
     rest
 }
 
-/// The words of a command; V stands for each that the parameters do not know.
+/// The words of a command; V marks each that the parameters do not know.
 pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterator<Item = usize> {
     sentence.iter().map(|&word| number(layout, word))
 }
@@ -589,7 +587,7 @@ pub(crate) fn likelihood(
     reading.probability
 }
 
-/// How probable it is that of each role of a task so much is named as these words do. Without ways, 1.
+/// The probability that commands name as much of each role of a task as these words do. Without ways, 1.
 #[cfg(feature = "layer")]
 pub(crate) fn named(
     layout: &Layout,
@@ -602,7 +600,7 @@ pub(crate) fn named(
     reader.naming_of_any(heard(layout, sentence))
 }
 
-/// Goes on with Pr(e|t) of a trained model, `most` words at most, as [`Reading::go_on`]. `masses` is behind the parameters.
+/// Goes on with Pr(e|t) of a trained model, `most` words at most, as [`Reading::go_on`]. `masses` follows the parameters.
 #[inline(never)]
 pub(crate) fn likelihood_on(
     layout: &Layout,

@@ -1,9 +1,10 @@
-//! Which kind of task the words speak of: a log-linear model over the words, how many they are, and the lifted task alone, never over what
-//! is in the scene.
+//! Which kind of task the words speak of: a log-linear model over the words, their number and the lifted task. The scene has no part in
+//! it.
 //!
 //! q_l(e) is proportional to exp(b_l + u_l n / 8 + the sum of w_l over the command's different words), n the number of its words: to tell of
-//! two goals takes more of them. It is trained by batches of all sessions towards each session's share of the lifted task, with a step of its own for every weight (AdaGrad) and a pull towards 0. The role model then only says
-//! which of a kind's tasks is meant, and half as much about the kind:
+//! two goals takes more of them. It is trained by batches of all sessions towards each session's share of the lifted task, with a step of its
+//! own for every weight (AdaGrad) and a pull towards 0. The role model then only says which of a kind's tasks is meant, and half as much
+//! about the kind:
 //!
 //! ```text
 //! Pr(t|e,s) proportional to q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind
@@ -18,20 +19,20 @@ use crate::symbols::Symbol;
 use crate::task::description::form;
 use heapless::Vec;
 
-/// Batches: so many that more change little. After 30 the weights of rare words are still on their way.
+/// Batches: more change little. After 30 the weights of rare words still move.
 pub(super) const BATCHES: u32 = 100;
-/// The same in a model that leaves out sessions: the [layer](crate::language::layer) understands as much with it.
+/// The same in a model that leaves out sessions: more do not help the [layer](crate::language::layer).
 pub(super) const BATCHES_OF_A_FOLD: u32 = 30;
 const RATE: f32 = 0.3;
 /// A weight is a priori normal around 0 with the variance 1 / PULL. With more, the kinds that seven lessons teach are too unsure.
 const PULL: f32 = 0.5;
 
-/// So many words of a command weigh as much as one different word.
+/// The number of words whose length term weighs as much as one different word.
 const WORDS_OF_LENGTH: f32 = 8.0;
 /// The weight of an unknown word, relative to a word that says nothing of the task.
 const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
-/// What each row has behind its words: the constant, and the weight of the length.
-pub(super) const BEHIND_WORDS: usize = 2;
+/// The columns of each row after its words: the constant, and the weight of the length.
+pub(super) const BESIDE_WORDS: usize = 2;
 
 type Forms = [f32; LIFTED_TASKS];
 
@@ -79,7 +80,7 @@ pub(crate) struct Kinds {
 }
 
 impl Kinds {
-    /// The kinds of a command; `sentence` has the known words alone, besides which there are so many `new` ones.
+    /// The kinds of a command; `sentence` has only the known words, and `new` is the number of unknown ones.
     pub fn of(layout: &Layout, alignments: &[f32], sentence: &[Symbol], new: usize) -> Self {
         let shares = match layout.forms().len() {
             0 | 1 => [1.0; LIFTED_TASKS],
@@ -128,8 +129,8 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
     }
 }
 
-/// Half the share of unknown words falls back to the task prior. Where the words in names are values, an unknown word is taken for a value
-/// that was never named, and no more.
+/// Half the share of unknown words falls back to the task prior. Where the words in names are values, an unknown word is only taken for
+/// a value that was never named.
 pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
     if tables.words() == 0 || tables.layout().has_names() {
         return;
@@ -159,26 +160,26 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mu
                 *slot += error;
             }
         }
-        for (slot, of_one) in get_mut(a.counts, behind_words(layout, position)).iter_mut().zip([1.0, length]) {
+        for (slot, of_one) in get_mut(a.counts, beside_words(layout, position)).iter_mut().zip([1.0, length]) {
             *slot += error * of_one;
         }
     }
 }
 
-/// Where the gradient of what is behind the words stands. A vocabulary too small for it teaches no kinds anyway.
-fn behind_words(layout: &Layout, position: usize) -> core::ops::Range<usize> {
-    let (common, start) = (layout.common(), position.saturating_mul(BEHIND_WORDS));
-    start.min(common.end)..start.saturating_add(BEHIND_WORDS).min(common.end)
+/// Where the gradient of the constant and of the length is kept. A vocabulary too small for it teaches no kinds anyway.
+fn beside_words(layout: &Layout, position: usize) -> core::ops::Range<usize> {
+    let (common, start) = (layout.common(), position.saturating_mul(BESIDE_WORDS));
+    start.min(common.end)..start.saturating_add(BESIDE_WORDS).min(common.end)
 }
 
 /// One step of a lifted task's weights, from the counts.
 pub(super) fn step(layout: &Layout, position: usize, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let Some(&token) = layout.forms().get(position) else { return };
-    let mut behind = [0.0; BEHIND_WORDS];
-    for (slope, slot) in behind.iter_mut().zip(get_mut(a.counts, behind_words(layout, position))) {
+    let mut beside = [0.0; BESIDE_WORDS];
+    for (slope, slot) in beside.iter_mut().zip(get_mut(a.counts, beside_words(layout, position))) {
         *slope = core::mem::take(slot);
     }
-    let [constant, length] = behind;
+    let [constant, length] = beside;
     let range = layout.kind_of_task(position);
     let (weights, squares) = (get_mut(a.values, range.clone()), get_mut(a.counts, range));
     let gradient = get_mut(t.counts, layout.row(Some(token)));

@@ -1,4 +1,4 @@
-//! Where the parameters stand.
+//! Where each parameter is in the tables.
 //!
 //! `translations` has a row of V words for the background, then one for each machine token: for a value `T[v]`, for a lifted task `A[l]`.
 //! `alignments` has, in this order:
@@ -16,7 +16,7 @@
 //! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and two more | memories and a scale |
 
-use super::kind::BEHIND_WORDS;
+use super::kind::BESIDE_WORDS;
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::{BitextRef, Pair};
 use crate::symbols::Symbol;
@@ -33,7 +33,7 @@ pub const CUES: usize = 2 * RoleKind::COUNT;
 /// How much of what has a role can be named: nothing, a part, all.
 pub(super) const SHARES_NAMED: usize = 3;
 const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
-/// What needs many sessions grows with them: half of it is reached with so many.
+/// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
 
 /// Which parameters there are.
@@ -84,7 +84,7 @@ impl Layout {
         starts: Starts { cues: 0, kinds: 0, p0: 0, end: 0, lambda: 0, naming: 0, novelty: 0 },
     };
 
-    /// The parameters for training data of so many words and machine tokens.
+    /// The parameters for training data of this many words and machine tokens.
     pub(crate) fn of(bitext: BitextRef<'_>, words: usize, tokens: usize) -> Self {
         let mut layout = Self { words, tokens, sessions: bitext.sessions_kept() as f32, ..Self::NONE };
         for command in 0..bitext.commands() as u16 {
@@ -127,7 +127,7 @@ impl Layout {
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
         let cues = row(self.words, self.words, self.kinds()).end;
         let kinds = if self.has_ways() { row(cues, self.words, CUES).start } else { cues };
-        let p0 = row(kinds, forms, self.words.saturating_add(BEHIND_WORDS)).start;
+        let p0 = row(kinds, forms, self.words.saturating_add(BESIDE_WORDS)).start;
         let end = row(p0, forms.saturating_mul(memories), moves).start;
         let lambda = row(end, forms, memories).start;
         let naming = row(lambda, roles, VALUE_SORTS).start;
@@ -136,12 +136,12 @@ impl Layout {
         self
     }
 
-    /// Makes room for a command of so many words.
+    /// Makes room for a command of this many words.
     pub(crate) fn see_length(&mut self, words: usize) {
         self.longest = self.longest.max(words.min(usize::from(u8::MAX)) as u8);
     }
 
-    /// The same parameters for so many words and machine tokens.
+    /// The same parameters for this many words and machine tokens.
     pub(crate) const fn with(self, words: usize, tokens: usize) -> Self {
         Self { words, tokens, ..self }.settled()
     }
@@ -161,14 +161,14 @@ impl Layout {
         cfg!(feature = "ways") && self.has_ways
     }
 
-    /// Whether tasks are told by the words in the names of their propositions: so are those of worlds in which no robot acts, of which hosts
-    /// alone learn.
+    /// Whether tasks are told by the words in the names of their propositions, as in worlds where no robot acts. Only hosts learn in such
+    /// worlds.
     #[cfg(feature = "alloc")]
     pub const fn has_names(&self) -> bool {
         self.has_names
     }
 
-    /// Hosts alone learn of such worlds.
+    /// Only hosts learn in such worlds.
     #[cfg(not(feature = "alloc"))]
     pub const fn has_names(&self) -> bool {
         false
@@ -250,7 +250,7 @@ impl Layout {
     }
 
     pub(super) fn kind_of_task(&self, form: usize) -> Range<usize> {
-        row(self.starts.kinds, form, self.words.saturating_add(BEHIND_WORDS))
+        row(self.starts.kinds, form, self.words.saturating_add(BESIDE_WORDS))
     }
 
     pub(super) fn p0(&self, form: usize, memory: usize) -> Range<usize> {

@@ -15,7 +15,7 @@
 //! A word that was never heard is as probable for each row of F, A and T as the row is open to new words, 1 / (sum of its counts + 1): a value that
 //! nobody has named yet takes it first.
 //!
-//! - [`layout`]: where the parameters stand in the two tables;
+//! - [`layout`]: where each parameter is in the two tables;
 //! - [`forward`]: Pr(e|t), word by word. Memories of less than a thousandth of all are dropped after each word: they take most of the work
 //!   and change next to nothing;
 //! - `start`: where training begins, from how often words and values come together;

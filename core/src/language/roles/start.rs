@@ -1,6 +1,6 @@
 //! Where training begins.
 //!
-//! A value's words are those that stand in more of the commands with the value than of the others: with p_v the weight of commands with
+//! A value's words are those that occur in more of the commands with the value than of the others: with p_v the weight of commands with
 //! value v that contain word w, n_v of all with v, and p and n of all commands,
 //!
 //! ```text
@@ -51,14 +51,14 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: 
     }
 }
 
-/// Makes of the counts how common each word is.
+/// Turns the counts into how common each word is.
 pub(super) fn set_common(layout: &Layout, values: &mut [f32]) {
     let common = get_mut(values, layout.common());
     let whole = common.iter().sum::<f32>() + 0.5 * common.len() as f32;
     common.iter_mut().for_each(|slot| *slot = (*slot + 0.5) / whole);
 }
 
-/// The weight of the pairs with a token and of all pairs, of the first so many.
+/// The weight of the pairs with a token and of all pairs, as far as they were weighed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Share {
     pairs: u32,
@@ -91,7 +91,7 @@ impl Share {
     }
 }
 
-/// Makes of the counts a token's row, once all pairs are weighed; the background's is set last.
+/// Turns the counts into a token's row, once all pairs are weighed; the background's is set last.
 pub(super) fn set_row(layout: &Layout, token: Option<Symbol>, share: &Share, t: &mut Cells<'_>, common: &[f32]) {
     let Some(token) = token else {
         get_mut(t.values, layout.row(None)).copy_from_slice_checked(common);

@@ -17,19 +17,19 @@ use crate::task::description::{form, groups};
 use crate::task::role::RoleKind;
 use heapless::Vec;
 
-/// How probable chatter is before and after a command, and how probable it is to go on.
+/// The probability of chatter before and after a command, and of its going on.
 const ENTER: f32 = 0.15;
 const STAY: f32 = 0.85;
 
 /// Pseudo-counts of a thing that is not named, named in part, and named.
 const PSEUDO_COUNTS: [f32; SHARES_NAMED] = [0.5, 2.0, 4.0];
-/// A word is a sign of a kind of task if this share of the commands that have it are of the kind.
+/// A word is a sign of a kind of task if this share of the commands with it are of the kind.
 const SIGN: f32 = 0.85;
 
-/// A word that one value explains so much better than another does not name the other.
+/// A word that one value explains this many times better than another does not name the other.
 const FOREIGN: f32 = 5.0;
 
-/// A word is of a task if it is so much more probable there than in the background.
+/// A word is of a task if it is this many times more probable there than in the background.
 const OF_TASK: f32 = 2.0;
 
 /// A word of an utterance.
@@ -63,26 +63,26 @@ pub(crate) fn likelihood(tables: TablesRef<'_>, said: &[Said], description: &[Sy
     let number = |position: usize| words.get(position).and_then(|&word| heard(layout, &[word]).next());
     let (mut before, mut after): (Memories, Memories) = ([0.0; MOST_ROLES + 1], [0.0; MOST_ROLES + 1]);
     before.iter_mut().take(1).for_each(|slot| *slot = 1.0 - ENTER);
-    let (mut ahead, mut behind, mut whole, mut scratch) = (ENTER, 0.0_f32, Scaled::ONE, Scratch::NEW);
+    let (mut chatter_before, mut chatter_after, mut whole, mut scratch) = (ENTER, 0.0_f32, Scaled::ONE, Scratch::NEW);
     for (position, (word, said)) in heard(layout, &words).zip(said).enumerate() {
         let stop: f32 = before.iter().take(reader.memories()).enumerate().map(|(memory, mass)| mass * reader.end(memory)).sum();
         let mut sum = reader.advance(word, &reader.before(position, number), &before, &mut after, &mut scratch);
-        behind = (behind * STAY + stop * ENTER) * said.chatter;
-        ahead *= said.chatter;
-        // The command begins behind this word.
-        let begins = ahead * (1.0 - STAY);
+        chatter_after = (chatter_after * STAY + stop * ENTER) * said.chatter;
+        chatter_before *= said.chatter;
+        // The command begins after this word.
+        let begins = chatter_before * (1.0 - STAY);
         after.iter_mut().take(1).for_each(|slot| *slot += begins);
-        ahead *= STAY;
-        sum += begins + ahead + behind;
+        chatter_before *= STAY;
+        sum += begins + chatter_before + chatter_after;
         if sum <= 0.0 {
             return Scaled::ZERO;
         }
         whole = whole.scaled_by(sum);
         before.iter_mut().zip(&after).take(reader.memories()).for_each(|(slot, mass)| *slot = mass / sum);
-        (ahead, behind) = (ahead / sum, behind / sum);
+        (chatter_before, chatter_after) = (chatter_before / sum, chatter_after / sum);
     }
     let stop: f32 = before.iter().take(reader.memories()).enumerate().map(|(memory, mass)| mass * reader.end(memory)).sum();
-    whole.scaled_by(stop * (1.0 - ENTER) + behind * (1.0 - STAY))
+    whole.scaled_by(stop * (1.0 - ENTER) + chatter_after * (1.0 - STAY))
 }
 
 /// What the training data say of each word: the value that it names, and the kinds of task that it is a sign of.
@@ -96,7 +96,7 @@ pub(crate) struct Senses<'t> {
     facts: u8,
 }
 
-/// So many words are looked up once; the others each time.
+/// The number of words that are looked up once; the others are looked up each time.
 const MOST_WORDS: usize = 256;
 
 #[derive(Clone, Copy)]
@@ -127,36 +127,36 @@ impl<'t> Senses<'t> {
     }
 }
 
-/// A word that stands behind the first of so many commands of a kind stands behind a word of the kind.
-const BEHIND: f32 = 0.3;
+/// If the second word of this share of a kind's commands is the next word, the word before it may be a word of the kind.
+const SIGN_BEFORE_NEXT: f32 = 0.3;
 
 impl Senses<'_> {
-    /// The kinds of task whose word a new word may be that has this word behind it: one bit each. `is_alike` tells words that are as good as that
-    /// one: "towards" for "to".
-    pub fn acts_before(&mut self, behind: Option<Symbol>, is_alike: Option<&dyn Fn(Symbol) -> bool>) -> u8 {
-        let behind = behind.filter(|word| word.index() < self.tables.words());
-        if behind.is_none() && is_alike.is_none() {
+    /// The kinds of task that a new word before `next` may be a word of: one bit each. `is_alike` tells words that can take the place of `next`:
+    /// "towards" for "to".
+    pub fn acts_before(&mut self, next: Option<Symbol>, is_alike: Option<&dyn Fn(Symbol) -> bool>) -> u8 {
+        let next = next.filter(|word| word.index() < self.tables.words());
+        if next.is_none() && is_alike.is_none() {
             return 0;
         }
         let (layout, bitext) = (self.tables.layout(), self.bitext);
-        let names = behind.is_some_and(|behind| self.of(behind).value.is_some());
+        let names = next.is_some_and(|next| self.of(next).value.is_some());
         let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
         for session in 0..bitext.sessions() as u16 {
             let is_plain = self.is_plain;
             let second = bitext.sentence(session).iter().copied().skip_while(|&word| is_plain(word)).nth(1);
-            let is_behind = second.is_some_and(|word| {
-                Some(word) == behind || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
+            let follows = second.is_some_and(|word| {
+                Some(word) == next || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
             });
             for pair in bitext.pairs_of(session) {
                 let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
                 if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
                     *all += pair.weight;
-                    *with += if is_behind { pair.weight } else { 0.0 };
+                    *with += if follows { pair.weight } else { 0.0 };
                 }
             }
         }
-        let is_behind = |(with, all): (f32, f32)| all > 0.0 && with >= BEHIND * all;
-        with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_behind(counts)) << row)
+        let is_sign = |(with, all): (f32, f32)| all > 0.0 && with >= SIGN_BEFORE_NEXT * all;
+        with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_sign(counts)) << row)
     }
 }
 
@@ -242,7 +242,7 @@ impl Named {
         place && kind == RoleKind::Goal || thing && kind == RoleKind::Subject
     }
 
-    /// So many words may be new names.
+    /// How many words may be new names.
     pub const fn has_new(&mut self, words: usize) {
         self.new = words;
     }
@@ -338,7 +338,7 @@ fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
     with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_sign(counts)) << row)
 }
 
-/// How probable it is that commands name so much, for each lifted task: of the task itself, and of each role of a goal or a subject.
+/// The probability of each coverage, for each lifted task: of the task itself, and of each role of a goal or a subject.
 pub(crate) struct Coverage {
     counts: [[[f32; SHARES_NAMED]; MOST_ROLES + 1]; LIFTED_TASKS],
 }
@@ -368,7 +368,7 @@ impl Coverage {
         coverage
     }
 
-    /// How probable it is that of the task and its things so much is named. Of a thing that is not here, a new word may be the name.
+    /// The probability of this coverage of the task and its things. A new word may name a thing that is not here.
     pub fn share(&self, layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>) -> Scaled {
         let Some(row) = form(description).and_then(|token| layout.form(token)) else { return Scaled::ONE };
         let Some(counts) = self.counts.get(row) else { return Scaled::ONE };
@@ -382,7 +382,7 @@ impl Coverage {
         of_roles.square_root().scaled_by(of_task)
     }
 
-    /// The most that a command of any kind gives away without a word of its task.
+    /// The largest factor of a command, of any kind, without a word of its task.
     pub fn least_without_task(&self, layout: &Layout) -> f32 {
         let without = |counts: &[[f32; SHARES_NAMED]; MOST_ROLES + 1]| {
             counts.first().map_or(0.0, |counts| counts.first().copied().unwrap_or(0.0) / counts.iter().sum::<f32>())
@@ -391,7 +391,7 @@ impl Coverage {
     }
 }
 
-/// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. Of the task itself at the position 0, of its roles behind that.
+/// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. The task itself is at position 0, its roles follow.
 /// One word names one thing.
 fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, tell: &mut dyn FnMut(usize, usize)) {
     tell(0, if named.acts_for(layout, description) { 2 } else { 0 });

@@ -14,14 +14,14 @@
 //! end[l,m]      = (stops + 1) / (moves + stops + 5)
 //! ```
 //!
-//! What a value was heard with once is no sure sign of it: of each of its words the part d goes to all words that name values (absolute
+//! A word heard once with a value is no sure sign of it: of each of its words the part d goes to all words that name values (absolute
 //! discounting), so that a word heard once, with one color, is a hint of that color and no proof. `kinds[v]` is the sum of min(c, 1) over the
 //! words of v, `named(w)` what w has of such sums over all values, and d = once / (once + 2 twice + 100), Ney's estimate from how many pairs
 //! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
 //! are believed. Words of the task are treated alike: `spoken(w)` is what w has of such sums over all lifted tasks, and d is estimated from
 //! their own pairs, with 1,000 seen more often.
 //!
-//! Where tasks have ways, max(0, c - 1.5) stands in place of c and of the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
+//! Where tasks have ways, max(0, c - 1.5) replaces c and the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
 //!
 //! Where the words in the names of propositions are values, a pair counts 1 / the root of how often its machine command was told, and a tenth of
 //! `common` is added for a token.
@@ -41,10 +41,10 @@ use crate::task::role::{RoleKind, VALUE_SORTS};
 use core::ops::Range;
 
 const OF_COMMON: f32 = 1.0;
-/// The same where the words in names are values. There are many values then, each told in few words, and a meaning to come is put together
-/// from them: what is known of a value must not fall behind how common its words are.
+/// The same where the words in names are values. There are many values then, each told in few words, and a new meaning is put together
+/// from them: a value's own counts must outweigh how common its words are.
 const OF_COMMON_WITH_NAMES: f32 = 0.1;
-/// So many pairs of a value and a word count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
+/// The pairs of a value and a word that count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
 const OFTEN_NAMED: f32 = 100.0;
 /// The same for pairs of a lifted task and a word, of which there are more: a lifted task is spoken of by most words.
 const OFTEN_SPOKEN: f32 = 1000.0;
@@ -54,16 +54,16 @@ const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
 const OF_CUE: f32 = 1.0;
 const OF_NAMING: f32 = 0.5;
-/// Where tasks have ways, so much is taken off each expected count of a word, for a value and for a kind of task: what a word was heard with
-/// once says nothing of it.
+/// Where tasks have ways, the discount of each expected count of a word, for a value and for a kind of task: hearing a word once with one
+/// says nothing of it.
 const OF_VALUES: f32 = 1.5;
 const OF_FORMS: f32 = 1.0;
-/// Where tasks have ways, so many rounds for each that is set.
+/// Where tasks have ways, the factor of the rounds that are set.
 const ROUNDS_WITH_WAYS: f32 = 1.25;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
 
-/// Where the training stands.
+/// The next step of the training.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// Counting words and values, from this pair on.
@@ -90,7 +90,7 @@ pub(crate) enum Part {
     Done,
 }
 
-/// Which way the words of a pair are gone through, and where that stands.
+/// The direction in which the words of a pair are read, and the next word.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Pass {
     /// From this word on.
@@ -131,7 +131,7 @@ impl Pairs {
         }
     }
 
-    /// d: what goes from each word of a row to all words of such rows, with so many pairs that were seen often.
+    /// d: the discount of each word of a row, shared by all words of such rows; `often` pairs were seen more than twice.
     fn discount(self, often: f32) -> f32 {
         if self.all > 0.0 { self.once / (self.once + 2.0 * self.twice + often) } else { 0.0 }
     }
@@ -177,7 +177,7 @@ impl Work<'_, '_> {
         prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
     }
 
-    /// One part, of at most about `left` table cells of work where it can be cut: how many it was, and where the training stands after it.
+    /// One part, of at most about `left` table cells of work where it can be cut: how many it was, and the step after it.
     pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32, left: usize) -> (usize, Part) {
         let layout = self.layout;
         let pairs = self.bitext.pairs();
@@ -306,7 +306,7 @@ impl Work<'_, '_> {
     }
 
     /// The expected counts of one pair, from somewhere in it on, with at most about `left` table cells of work and at least one memory of a
-    /// word: how many it was, and where to go on, `None` where the pair is done. In between, the trellis and what stands behind it are kept.
+    /// word: how many it was, and where to go on, `None` where the pair is done. In between, the trellis and the cells after it are kept.
     #[inline(never)]
     fn expect(&mut self, pair: &Pair, mut pass: Pass, left: usize) -> (usize, Option<Pass>) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
@@ -352,7 +352,7 @@ impl Work<'_, '_> {
         (cells, Some(pass))
     }
 
-    /// Where it stands how much each word names values, or speaks of lifted tasks: in counts that nothing else needs at that time.
+    /// Where `named` and `spoken` of each word are kept: in counts that nothing else needs at that time.
     fn of_words(&self, is_form: bool) -> Range<usize> {
         if is_form { self.layout.kind_of_task(0) } else { self.layout.common() }
     }
@@ -496,7 +496,7 @@ pub(super) enum Event<'e> {
         background: f32,
         task: f32,
         roles: &'e Roles,
-        /// What stands before it.
+        /// The context before it.
         before: &'e Before,
         /// How probable each role was, in no unit, before the word was heard.
         expected: &'e [f32],
@@ -603,7 +603,7 @@ fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
     start..start.saturating_add(width)
 }
 
-/// Fills the trellis for one word: how probable each memory is after it, and before it, behind the memories, what they were divided by.
+/// Fills the trellis for one word: how probable each memory is after it, followed by what the memories before it were divided by.
 /// Returns nothing where the command is impossible or the trellis too short.
 fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32]) -> Option<()> {
     let mut before: Memories = [0.0; MOST_ROLES + 1];
@@ -627,15 +627,15 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
     Some(())
 }
 
-/// Begins to go back through a filled trellis: tells how the command ends, and writes behind it how probable the rest is for each memory.
+/// Begins to go back through a filled trellis: tells how the command ends, and writes after it how probable the rest is for each memory.
 fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
-    let (filled, behind) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end)?;
+    let (filled, after) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end)?;
     let last = get(filled, row_of(reader, sentence.len()));
     let whole: f32 = (0..reader.memories()).map(|memory| cell(last, memory) * reader.end(memory)).sum();
     if whole <= 0.0 {
         return None;
     }
-    for (memory, slot) in behind.get_mut(..reader.memories())?.iter_mut().enumerate() {
+    for (memory, slot) in after.get_mut(..reader.memories())?.iter_mut().enumerate() {
         let mass = cell(last, memory);
         // No way leads to a memory that was dropped.
         *slot = if mass > 0.0 { reader.end(memory) / whole } else { 0.0 };
@@ -644,11 +644,11 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
     Some(())
 }
 
-/// Goes back by one word, and tells what is known of it: from a memory on, through so many memories at most that are probable, and at last
+/// Goes back by one word, and tells what is known of it: from a memory on, through at most `most` probable memories, and at last
 /// from all together. Returns how many they were, and the next memory; the word is done where there is no such.
 ///
-/// What was known of the word and of the one after it is not needed again. So what is known of the rest for each memory stands in its row
-/// meanwhile, and the probability of each role in the row after it.
+/// The forward values of the word and of the one after it are not needed again. So the word's row is reused for the probability of the
+/// rest by memory, and the row after it for the probability of each role.
 fn backward_word(
     reader: &Reader<'_, '_>,
     sentence: &[Symbol],
@@ -659,10 +659,9 @@ fn backward_word(
 ) -> (usize, usize) {
     let (memories, count) = (reader.memories(), reader.present.len());
     let nothing = (0, memories);
-    let Some((filled, behind)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return nothing };
+    let Some((filled, rest)) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end) else { return nothing };
     let Some((filled, roles_of_all)) = filled.split_at_mut_checked(row_of(reader, position).end) else { return nothing };
-    let (Some(after), Some(of_all), Some(word)) = (behind.get_mut(..memories), roles_of_all.get_mut(..count), sentence.get(position))
-    else {
+    let (Some(after), Some(of_all), Some(word)) = (rest.get_mut(..memories), roles_of_all.get_mut(..count), sentence.get(position)) else {
         return nothing;
     };
     let before = get_mut(filled, row_of(reader, position));

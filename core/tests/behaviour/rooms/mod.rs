@@ -3,7 +3,7 @@
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 
-/// A green room and a red one above a blue one, in which the robot stands at (4, 1); with a block, where it is given.
+/// A green room and a red one above a blue one, in which the robot is at (4, 1); with a block, where it is given.
 pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
     let mut builder = HomeBuilder::new(memory);
     builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();

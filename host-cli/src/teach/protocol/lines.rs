@@ -5,7 +5,7 @@ use std::io::{self, BufRead};
 /// The longest line that is taken, in bytes.
 const LONGEST_LINE: usize = 1 << 20;
 
-/// After so many bytes without an end of the line none is waited for.
+/// After this many bytes without an end of line, no end is waited for.
 const NO_LINE: usize = 64 << 20;
 
 /// Lines of an input, each of a bounded length.

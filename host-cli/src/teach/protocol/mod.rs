@@ -512,7 +512,7 @@ impl Speaker<'_> {
         json!({"type": "words", "ideas": self.classroom.trainer.ideas().into_iter().map(idea).collect::<Vec<_>>()})
     }
 
-    /// The lesson or test where the tour stands, as a line of its own; nothing outside of it.
+    /// The tour's current lesson or test, as a line of its own; nothing outside of it.
     fn lesson(&self) -> impl Iterator<Item = Value> + use<> {
         let mut lesson = json!({"type": "lesson"});
         self.add_lesson(&mut lesson);

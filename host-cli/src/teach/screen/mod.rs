@@ -23,7 +23,7 @@ use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 const LEAST: (u16, u16) = (24, 8);
 /// The rows that the likeliest guesses have below a home, with their heading.
 const GUESSES: u16 = 5;
-/// From this size on, thoughts stand beside the home.
+/// From this size on, thoughts are drawn beside the home.
 const BESIDE: u16 = 60;
 
 /// Draws everything.

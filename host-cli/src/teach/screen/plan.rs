@@ -52,7 +52,7 @@ fn block_letters(scene: &Scene, color: &str, shape: &str) -> [char; 2] {
     [shape.to_uppercase().next().unwrap_or(shape), letter_of(&colors(scene), color)]
 }
 
-/// What the letters mean, in lines of at most so many columns.
+/// The meaning of the letters, in lines of at most this many columns.
 fn legend(scene: &Scene, columns: usize) -> Vec<String> {
     let colors = colors(scene);
     let mut rooms: Vec<&str> = Vec::new();
@@ -116,7 +116,7 @@ pub fn draw(frame: &mut Frame<'_>, area: Rect, scene: &Scene, moved: &str, palet
     frame.render_widget(Paragraph::new(lines), area);
 }
 
-/// The first row or column of a window of so many, which keeps what is at `at` in its middle.
+/// The first row or column of a window of `shown`, with `at` in its middle.
 fn first(at: usize, shown: usize, all: usize) -> usize {
     at.saturating_sub(shown / 2).min(all.saturating_sub(shown))
 }

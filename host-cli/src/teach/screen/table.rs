@@ -15,7 +15,7 @@ fn called(row: &Row) -> &str {
     if row.looks.is_empty() { &row.name } else { &row.looks }
 }
 
-/// How what holds of an object stands below it.
+/// The indent of an object's facts.
 const INDENT: &str = "  ";
 
 /// The columns that a place takes, with the gap to the next.

@@ -17,7 +17,7 @@ use ratatui::widgets::Paragraph;
 const TABLED: usize = 3;
 /// How many steps leave a mark beside a task.
 const MARKS: usize = 8;
-/// A word speaks for a task of which it gives so many times an even share.
+/// A word speaks for a task if it gives it this many times an even share.
 const SPEAKS: f32 = 1.25;
 /// By how much a word must be more probable for an idea than on average, to be the idea's own.
 const STANDS_OUT: f32 = 0.05;

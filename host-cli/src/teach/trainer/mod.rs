@@ -342,7 +342,7 @@ impl Trainer {
         self.listened.map_or(Hypothesis::Command, |listened| listened.hypothesis)
     }
 
-    /// What a person's words ask for, given where the conversation stands.
+    /// What a person's words ask for, at this point of the conversation.
     pub fn said(&self, words: &str) -> Result<Said, Refusal> {
         // In a session, words that are too long are refused: their first ones could end it.
         let words = if self.lesson.is_under_way() { words } else { words_read(words) };

@@ -26,7 +26,7 @@ const PLAN_BUDGET: u32 = 20_000;
 const LEARN_BUDGET: u32 = 60_000;
 /// How long another word can still replace the one that was said, where the robot waits for one.
 const SECOND_THOUGHTS: Duration = Duration::from_millis(450);
-/// How long the result of a test stands.
+/// How long the result of a test is shown.
 const RESULT_STANDS: Duration = Duration::from_millis(1_500);
 
 /// What goes on.
@@ -127,7 +127,7 @@ impl Visit {
         }
     }
 
-    /// The lesson or test where the tour stands.
+    /// The tour's current lesson or test.
     pub fn stop(&self) -> Option<Stop> {
         self.classroom.tour.as_ref().and_then(Tour::stop)
     }

@@ -339,7 +339,7 @@ fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: 
     whole
 }
 
-/// Asks half the suite in all languages, of robots with so many lessons each.
+/// Asks half the suite in all languages, of robots with this many lessons each.
 fn judge_all(half: Half, table: Table, lessons: &[usize], homes: u64) -> Vec<(&'static str, usize, Tally)> {
     let languages = [("en", ENGLISH), ("de", GERMAN), ("fr", FRENCH), ("es", SPANISH), ("zh", CHINESE)];
     let judged =
@@ -350,7 +350,7 @@ fn judge_all(half: Half, table: Table, lessons: &[usize], homes: u64) -> Vec<(&'
     })
 }
 
-/// At most 1 of 40 answers may be sure of what was not meant, and at least so many of 100 sentences must be followed after 120 and after 24
+/// At most 1 of 40 answers may be sure of what was not meant, and at least this many of 100 sentences must be followed after 120 and after 24
 /// lessons.
 fn check(half: Half, least: [usize; 2]) {
     for (name, lessons, tally) in judge_all(half, Table::Of5Languages, &[120, 24], HOMES) {

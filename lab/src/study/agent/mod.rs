@@ -25,7 +25,7 @@ const LEAST: f32 = 1e-6;
 pub struct Now<'p> {
     /// The command, and where it was given.
     pub place: &'p Place,
-    /// Where things stand.
+    /// The state.
     pub state: &'p HomeState,
     /// What is right here for each task. What is right for the one that is meant, it must not ask.
     pub outlook: &'p Outlook,

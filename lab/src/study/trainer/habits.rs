@@ -5,7 +5,7 @@ use goodbot::random::unit;
 use goodbot_course::CourseTrainer;
 use rand_core::Rng;
 
-/// Words come at most so many steps late.
+/// Words come at most this many steps late.
 pub const LATEST: usize = 2;
 
 /// What a trainer does, in numbers.

@@ -27,7 +27,7 @@ pub struct Trainer {
 pub enum Who {
     /// A trainer of the course, whose words come at once.
     Course(CourseTrainer),
-    /// The balanced trainer, whose words come so many steps late.
+    /// The balanced trainer, whose words come this many steps late.
     Late(usize),
     /// Silent after a right and after a wrong action with the first probability, mistaken with the second.
     Even(f32, f32),

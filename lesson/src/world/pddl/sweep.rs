@@ -4,7 +4,7 @@ use crate::world::robot::{Flaw, flaw};
 use goodbot_formats::pddl::{Atom, Cost, Domain, Problem, Schema, Typed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-/// So many states are looked at, and so many actions with their objects.
+/// The most states, and the most actions with their objects, that are visited.
 const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
 /// So many choices of an object are tried for all actions together.
@@ -38,7 +38,7 @@ impl Swept {
         self.at_most_one.get(predicate).and_then(|arguments| arguments.get(argument)).copied().unwrap_or(false)
     }
 
-    /// Whether the last argument of a predicate has exactly one object for each choice of the others, of which there are so many.
+    /// Whether the last argument of a predicate has exactly one object for each of the `choices` of the others.
     pub fn is_variable(&self, predicate: usize, choices: usize) -> bool {
         let last = self.at_most_one.get(predicate).and_then(|arguments| arguments.last()).copied().unwrap_or(false);
         last && self.always.get(predicate).copied().flatten() == Some(choices)

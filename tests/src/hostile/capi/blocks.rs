@@ -2,7 +2,7 @@
 
 use std::alloc::{Layout, alloc, dealloc};
 
-/// A block of memory of exactly so many bytes, full of dirt, aligned to 8 or on purpose not.
+/// A block of memory of an exact size, full of dirt, aligned to 8 or on purpose not.
 #[derive(Debug)]
 pub struct Block {
     start: *mut u8,
@@ -11,7 +11,7 @@ pub struct Block {
 }
 
 impl Block {
-    /// A block of `bytes` bytes that begins `offset` bytes behind a multiple of 8. Each byte is `dirt`.
+    /// A block of `bytes` bytes that begins `offset` bytes after a multiple of 8. Each byte is `dirt`.
     pub fn new(bytes: usize, offset: usize, dirt: u8) -> Self {
         let layout = Layout::from_size_align(bytes.saturating_add(offset).max(1), 8).expect("a size that a block can have");
         // SAFETY: the layout is not empty.

@@ -7,7 +7,7 @@ use std::ffi::{c_char, c_void};
 /// What the callbacks are handed.
 #[derive(Debug)]
 pub struct Machine {
-    /// The state that each of so many steps leads to.
+    /// The state that each step leads to.
     edges: Vec<u32>,
     /// Whether the same question is answered differently each time. The contract forbids it; a broken program does it all the same.
     moody: bool,

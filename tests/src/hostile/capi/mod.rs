@@ -21,7 +21,7 @@ mod texts;
 use super::Bytes;
 use program::Program;
 
-/// At most so many calls for one input.
+/// The most calls for one input.
 const MOST_CALLS: usize = 120;
 
 /// Makes the calls that the bytes say.

@@ -138,7 +138,7 @@ impl Tasks {
         pick::softmax(&self.logs)
     }
 
-    /// Adds a number to the logarithm of each task, so many times.
+    /// Adds a number to the logarithm of each task, `times` times.
     fn add(&mut self, times: f32, numbers: &[f32]) {
         for (log, number) in self.logs.iter_mut().zip(numbers) {
             *log += times * number;

@@ -11,7 +11,7 @@ use std::fmt;
 /// Whose idea it is.
 pub const SOURCE: &str = "S. Griffith, K. Subramanian, J. Scholz, C. L. Isbell and A. L. Thomaz (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
 /// In what this is simpler.
-pub const SIMPLER: &str = "the environment gives no reward, so that the policy from the labels stands alone";
+pub const SIMPLER: &str = "the environment gives no reward, so that only the policy from the labels is left";
 
 /// How it learns.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -61,7 +61,7 @@ impl LogLinear {
 
     fn read(&mut self, place: &Place) -> Read {
         let neighbours = place.words.windows(2).map(|two| two.join(" ")).filter(|_| self.settings.neighbours);
-        // Beside the words stands none at all: what is true of a fact whatever is said.
+        // The empty word is a bias: what is true of a fact whatever is said.
         let said: Vec<String> = place.words.iter().cloned().chain(neighbours).chain([String::new()]).collect();
         let mut tasks = Vec::new();
         for facts in &place.facts {
