@@ -1,12 +1,14 @@
 //! Numbers as they are typed, and what to say of those that are none.
 
-/// A whole number of a range.
-///
-/// # Errors
-/// What is wrong with the text, and what to give.
-pub fn between(text: &str, least: usize, most: usize) -> Result<usize, String> {
-    let number: Option<usize> = text.trim().parse().ok();
-    number.filter(|number| (least..=most).contains(number)).ok_or_else(|| format!("give a whole number from {least} to {most}"))
+use std::fmt::Display;
+use std::str::FromStr;
+
+/// Reads whole numbers of a range. Its error says what to give.
+pub fn between<T: FromStr + PartialOrd + Display + Copy>(least: T, most: T) -> impl Fn(&str) -> Result<T, String> + Clone {
+    move |text| {
+        let number: Option<T> = text.trim().parse().ok();
+        number.filter(|number| (least..=most).contains(number)).ok_or_else(|| format!("give a whole number from {least} to {most}"))
+    }
 }
 
 /// A seed.

@@ -149,13 +149,6 @@ impl EnvironmentFile {
     pub fn to_json_line(&self) -> String {
         serde_json::to_string(self).unwrap_or_default()
     }
-
-    /// The environment on many lines, for people, with a line end.
-    pub fn to_json_pretty(&self) -> String {
-        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
-        text.push('\n');
-        text
-    }
 }
 
 /// The line, counted from 1, on which an object of an environment begins: what is found wrong with the home as a whole can be told in

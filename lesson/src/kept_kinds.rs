@@ -4,12 +4,11 @@
 //! byte means.
 
 use goodbot::oomdp::Schema;
+use goodbot::snapshot::KINDS_MAGIC;
 use goodbot::task::{LiftedProposition, LiftedTask, Part};
 use goodbot_formats::task_text::{LiftedAtomText, LiftedTaskText, WayText};
 use std::fmt;
 
-/// What the record begins with.
-const MAGIC: &[u8; 8] = b"gbkinds\0";
 /// Bytes of the magic and the length, and of the check at the end.
 const HEAD: usize = 12;
 const CHECK: usize = 4;
@@ -40,12 +39,12 @@ pub fn model_alone(file: &[u8]) -> &[u8] {
 /// [`Damaged`].
 pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
     let record = file.get(model_alone(file).len()..).unwrap_or_default();
-    if !record.starts_with(MAGIC) {
+    if !record.starts_with(&KINDS_MAGIC) {
         // The model's own check says what is wrong with other bytes there.
         return Ok(None);
     }
     let (checked, check) = record.split_last_chunk::<CHECK>().ok_or(Damaged)?;
-    let stated = checked.get(MAGIC.len()..HEAD).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
+    let stated = checked.get(KINDS_MAGIC.len()..HEAD).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
     if stated.map(|stated| stated as usize) != Some(record.len()) || crc(checked) != u32::from_le_bytes(*check) {
         return Err(Damaged);
     }
@@ -55,13 +54,13 @@ pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
 
 /// The model with a record of these kinds of task, in place of its own.
 pub fn with(file: &[u8], texts: &[String]) -> Vec<u8> {
-    let mut record = [MAGIC.as_slice(), &[0; HEAD - MAGIC.len()]].concat();
+    let mut record = [KINDS_MAGIC.as_slice(), &[0; HEAD - KINDS_MAGIC.len()]].concat();
     for text in texts {
         record.extend(text.as_bytes());
         record.push(b'\n');
     }
     let length = (record.len() + CHECK) as u32;
-    record[MAGIC.len()..HEAD].copy_from_slice(&length.to_le_bytes());
+    record[KINDS_MAGIC.len()..HEAD].copy_from_slice(&length.to_le_bytes());
     let check = crc(&record);
     [model_alone(file), &record, &check.to_le_bytes()].concat()
 }
@@ -120,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn kinds_behind_a_model_are_there_again_and_take_the_place_of_older_ones() {
+    fn kinds_after_a_model_are_there_again_and_take_the_place_of_older_ones() {
         let [some, others] = [vec!["a(?a)".to_owned(), "b(?a,?b)".to_owned()], vec!["c(?a)".to_owned()]];
         assert_eq!(of(&model()), Ok(None));
         let file = with(&model(), &some);
@@ -131,7 +130,7 @@ mod tests {
     #[test]
     fn a_changed_or_cut_record_is_refused() {
         let file = with(&model(), &["a(?a)".to_owned()]);
-        for at in model().len() + MAGIC.len()..file.len() {
+        for at in model().len() + KINDS_MAGIC.len()..file.len() {
             let mut changed = file.clone();
             changed[at] ^= 4;
             assert_eq!(of(&changed), Err(Damaged), "byte {at}");

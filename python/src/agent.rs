@@ -1,7 +1,7 @@
 //! The class `Agent`: a mind that one thread uses at a time.
 
 use crate::arrays::array;
-use crate::decision::{Decision, plan_name};
+use crate::decision::Decision;
 use crate::error::{self, InUseError, InternalError, ModelError, value};
 use crate::home as home_of;
 use crate::mind::{Mind, Part, words_read};
@@ -676,7 +676,7 @@ impl Agent {
     /// What the plan says of each task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
     #[getter]
     fn plans(&self) -> PyResult<Vec<&'static str>> {
-        self.with(|mind| Ok((0..mind.count()).map(|task| plan_name(mind.core.planned().optimal(task))).collect()))
+        self.with(|mind| Ok((0..mind.count()).map(|task| mind.core.planned().optimal(task).name()).collect()))
     }
 
     /// The cost of a shortest way to each task's goal: int64, shape (tasks,); -1 where none is known.

@@ -27,7 +27,7 @@ impl Decision {
     /// What the plan says for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
     #[getter]
     fn plan(&self) -> &'static str {
-        plan_name(self.plan)
+        self.plan.name()
     }
 
     /// The task, by its name.
@@ -37,16 +37,6 @@ impl Decision {
     }
 
     fn __repr__(&self) -> String {
-        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, plan_name(self.plan))
-    }
-}
-
-pub const fn plan_name(plan: OptimalSet) -> &'static str {
-    match plan {
-        OptimalSet::Goal => "goal",
-        OptimalSet::Toward(_) => "toward",
-        OptimalSet::DeadEnd(_) => "dead end",
-        OptimalSet::Approximate(_) => "approximate",
-        OptimalSet::Unknown => "unknown",
+        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, self.plan.name())
     }
 }

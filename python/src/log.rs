@@ -53,24 +53,8 @@ fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecor
 /// The header of a session of feedback that begins in this state of a home.
 pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader {
     let names = || rooms.actions().iter().map(|kind| kind.name.to_owned()).collect();
-    SessionHeader {
-        id: None,
-        kind: Kind::Feedback,
-        environment: environment(rooms, state),
-        command: command.to_owned(),
-        intended: None,
-        before: None,
-        through: None,
-        avoiding: None,
-        actions: (rooms.moves() == Moves::PushAndPull).then(names),
-        continues: false,
-        prior: None,
-        strategies: None,
-        utterance: None,
-        after: None,
-        conversation: None,
-        closed_words: None,
-    }
+    let actions = (rooms.moves() == Moves::PushAndPull).then(names);
+    SessionHeader { actions, ..SessionHeader::new(Kind::Feedback, environment(rooms, state), command.to_owned()) }
 }
 
 /// The sessions of a log, as bytes of JSON Lines.

@@ -7,7 +7,7 @@ use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
 use goodbot::home::{Home, HomeState, Place, ROOM};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
-use goodbot::planning::{Judgement, OptimalSet, Progress};
+use goodbot::planning::{Judgement, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::talk::Conversation;
@@ -155,7 +155,7 @@ impl World {
         let acted = lesson.act(random).map_err(Refusal::from)?;
         let (action, task, confidence) = (acted.action.clone(), acted.task, acted.confidence);
         let agent = self.agent();
-        let plans = (0..agent.tasks().len()).map(|task| plan_word(&agent.planned().optimal(task))).collect();
+        let plans = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task).name()).collect();
         Ok(Decided { action, task, confidence, plans })
     }
 
@@ -373,16 +373,6 @@ fn route(home: &Home<impl HomeMemory>, states: &[HomeState]) -> Option<Route> {
         cells: states.iter().map(|state| home.agent_cell(state)).map(|cell| [cell.x, cell.y]).collect(),
         end: moved.map(|id| thing(home, end, id)).collect(),
     })
-}
-
-const fn plan_word(plan: &OptimalSet) -> &'static str {
-    match plan {
-        OptimalSet::Toward(_) => "toward",
-        OptimalSet::Approximate(_) => "approximate",
-        OptimalSet::Goal => "goal",
-        OptimalSet::DeadEnd(_) => "dead end",
-        OptimalSet::Unknown => "unknown",
-    }
 }
 
 /// The task as logs write it.

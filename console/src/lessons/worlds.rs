@@ -233,24 +233,8 @@ pub(super) fn place(world: &WorldFile, facts: &[GroundAtomText]) -> String {
 
 /// As a labelled session has it, in no home.
 fn header(command: &CommandRecord) -> SessionHeader {
-    SessionHeader {
-        id: command.id.clone(),
-        kind: Kind::Labelled,
-        environment: EnvironmentFile::new(vec![]),
-        command: command.command.clone(),
-        intended: Some(command.intended.clone()),
-        before: None,
-        through: None,
-        avoiding: None,
-        actions: None,
-        continues: false,
-        prior: None,
-        strategies: None,
-        utterance: None,
-        after: None,
-        conversation: None,
-        closed_words: None,
-    }
+    let header = SessionHeader::new(Kind::Labelled, EnvironmentFile::new(vec![]), command.command.clone());
+    SessionHeader { id: command.id.clone(), intended: Some(command.intended.clone()), ..header }
 }
 
 /// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles: it reads the values alone.

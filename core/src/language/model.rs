@@ -215,7 +215,7 @@ impl<'t> LanguageRef<'t> {
         description: impl Fn(usize) -> &'d [Symbol],
         weights: &mut [Scaled],
     ) {
-        if let Some(layer) = self.layer.filter(|_| self.settings.layer && self.model() == Model::Roles) {
+        if let Some(layer) = self.layer.filter(|_| self.settings.has_layer()) {
             layer.weigh(self.tables, sentence, same, description, weights);
         }
     }
@@ -387,7 +387,7 @@ impl<'t> LanguageMut<'t> {
     /// A [`CapacityError`] where the layer's tables are full, or those of machine tokens; it then learns nothing from the session.
     #[cfg(feature = "layer")]
     pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
-        let is_on = self.settings.layer && self.model() == Model::Roles;
+        let is_on = self.settings.has_layer();
         let Some(layer) = self.layer.room.as_mut().filter(|_| is_on) else { return Ok(()) };
         while layer.possible.sessions() < self.bitext.sessions() {
             layer.possible.add_session(&[])?;

@@ -99,6 +99,12 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// Whether there is a [`layer`](super::layer) above the role model.
+    #[cfg(feature = "layer")]
+    pub(crate) fn has_layer(&self) -> bool {
+        self.layer && self.model.in_use() == Model::Roles
+    }
+
     /// How many letters of a word a model keeps; 0 for all of them. The role model keeps a word as it heard it first, however many letters
     /// count.
     ///

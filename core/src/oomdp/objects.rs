@@ -225,11 +225,6 @@ impl<'t> Objects<'t> {
         self.get(id).map_or("", |object| self.names().text(object.name))
     }
 
-    /// The text of an attribute value.
-    pub fn value_text(self, value: Symbol) -> &'t str {
-        self.names().text(value)
-    }
-
     /// The value of an object's attribute, by the attribute's position in the schema; empty where it has none.
     pub fn value(self, id: ObjectId, attribute: usize) -> &'t str {
         self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names().text(value))

@@ -43,6 +43,17 @@ impl OptimalSet {
         }
     }
 
+    /// Its name in output.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Goal => "goal",
+            Self::Toward(_) => "toward",
+            Self::DeadEnd(_) => "dead end",
+            Self::Approximate(_) => "approximate",
+            Self::Unknown => "unknown",
+        }
+    }
+
     /// The actions that lead on to the goal, exact or not; `None` at the goal and where no way is known.
     pub const fn onward(self) -> Option<ActionSet> {
         match self {

@@ -358,10 +358,6 @@ impl<'a> Checking<'a> {
     }
 }
 
-/// How a host's record after a model begins. The record names the kinds of task that the model was learned for. A robot is made with its
-/// kinds, so the record is skipped here; anything else after a model is refused.
-const KINDS: &[u8] = b"gbkinds\0";
-
 /// The format of a file whose first bytes and whose length are right, and the model without what a host wrote after it.
 fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
@@ -372,7 +368,7 @@ fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     }
     let stated = u32::from_le_bytes(*split_array(&mut rest).ok_or(truncated)?);
     match bytes.split_at_checked(stated as usize) {
-        Some((model, after)) if model.len() >= LEAST_BYTES && (after.is_empty() || after.starts_with(KINDS)) => Ok((found, model)),
+        Some((model, after)) if model.len() >= LEAST_BYTES && (after.is_empty() || after.starts_with(&KINDS_MAGIC)) => Ok((found, model)),
         _ => Err(RestoreError::Length { stated, given: bytes.len() }),
     }
 }

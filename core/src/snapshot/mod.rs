@@ -26,8 +26,8 @@ mod saving;
 pub use contents::{Contents, Section};
 pub use error::{Part, RestoreError, SaveError};
 pub use record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SAVED,
-    SessionRecord, StrategyRecord, TrainerRecord, VERSION, most_bytes,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord,
+    SAVED, SessionRecord, StrategyRecord, TrainerRecord, VERSION, most_bytes,
 };
 pub use restoring::Restoring;
 pub use saving::Saving;

@@ -14,6 +14,9 @@ use serde::{Deserialize, Serialize};
 
 /// What every model file begins with.
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
+/// How a host's record after a model begins. The record names the kinds of task that the model was learned for. A robot is made with its
+/// kinds, so it skips the record; anything else after a model is refused.
+pub const KINDS_MAGIC: [u8; 8] = *b"gbkinds\0";
 /// The format of a model without the [layer](crate::language::layer).
 pub const VERSION: u16 = 2;
 /// The format of a model with the [layer](crate::language::layer): after the other format's records it has the tasks that each session could

@@ -1,24 +1,17 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
-use crate::rooms;
-
+use crate::rooms::robot;
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home;
 use goodbot::language::Settings;
-use goodbot::memory::{AgentArrays, AgentMemory};
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
 use goodbot::{Agent, AgentError, Capacities, Options};
-use rooms::rooms;
-
-goodbot::memory! { struct Memory = Capacities::SMALL; }
 
 #[test]
 fn a_session_is_learned_from_once() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -34,12 +27,10 @@ fn a_session_is_learned_from_once() {
 
 #[test]
 fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let plans = |agent: &Agent<&mut AgentArrays<Memory>>| [0, 1].map(|task| agent.planned().optimal(task));
+    let plans = |agent: &Agent<AgentHeap>| [0, 1].map(|task| agent.planned().optimal(task));
     let before = plans(&agent);
     let _ = agent.finish(&home).unwrap();
     // Planning and training have one memory in turn.
@@ -52,9 +43,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
 
 #[test]
 fn a_forgotten_session_is_not_learned_from() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.forget();
     assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Ended)));
@@ -64,9 +53,7 @@ fn a_forgotten_session_is_not_learned_from() {
 
 #[test]
 fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
         let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
         assert!(
@@ -79,10 +66,8 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
 
 #[test]
 fn a_command_of_a_length_never_heard_is_learned_from_too() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
     let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
+    let (home, start, mut agent) = robot(None, options, &Capacities::SMALL);
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -100,7 +85,7 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
 }
 
 /// Every word's probability for every machine token.
-fn learned(agent: &Agent<&mut AgentArrays<Memory>>) -> Vec<(String, String, u32)> {
+fn learned(agent: &Agent<AgentHeap>) -> Vec<(String, String, u32)> {
     let (language, mut all) = (agent.language(), vec![]);
     for (token, of) in language.tokens().iter().take(language.tables().tokens()) {
         for (word, said) in language.words().iter().take(language.tables().words()) {
@@ -117,9 +102,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
         // Their weights do not come from words, and so are the same whenever the words are learned.
         let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
         let tables = |later: bool| {
-            let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-            let (home, start) = rooms(&mut rooms_memory.home, None);
-            let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
+            let (home, start, mut agent) = robot(None, options, &Capacities::SMALL);
             agent.hear(&home, &start, "go to the red room").unwrap();
             let _ = agent.finish(&home).unwrap();
             agent.learn_fully();
@@ -151,9 +134,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
 
 #[test]
 fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     let refused = loop {
         agent.hear(&home, &start, "go to the red room").unwrap();
         if let Err(error) = agent.finish_for_later(&home) {
@@ -170,9 +151,7 @@ fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
 
 #[test]
 fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
     let mut phases = vec![agent.phase()];
     agent.begin_hearing(&home, &start, "go to the red room").unwrap();
     phases.push(agent.phase());
@@ -202,9 +181,7 @@ fn kept<M: AgentMemory>(agent: &Agent<M>) -> Vec<String> {
 
 #[test]
 fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let interruptions: [fn(&mut Agent<&mut AgentArrays<Memory>>); 5] = [
+    let interruptions: [fn(&mut Agent<AgentHeap>); 5] = [
         |_| {},
         |agent| agent.leave(),
         |agent| agent.forget(),
@@ -212,7 +189,7 @@ fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
         |agent| agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).unwrap(),
     ];
     for (which, interrupt) in interruptions.into_iter().enumerate() {
-        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        let (home, start, mut agent) = robot(None, Options::DEFAULT, &Capacities::SMALL);
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.begin_finishing(&home).unwrap();
         while agent.language().bitext().sessions() == 0 {
@@ -235,9 +212,7 @@ fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
 #[test]
 fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() {
     let learned = |looks: bool| {
-        let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-        let (home, start) = rooms(&mut rooms_memory.home, None);
-        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+        let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.begin_finishing(&home).unwrap();
         let _ = agent.finish_on(&home, 1).unwrap();
@@ -253,11 +228,8 @@ fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() 
 
 #[test]
 fn no_other_session_is_unlearned_where_one_is_about_to_give_way() {
-    goodbot::memory! { struct FewWords = Capacities { words: 20, ..Capacities::SMALL }; }
     for learned in 2..8 {
-        let (mut memory, mut rooms_memory) = (FewWords::new(), Memory::new());
-        let (home, start) = rooms(&mut rooms_memory.home, None);
-        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        let (home, start, mut agent) = robot(None, Options::DEFAULT, &Capacities { words: 20, ..Capacities::SMALL });
         for number in 0..=learned {
             let words: Vec<String> = (b'a'..=b'e').map(|letter| format!("{}{number}", char::from(letter).to_string().repeat(3))).collect();
             agent.hear(&home, &start, &words.join(" ")).unwrap();

@@ -3,7 +3,7 @@
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
+use goodbot::memory::{AgentHeap, AgentMemory, HomeHeap, HomeMemory};
 use goodbot::oomdp::{
     Action, ActionKind, Class, ClassId, Domain, DomainFlaw, GroundProposition, ObjectId, ObjectSet, Objects, OneByOne, Proposition,
     PropositionId, Schema, World, apply,
@@ -34,8 +34,8 @@ fn memory(states: usize, hashed_states: usize) -> HeapMemory {
     HeapMemory::new(&Capacities { states, hashed_states, ..Capacities::SMALL })
 }
 
-fn agent(memory: &mut HeapMemory) -> Agent<&mut AgentHeap> {
-    Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
+fn agent(states: usize, hashed_states: usize) -> Agent<AgentHeap> {
+    Agent::new(memory(states, hashed_states).agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
 }
 
 /// The position of the task that brings `subject` to `room`.
@@ -51,9 +51,8 @@ fn probabilities(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
 #[test]
 fn an_approximate_plan_is_acted_on_and_is_no_evidence() {
     // Room for the agent alone, and not for bounds on where it pushes the block.
-    let (mut memory, mut rooms_memory) = (memory(64, 0), memory(0, 0));
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
-    let mut agent = agent(&mut memory);
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2)]);
+    let mut agent = agent(64, 0);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let decision = agent.decide(&home, &start).unwrap();
@@ -68,11 +67,10 @@ fn an_approximate_plan_is_acted_on_and_is_no_evidence() {
 
 #[test]
 fn near_goals_are_found_exactly_before_anything_is_approximated() {
-    let (mut memory, mut rooms_memory) = (memory(320, 400), memory(0, 0));
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2)]);
     // One step from the door of the red room.
     let state = home.placed(&start, &[(home.agent(), Cell::new(6, 3))]).unwrap();
-    let mut agent = agent(&mut memory);
+    let mut agent = agent(320, 400);
     agent.hear(&home, &state, "go").unwrap();
     agent.plan_fully(&home, &state).unwrap();
     let near = task(&agent, &home, "agent0", "room2");
@@ -84,9 +82,8 @@ fn near_goals_are_found_exactly_before_anything_is_approximated() {
 
 #[test]
 fn a_dead_end_stays_one_until_somebody_else_moves_things() {
-    let (mut memory, mut rooms_memory) = (memory(2_560, 0), memory(0, 0));
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(1, 1)]);
-    let mut agent = agent(&mut memory);
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(1, 1)]);
+    let mut agent = agent(2_560, 0);
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     let stuck = task(&agent, &home, "block0", "room2");
     agent.plan_fully(&home, &start).unwrap();
@@ -102,11 +99,11 @@ fn a_dead_end_stays_one_until_somebody_else_moves_things() {
 
 #[test]
 fn a_plan_serves_no_other_state_and_a_session_no_other_home() {
-    let (mut memory, mut one, mut other) = (memory(2_560, 0), memory(0, 0), memory(0, 0));
+    let (mut one, mut other) = (memory(0, 0), memory(0, 0));
     let (home, start) = rooms(&mut one.home, COLORS, &[]);
     let (painted, same_number) = rooms(&mut other.home, ["blue", "red", "green"], &[]);
     assert_eq!(home.number(&start), painted.number(&same_number));
-    let mut agent = agent(&mut memory);
+    let mut agent = agent(2_560, 0);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let next = apply(&home, &start, Action::new(2)).unwrap();
@@ -121,7 +118,7 @@ fn a_plan_serves_no_other_state_and_a_session_no_other_home() {
 
 #[test]
 fn a_session_serves_no_home_of_the_same_objects_in_other_places() {
-    let (mut memory, mut one, mut other) = (memory(2_560, 0), memory(0, 0), memory(0, 0));
+    let (mut one, mut other) = (memory(0, 0), memory(0, 0));
     let (home, start) = rooms(&mut one.home, COLORS, &[]);
     // The same home, but the two upper rooms have changed places.
     let mut builder = HomeBuilder::new(&mut other.home);
@@ -133,7 +130,7 @@ fn a_session_serves_no_home_of_the_same_objects_in_other_places() {
     builder.agent("agent0", Cell::new(4, 1)).unwrap();
     let (mirrored, same_number) = builder.build(Moves::Push).unwrap();
     assert_eq!((home.number(&start), home.state_count()), (mirrored.number(&same_number), mirrored.state_count()));
-    let mut agent = agent(&mut memory);
+    let mut agent = agent(2_560, 0);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     assert_eq!(agent.decide(&mirrored, &same_number), Err(AgentError::OtherDomain));
@@ -143,9 +140,8 @@ fn a_session_serves_no_home_of_the_same_objects_in_other_places() {
 
 #[test]
 fn a_word_about_the_last_action_counts_also_while_the_next_plan_is_made() {
-    let (mut one, mut other, mut rooms_memory) = (memory(2_560, 0), memory(2_560, 0), memory(0, 0));
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
-    let (mut at_once, mut later) = (agent(&mut one), agent(&mut other));
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2)]);
+    let (mut at_once, mut later) = (agent(2_560, 0), agent(2_560, 0));
     for agent in [&mut at_once, &mut later] {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
@@ -163,9 +159,8 @@ fn a_word_about_the_last_action_counts_also_while_the_next_plan_is_made() {
 
 #[test]
 fn of_several_words_about_one_action_the_last_counts_until_the_next_action() {
-    let (mut one, mut other, mut rooms_memory) = (memory(2_560, 0), memory(2_560, 0), memory(0, 0));
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[]);
-    let (mut hasty, mut calm) = (agent(&mut one), agent(&mut other));
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[]);
+    let (mut hasty, mut calm) = (agent(2_560, 0), agent(2_560, 0));
     for (agent, words) in [(&mut hasty, &[Feedback::Punish, Feedback::Reward, Feedback::Reward][..]), (&mut calm, &[Feedback::Reward])] {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
@@ -185,8 +180,7 @@ fn of_several_words_about_one_action_the_last_counts_until_the_next_action() {
 
 #[test]
 fn equal_propositions_compare_equal_and_unused_arguments_are_object_0() {
-    let mut rooms_memory = memory(0, 0);
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2)]);
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2)]);
     let lifted = LiftedTask::parse("blockInRoom(?o, ?r)", &home::SCHEMA).unwrap();
     let mut tasks = [goodbot::task::GroundedTask::UNUSED; 4];
     let count = goodbot::task::ground(&home, std::slice::from_ref(&lifted), &start, &mut tasks).unwrap();
@@ -199,8 +193,7 @@ fn equal_propositions_compare_equal_and_unused_arguments_are_object_0() {
 
 #[test]
 fn two_things_that_have_swapped_places_are_placed_at_once() {
-    let mut rooms_memory = memory(0, 0);
-    let (home, start) = rooms(&mut rooms_memory.home, COLORS, &[Cell::new(4, 2), Cell::new(2, 2)]);
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2), Cell::new(2, 2)]);
     let [first, second] = [home.blocks()[0], home.blocks()[1]];
     assert_eq!(home.placed(&start, &[(first, Cell::new(2, 2))]), None, "the other is there");
     let swapped = home.placed(&start, &[(first, Cell::new(2, 2)), (second, Cell::new(4, 2))]).unwrap();
@@ -217,6 +210,14 @@ struct Ring<'m> {
 
 const RING: Schema<'static> =
     Schema { classes: &[Class::new("place")], attributes: &[], propositions: &[Proposition::new("robotAt", &[ClassId::new(0)])] };
+
+impl<'m> Ring<'m> {
+    fn of(memory: &'m mut HeapMemory, places: u64, counted: u64) -> Self {
+        let mut objects = ObjectSet::new(memory.home.lend().objects);
+        objects.add(ClassId::new(0), "goal", &[]).unwrap();
+        Self { objects: objects.into_objects(), places, counted }
+    }
+}
 
 impl Domain for Ring<'_> {
     type State = u64;
@@ -255,19 +256,20 @@ impl Domain for Ring<'_> {
     }
 }
 
+fn on_ring(states: usize, hashed_states: usize) -> Agent<AgentHeap> {
+    let tasks = [LiftedTask::single(PropositionId::new(0), &RING).unwrap()];
+    Agent::new(memory(states, hashed_states).agent, &tasks, Options::PAPER).unwrap()
+}
+
 #[test]
 fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 15_000, counted: 15_000 };
+    let ring = Ring::of(&mut ring_memory, 15_000, 15_000);
     let needed = states_needed(&ring).unwrap();
     assert!(needed > 16_384, "an action that costs 2 takes more room: {needed}");
-    let tasks = [LiftedTask::single(PropositionId::new(0), &RING).unwrap()];
     for (states, hashed, fits) in [(15_000, 0, false), (16_384 - 64, 0, false), (needed - 64, 0, false), (needed, 0, true), (640, 64, true)]
     {
-        let mut memory = memory(states, hashed);
-        let mut agent = Agent::new(&mut memory.agent, &tasks, Options::PAPER).unwrap();
+        let mut agent = on_ring(states, hashed);
         let heard = agent.hear(&ring, &0, "go");
         if fits {
             assert_eq!(heard, Ok(()));
@@ -283,20 +285,15 @@ fn a_robot_whose_states_do_not_fit_is_refused_by_name_and_number() {
 #[test]
 fn a_robot_of_more_states_than_any_memory_is_refused_at_once() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 1 << 52, counted: 1 << 52 };
+    let ring = Ring::of(&mut ring_memory, 1 << 52, 1 << 52);
     assert!(states_needed(&ring).unwrap() > 1 << 52);
 }
 
 #[test]
 fn a_state_whose_number_is_not_below_the_count_is_refused() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
-    let mut memory = memory(128, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let ring = Ring::of(&mut ring_memory, 40, 40);
+    let mut agent = on_ring(128, 0);
     assert_eq!(agent.hear(&ring, &40, "go"), Err(AgentError::StateNumber));
     assert_eq!(agent.hear(&ring, &39, "go"), Ok(()));
     assert_eq!(agent.plan(&ring, &40, 50), Err(AgentError::StateNumber));
@@ -306,11 +303,8 @@ fn a_state_whose_number_is_not_below_the_count_is_refused() {
 #[test]
 fn an_action_that_leads_to_no_counted_state_is_named_by_the_plan() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 30 };
-    let mut memory = memory(128, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let ring = Ring::of(&mut ring_memory, 40, 30);
+    let mut agent = on_ring(128, 0);
     agent.hear(&ring, &25, "go").unwrap();
     let flaw = DomainFlaw::Number { number: 30, count: 30, from: Some((29, Action::new(0))) };
     assert_eq!(agent.plan_fully(&ring, &25), Err(flaw.into()));
@@ -320,22 +314,16 @@ fn an_action_that_leads_to_no_counted_state_is_named_by_the_plan() {
 #[test]
 fn tasks_of_another_robot_are_refused() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: 40, counted: 40 };
-    let mut memory = memory(128, 0);
-    let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let ring = Ring::of(&mut ring_memory, 40, 40);
+    let mut agent = agent(128, 0);
     assert_eq!(agent.hear(&ring, &0, "go"), Err(AgentError::OtherVocabulary));
 }
 
 #[test]
 fn states_that_cannot_be_counted_ask_for_a_hash_table() {
     let mut ring_memory = memory(0, 0);
-    let mut objects = ObjectSet::new(ring_memory.home.lend().objects);
-    objects.add(ClassId::new(0), "goal", &[]).unwrap();
-    let ring = Ring { objects: objects.into_objects(), places: u64::MAX, counted: u64::MAX };
-    let mut memory = memory(640, 0);
-    let mut agent = Agent::new(&mut memory.agent, &[LiftedTask::single(PropositionId::new(0), &RING).unwrap()], Options::PAPER).unwrap();
+    let ring = Ring::of(&mut ring_memory, u64::MAX, u64::MAX);
+    let mut agent = on_ring(640, 0);
     let refused = agent.hear(&ring, &0, "go").unwrap_err();
     assert_eq!(refused.to_string(), "no room: Capacities::hashed_states is 0, and 1 or more were given; raise it");
 }

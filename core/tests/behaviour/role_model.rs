@@ -4,7 +4,7 @@ use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
 use goodbot::language::{Meaning, Synonyms};
-use goodbot::memory::{AgentMemory, HomeMemory};
+use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
@@ -78,10 +78,15 @@ fn teach(agent: &mut Agent<impl AgentMemory>, it: &Taught, colors: Rooms, block:
     agent.learn_fully();
 }
 
-fn taught(agent: &mut Agent<impl AgentMemory>) {
-    for it in &LESSONS {
-        teach(agent, it, it.colors, it.block, it.command, [0, 1, 2]);
-    }
+fn new() -> Agent<AgentHeap> {
+    Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::DEFAULT).unwrap()
+}
+
+/// A robot that had all lessons.
+fn taught() -> Agent<AgentHeap> {
+    let mut agent = new();
+    LESSONS.iter().for_each(|it| teach(&mut agent, it, it.colors, it.block, it.command, [0, 1, 2]));
+    agent
 }
 
 fn posterior(
@@ -103,35 +108,35 @@ fn posterior(
     all
 }
 
-fn learned() -> (HeapMemory, Options) {
-    (HeapMemory::new(&Capacities::SMALL), Options::DEFAULT)
+/// What a robot makes of a command in a home of a green, a blue and a red room with a yellow bag.
+fn meant(agent: &mut Agent<impl AgentMemory>, command: &str) -> Vec<(String, f32)> {
+    posterior(agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command)
+}
+
+fn best(all: &[(String, f32)]) -> &str {
+    &all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap().0
 }
 
 #[test]
 fn probabilities_sum_to_one_and_what_was_taught_is_understood() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     for (command, wanted) in [
         ("go to the red room", "agent0 room2"),
         ("go to the blue room", "agent0 room1"),
         ("take the yellow bag to the red room", "block0 room2"),
         ("please, bring the bag to the BLUE room!", "block0 room1"),
     ] {
-        let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+        let all = meant(&mut agent, command);
         assert!((all.iter().map(|(_, share)| share).sum::<f32>() - 1.0).abs() < 1e-5, "{command}");
-        let best = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-        assert_eq!(best.0, wanted, "{command}: {all:?}");
+        assert_eq!(best(&all), wanted, "{command}: {all:?}");
     }
 }
 
 #[test]
 fn the_order_of_the_objects_says_nothing() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let command = "take the yellow bag to the red room";
-    let one = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    let one = meant(&mut agent, command);
     let other = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [2, 0, 1], command);
     for (one, other) in one.iter().zip(&other) {
         assert_eq!(one.0, other.0);
@@ -252,8 +257,6 @@ fn a_round_of_training_loses_next_to_no_likelihood() {
 
 #[test]
 fn other_names_for_the_colors_change_nothing() {
-    let (mut first, options) = learned();
-    let (mut second, _) = learned();
     let renamed = |text: &str| -> &'static str {
         match text {
             "red" => "rood",
@@ -264,15 +267,13 @@ fn other_names_for_the_colors_change_nothing() {
         }
     };
     let say = |text: &str| text.replace("red", "rood").replace("green", "groen").replace("blue", "blauw").replace("yellow", "geel");
-    let mut one = Agent::new(&mut first.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut one);
-    let mut other = Agent::new(&mut second.agent, &paper_tasks().unwrap(), options).unwrap();
+    let (mut one, mut other) = (taught(), new());
     for it in &LESSONS {
         let colors = it.colors.map(renamed);
         teach(&mut other, it, colors, it.block.map(|(color, shape)| (renamed(color), shape)), &say(it.command), [0, 1, 2]);
     }
     let command = "take the yellow bag to the red room";
-    let a = posterior(&mut one, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    let a = meant(&mut one, command);
     let b = posterior(&mut other, ["groen", "blauw", "rood"], ("geel", "bag"), [0, 1, 2], &say(command));
     for (a, b) in a.iter().zip(&b) {
         assert!((a.1 - b.1).abs() < 1e-5, "{a:?} {b:?}");
@@ -281,9 +282,7 @@ fn other_names_for_the_colors_change_nothing() {
 
 #[test]
 fn each_word_is_explained_and_its_shares_sum_to_one() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let mut homes = HeapMemory::new(&Capacities::SMALL);
     let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
     agent.hear(&home, &state, "take the bag to the red room").unwrap();
@@ -305,28 +304,22 @@ fn each_word_is_explained_and_its_shares_sum_to_one() {
 
 #[test]
 fn long_and_unheard_commands_get_a_sensible_answer() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let long = "go to the red room and ".repeat(10);
     assert_eq!(long.split_whitespace().count(), 60);
-    let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], &long);
-    let best = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
-    assert_eq!(best.0, "agent0 room2");
-    let all = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "xyzzy plugh");
+    let all = meant(&mut agent, &long);
+    assert_eq!(best(&all), "agent0 room2");
+    let all = meant(&mut agent, "xyzzy plugh");
     assert!(all.iter().all(|(_, share)| (0.0..=0.8).contains(share)), "{all:?}");
     assert!((all.iter().map(|(_, share)| share).sum::<f32>() - 1.0).abs() < 1e-5);
 }
 
 #[test]
 fn a_slip_of_the_pen_counts_as_the_word() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
-    let right = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "take the yellow bag to the red room");
-    let slips = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], "take the yelow bag to the red romo");
+    let mut agent = taught();
+    let right = meant(&mut agent, "take the yellow bag to the red room");
+    let slips = meant(&mut agent, "take the yelow bag to the red romo");
     assert_eq!(right.iter().map(|it| &it.0).collect::<Vec<_>>(), slips.iter().map(|it| &it.0).collect::<Vec<_>>());
-    let best = |all: &[(String, f32)]| all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap().0.clone();
     assert_eq!(best(&right), best(&slips));
 }
 
@@ -346,8 +339,7 @@ fn a_korean_word_with_another_particle_is_the_same_word() {
 fn what_was_learned_is_the_same_whatever_the_budget() {
     let mut files = Vec::new();
     for budget in [1, 100, u32::MAX] {
-        let (mut memory, options) = learned();
-        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
+        let mut agent = new();
         let mut homes = HeapMemory::new(&Capacities::SMALL);
         let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
         for command in ["go to the red room", "take the yellow bag to the blue room"] {
@@ -365,31 +357,24 @@ fn what_was_learned_is_the_same_whatever_the_budget() {
 
 #[test]
 fn a_restored_robot_understands_the_same_to_the_last_bit() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let mut buffer = vec![0; 8_192];
     let length = agent.save(&mut buffer).unwrap();
-    let (mut other, _) = learned();
-    let mut restored = Agent::new(&mut other.agent, &paper_tasks().unwrap(), Options::PAPER).unwrap();
+    let mut restored = Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::PAPER).unwrap();
     restored.restore(&buffer[..length]).unwrap();
     restored.learn_fully();
     let command = "take the yellow bag to the red room";
-    let ask = |agent: &mut Agent<_>| posterior(agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
-    assert_eq!(ask(&mut agent), ask(&mut restored));
+    assert_eq!(meant(&mut agent, command), meant(&mut restored, command));
 }
 
 #[test]
 fn a_synonym_that_was_learned_stands_for_a_word_that_was_not() {
-    let (mut memory, options) = learned();
-    let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let words = Synonyms::new("red crimson ruby\nbring carry take").unwrap();
     let said = "carry the bag to the Crimson room, please!";
     let heard = words.in_known_words(agent.language(), said).unwrap();
     assert_eq!(heard, "take the bag to the red room please");
-    let mut meant = |command: &str| posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
-    assert_eq!(meant(&heard), meant("take the bag to the red room please"));
+    assert_eq!(meant(&mut agent, &heard), meant(&mut agent, "take the bag to the red room please"));
     // What was learned comes first, also where it is written with a slip, and what no line has stays.
     let words = Synonyms::new("blue red\nbag room").unwrap();
     assert_eq!(words.in_known_words(agent.language(), "the red romo xyzzy").unwrap(), "the red romo xyzzy");
@@ -400,9 +385,9 @@ fn a_synonym_that_was_learned_stands_for_a_word_that_was_not() {
 fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
     let mut memory = HeapMemory::new(&Capacities { tasks: 12, ..Capacities::STANDARD });
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
-    taught(&mut agent);
+    LESSONS.iter().for_each(|it| teach(&mut agent, it, it.colors, it.block, it.command, [0, 1, 2]));
     let command = "take the yellow bag to the red room";
-    let before = posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command);
+    let before = meant(&mut agent, command);
 
     // Nine rooms in a row with eight blocks: 72 meanings.
     let mut homes = HeapMemory::new(&Capacities::STANDARD);
@@ -423,15 +408,13 @@ fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
         agent.hear(&crowded, &state, command),
         Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 12, 72.min(TaskSet::MOST + 1))))
     );
-    assert_eq!(posterior(&mut agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command), before);
+    assert_eq!(meant(&mut agent, command), before);
 }
 
 #[cfg(feature = "talk")]
 #[test]
 fn what_shall_not_be_is_followed_and_teaches_no_words() {
-    let (memory, options) = learned();
-    let mut agent = Agent::new(memory.agent, &paper_tasks().unwrap(), options).unwrap();
-    taught(&mut agent);
+    let mut agent = taught();
     let sessions = agent.language().bitext().sessions();
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let (home, mut state) = home(&mut memory.home, ["red", "green", "blue"], None, [0, 1, 2]);

@@ -1,23 +1,18 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use crate::rooms;
-
+use crate::rooms::robot;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
-use goodbot::home::{self, Cell, Home, HomeState};
-use goodbot::memory::HomeMemory;
-use goodbot::memory::{AgentArrays, AgentMemory};
+use goodbot::home::{Cell, Home, HomeState};
+use goodbot::memory::{AgentHeap, AgentMemory, HomeHeap, HomeMemory};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Phase};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
-use rooms::rooms;
 
-goodbot::memory! { struct Memory = Capacities::SMALL; }
-
-fn agent<M: AgentMemory>(memory: M) -> Agent<M> {
-    Agent::new(memory, &home::paper_tasks().unwrap(), Options::PAPER).unwrap()
+fn begun(block: Option<Cell>) -> (Home<HomeHeap>, HomeState, Agent<AgentHeap>) {
+    robot(block, Options::PAPER, &Capacities::SMALL)
 }
 
 /// The agent does an action, and the trainer says something to it. Gives the state that the action leads to.
@@ -45,18 +40,14 @@ fn probabilities(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
 
 #[test]
 fn before_any_learning_every_task_of_a_kind_is_as_likely_as_the_other() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(Some(Cell::new(4, 2)));
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
 
 #[test]
 fn reward_and_punishment_tell_the_intended_task() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, mut state) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, mut state, mut agent) = begun(None);
     agent.hear(&home, &state, "go to the red room").unwrap();
     let red = task(&agent, &home, "agent0", "room2");
     agent.plan_fully(&home, &state).unwrap();
@@ -70,9 +61,7 @@ fn reward_and_punishment_tell_the_intended_task() {
 
 #[test]
 fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(Some(Cell::new(4, 2)));
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let _ = told(&mut agent, &home, &start, Action::new(0), Feedback::Neutral);
@@ -82,9 +71,7 @@ fn silence_says_nothing_where_right_and_wrong_actions_are_met_with_it_equally() 
 #[test]
 fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
     let run = |parts: bool| {
-        let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-        let (home, mut state) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-        let mut agent = agent(&mut memory.agent);
+        let (home, mut state, mut agent) = begun(Some(Cell::new(4, 2)));
         let mut trace = vec![];
         for command in ["take the chair to the red room", "go to the green room"] {
             agent.hear(&home, &state, command).unwrap();
@@ -113,9 +100,7 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
 
 #[test]
 fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(1, 1)));
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(Some(Cell::new(1, 1)));
     agent.hear(&home, &start, "take the chair to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let stuck = task(&agent, &home, "block0", "room2");
@@ -126,10 +111,7 @@ fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
 
 #[test]
 fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence() {
-    goodbot::memory! { struct Tight = Capacities { states: 0, ..Capacities::SMALL }; }
-    let (mut memory, mut rooms_memory) = (Tight::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = robot(Some(Cell::new(4, 2)), Options::PAPER, &Capacities { states: 0, ..Capacities::SMALL });
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
@@ -141,15 +123,12 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
 
 #[test]
 fn a_home_too_large_for_the_memory_is_planned_for_as_far_as_it_goes_and_says_so() {
-    goodbot::memory! { struct Tight = Capacities { states: 320, ..Capacities::SMALL }; }
-    let (mut memory, mut full, mut rooms_memory) = (Tight::new(), Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-    let mut bounded = agent(&mut memory.agent);
-    let mut exact = agent(&mut full.agent);
-    bounded.hear(&home, &start, "go").unwrap();
-    bounded.plan_fully(&home, &start).unwrap();
-    exact.hear(&home, &start, "go").unwrap();
-    exact.plan_fully(&home, &start).unwrap();
+    let (home, start, mut exact) = begun(Some(Cell::new(4, 2)));
+    let (_, _, mut bounded) = robot(None, Options::PAPER, &Capacities { states: 320, ..Capacities::SMALL });
+    for agent in [&mut bounded, &mut exact] {
+        agent.hear(&home, &start, "go").unwrap();
+        agent.plan_fully(&home, &start).unwrap();
+    }
     let (bounded, exact) = (bounded.planned(), exact.planned());
     assert!(exact.approximate().is_empty() && exact.unknown().is_empty());
     for task in 0..4 {
@@ -168,9 +147,7 @@ fn a_home_too_large_for_the_memory_is_planned_for_as_far_as_it_goes_and_says_so(
 
 #[test]
 fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     agent.set_strategies(&[(Strategy::REWARD_ONLY, 0.5), (Strategy::PUNISH_ONLY, 0.5)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -186,9 +163,7 @@ fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
 
 #[test]
 fn feedback_that_nobody_could_give_is_ignored() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     agent.set_strategies(&[(Strategy::new(0.0, 0.0, 0.1).unwrap(), 1.0)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
@@ -199,9 +174,7 @@ fn feedback_that_nobody_could_give_is_ignored() {
 
 #[test]
 fn what_is_out_of_order_is_refused() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Idle)));
     assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Idle)));
     assert_eq!(agent.hear(&home, &start, " , . "), Err(AgentError::EmptyCommand));
@@ -220,9 +193,7 @@ fn what_is_out_of_order_is_refused() {
 
 #[test]
 fn a_strategy_or_prior_that_is_no_probability_is_refused() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     for mu in [f32::NAN, -0.1, 1.1, f32::INFINITY] {
         assert!(Strategy::new(mu, 0.5, 0.1).is_err());
         assert!(Strategy::new(0.5, mu, 0.1).is_err());
@@ -243,10 +214,8 @@ fn a_strategy_or_prior_that_is_no_probability_is_refused() {
 
 #[test]
 fn a_command_too_long_is_refused_and_what_was_learned_stays() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
-    let teach = |agent: &mut Agent<&mut AgentArrays<Memory>>| {
+    let (home, start, mut agent) = begun(None);
+    let teach = |agent: &mut Agent<AgentHeap>| {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
         let _ = told(agent, &home, &start, Action::new(2), Feedback::Reward);
@@ -268,9 +237,7 @@ fn a_command_too_long_is_refused_and_what_was_learned_stays() {
 #[test]
 fn the_same_seed_decides_the_same() {
     let run = |seed| {
-        let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-        let (home, mut state) = rooms(&mut rooms_memory.home, Some(Cell::new(4, 2)));
-        let mut agent = agent(&mut memory.agent);
+        let (home, mut state, mut agent) = begun(Some(Cell::new(4, 2)));
         let mut random = Pcg32::new(seed, 1);
         agent.hear(&home, &state, "go").unwrap();
         let mut actions = vec![];
@@ -288,9 +255,7 @@ fn the_same_seed_decides_the_same() {
 
 #[test]
 fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     let _ = told(&mut agent, &home, &start, Action::new(2), Feedback::Reward);
@@ -307,9 +272,7 @@ fn a_forgotten_session_can_be_taken_up_again_and_learned_from() {
 
 #[test]
 fn a_forgotten_session_changes_nothing_that_was_learned() {
-    let (mut memory, mut rooms_memory) = (Memory::new(), Memory::new());
-    let (home, start) = rooms(&mut rooms_memory.home, None);
-    let mut agent = agent(&mut memory.agent);
+    let (home, start, mut agent) = begun(None);
     agent.hear(&home, &start, "fly to the moon").unwrap();
     agent.forget();
     agent.hear(&home, &start, "go").unwrap();

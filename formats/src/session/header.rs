@@ -112,6 +112,28 @@ const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
+    /// A session of this kind, of which nothing else is told.
+    pub const fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
+        Self {
+            id: None,
+            kind,
+            environment,
+            command,
+            intended: None,
+            before: None,
+            through: None,
+            avoiding: None,
+            actions: None,
+            continues: false,
+            prior: None,
+            strategies: None,
+            utterance: None,
+            after: None,
+            conversation: None,
+            closed_words: None,
+        }
+    }
+
     /// The names of the session's actions, the four moves unless it has its own; `noop`, which is
     /// always one, only where it is named.
     pub fn action_names(&self) -> impl Iterator<Item = &str> {

@@ -11,6 +11,7 @@ use goodbot::language::Settings;
 use goodbot_console::lessons::restored;
 use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::counted;
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::whole_file::read_model;
@@ -28,7 +29,7 @@ pub struct InspectOptions {
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
     /// Number of words of each token, and of tokens of each word: 1 to 1000
-    #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = most, allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
     most: usize,
     /// Write a heat map of the most telling words; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
@@ -42,10 +43,6 @@ pub struct InspectOptions {
     /// Print a line of JSON for each token and each word
     #[arg(long)]
     json: bool,
-}
-
-fn most(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, 1_000)
 }
 
 /// Runs the command.

@@ -42,7 +42,7 @@ pub struct PaperOptions {
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", allow_hyphen_values = true)]
     pub believes: Option<BelievedChoice>,
     /// Number of agents to train, 1 to 100000; their seeds count up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = runs, allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = numbers::between(1_u32, 100_000), allow_negative_numbers = true)]
     pub runs: u32,
     /// Seed of the first run: the same seed gives the same run everywhere
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = numbers::seed, allow_negative_numbers = true)]
@@ -71,10 +71,6 @@ pub struct PaperOptions {
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
     pub force: bool,
-}
-
-fn runs(text: &str) -> Result<u32, String> {
-    numbers::between(text, 1, 100_000).map(|runs| runs as u32)
 }
 
 /// Which homes.

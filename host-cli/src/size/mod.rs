@@ -11,6 +11,7 @@ use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
 use goodbot_console::learner::Learner;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{counted, printable};
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use needs::Needs;
 use serde_json::json;
@@ -37,10 +38,10 @@ pub struct SizeOptions {
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
     log: Vec<String>,
     /// The number of sessions that it must keep, 1 to 65535 [default: those of the log, or 16]
-    #[arg(long, value_name = "N", value_parser = sessions, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = between(1, usize::from(u16::MAX)), allow_negative_numbers = true)]
     sessions: Option<usize>,
     /// The most words of one command, 1 to 64 [default: those of the log, or 8]
-    #[arg(long, value_name = "N", value_parser = words, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = between(1, WORDS_PER_COMMAND), allow_negative_numbers = true)]
     words: Option<usize>,
     #[command(flatten)]
     kinds: TaskKinds,
@@ -50,16 +51,6 @@ pub struct SizeOptions {
     /// Print a line of JSON
     #[arg(long)]
     json: bool,
-}
-
-/// A number of sessions that a robot can keep.
-pub fn sessions(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, usize::from(u16::MAX))
-}
-
-/// A number of words that a command can have.
-pub fn words(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, WORDS_PER_COMMAND)
 }
 
 /// Runs the command.

@@ -8,10 +8,12 @@ mod source;
 
 use crate::size::needs::least_of_world;
 use clap::{Args, ValueHint};
+use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::oomdp::{Domain, check};
 use goodbot::session::Lessons;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::input;
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use source::Source;
@@ -43,10 +45,10 @@ pub struct TableOptions {
     #[arg(long)]
     rust: bool,
     /// The number of sessions that it must keep, 1 to 65535
-    #[arg(long, value_name = "N", default_value_t = 16, value_parser = crate::size::sessions, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = between(1, usize::from(u16::MAX)), allow_negative_numbers = true)]
     sessions: usize,
     /// The most words of one command, 1 to 64
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = crate::size::words, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = between(1, WORDS_PER_COMMAND), allow_negative_numbers = true)]
     words: usize,
 }
 

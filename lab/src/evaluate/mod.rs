@@ -29,6 +29,7 @@ use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, say};
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::starter::{Starter, StarterOptions};
@@ -62,7 +63,7 @@ pub struct EvaluateOptions {
     #[arg(long, conflicts_with_all = ["k_fold", "group", "leave_environment_out", "leave_task_out"])]
     leave_one_out: bool,
     /// Train on all but one of K parts, in turn; K is 2 or more (10 is the default for more than 500 sessions)
-    #[arg(long, short = 'k', value_name = "K", value_parser = parts, allow_negative_numbers = true)]
+    #[arg(long, short = 'k', value_name = "K", value_parser = between(2_usize, 65_535), allow_negative_numbers = true)]
     k_fold: Option<usize>,
     /// Leave out whole groups of sessions with this in common: each group in turn, or each of K parts of groups
     #[arg(long, short = 'g', value_enum, value_name = "WHAT", conflicts_with_all = ["leave_environment_out", "leave_task_out"])]
@@ -78,7 +79,7 @@ pub struct EvaluateOptions {
     #[command(flatten)]
     synonyms: SynonymOptions,
     /// Ask each command in N random layouts of its home; N is 1 to 100
-    #[arg(long, value_name = "N", value_parser = layouts, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = between(1_usize, 100), allow_negative_numbers = true)]
     novel_environments: Option<usize>,
     /// What learns
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
@@ -98,7 +99,7 @@ pub struct EvaluateOptions {
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath, conflicts_with = "test")]
     curve: Option<PathBuf>,
     /// Orders of the sessions that a learning curve is averaged over, 1 to 1000 [default: 10]
-    #[arg(long, short = 'n', value_name = "N", requires = "curve", value_parser = orders, allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", requires = "curve", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
     runs: Option<usize>,
     /// Replace files that goodbot did not write
     #[arg(long)]
@@ -111,18 +112,6 @@ pub struct EvaluateOptions {
     /// Print JSON lines: one for each command asked, and a summary at the end
     #[arg(long)]
     json: bool,
-}
-
-fn parts(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 2, 65_535)
-}
-
-fn layouts(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, 100)
-}
-
-fn orders(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, 1_000)
 }
 
 const EXAMPLES: &str = "\

@@ -61,18 +61,9 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
     for _ in 0..TRIES {
         let environment = rearranged(&lesson.header.environment, random);
         let known = environment == lesson.header.environment;
-        let header = SessionHeader {
-            environment,
-            kind: Kind::Demonstration,
-            prior: None,
-            strategies: None,
-            utterance: None,
-            after: None,
-            conversation: None,
-            closed_words: None,
-            continues: false,
-            ..lesson.header.clone()
-        };
+        let SessionHeader { id, command, intended, before, through, avoiding, actions, .. } = lesson.header.clone();
+        let header = SessionHeader::new(Kind::Demonstration, environment, command);
+        let header = SessionHeader { id, intended, before, through, avoiding, actions, ..header };
         let recorded = RecordedSession { header, header_line: 1, steps: vec![], answers: vec![], learn: false, end_line: 1 };
         // What cannot be built, or asks for what holds already, is drawn anew.
         if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)

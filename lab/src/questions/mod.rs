@@ -8,6 +8,7 @@ use clap::Args;
 use goodbot::asking::{Asking, CHOICES};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_console::messages::bar;
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
@@ -29,7 +30,7 @@ Example:
   goodbot questions --runs 1000 --kappa 2,8,20 --eta 0.05,0.15")]
 pub struct QuestionsOptions {
     /// How many sessions for each row, 1 to 100000, each with a seed of its own, counted up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "200", value_parser = runs)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "200", value_parser = between(1_u32, 100_000))]
     runs: u32,
     /// Seed of the first session
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed)]
@@ -44,7 +45,7 @@ pub struct QuestionsOptions {
     #[arg(long, value_enum, value_delimiter = ',', default_value = "balanced,punish-only,real")]
     trainer: Vec<Trained>,
     /// How many meanings a question may show to choose from, 3 at most; with 1, it is of yes and no
-    #[arg(long, value_name = "N", default_value = "3", value_parser = choices)]
+    #[arg(long, value_name = "N", default_value = "3", value_parser = between(1, CHOICES as u8))]
     choices: u8,
     /// Take any of the actions that lead on, and not the one that tells most
     #[arg(long)]
@@ -52,14 +53,6 @@ pub struct QuestionsOptions {
     /// Print a line of JSON for each row
     #[arg(long)]
     json: bool,
-}
-
-fn runs(text: &str) -> Result<u32, String> {
-    goodbot_console::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
-}
-
-fn choices(text: &str) -> Result<u8, String> {
-    goodbot_console::numbers::between(text, 1, CHOICES).map(|choices| choices as u8)
 }
 
 /// The sessions of one row.

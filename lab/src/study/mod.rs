@@ -59,6 +59,7 @@ use crate::study::trainer::{TRAINERS, Trainer};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
 use goodbot_console::messages::{counted, say};
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use plan::Plan;
@@ -107,7 +108,7 @@ pub struct StudyOptions {
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
     pub trainers: Vec<String>,
     /// How many seeds, 1 to 100000, counted up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = runs, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
+    #[arg(long, short = 'n', value_name = "N", default_value = "100", value_parser = between(1_u32, 100_000), allow_negative_numbers = true, conflicts_with_all = ["merge"])]
     pub runs: u32,
     /// The first seed: the same seed gives the same run everywhere
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
@@ -142,10 +143,6 @@ pub struct StudyOptions {
     /// Replace files that goodbot has not written
     #[arg(long)]
     pub force: bool,
-}
-
-fn runs(text: &str) -> Result<u32, String> {
-    goodbot_console::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
 }
 
 fn courses() -> PossibleValuesParser {

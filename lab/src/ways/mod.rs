@@ -16,6 +16,7 @@ use goodbot::home::{AGENT_IN_ROOM, SCHEMA, with_routes};
 use goodbot::task::LiftedTask;
 use goodbot::{Capacities, HeapMemory};
 use goodbot_console::messages::bar;
+use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use rayon::prelude::*;
@@ -36,19 +37,19 @@ Examples:
   goodbot ways --plot ways.svg")]
 pub struct WaysOptions {
     /// How many robots, 1 to 100000, each with a seed of its own, counted up from --seed
-    #[arg(long, short = 'n', value_name = "N", default_value = "20", value_parser = runs, allow_negative_numbers = true)]
+    #[arg(long, short = 'n', value_name = "N", default_value = "20", value_parser = between(1_u32, 100_000), allow_negative_numbers = true)]
     runs: u32,
     /// Seed of the first robot
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
     seed: u64,
     /// How many lessons each has, 1 to 500
-    #[arg(long, value_name = "N", default_value = "30", value_parser = lessons, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "30", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
     lessons: usize,
     /// Test after every N lessons
-    #[arg(long, value_name = "N", default_value = "10", value_parser = lessons, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "10", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
     every: usize,
     /// How many commands a test has, 1 to 1000
-    #[arg(long, value_name = "N", default_value = "20", value_parser = tests, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "20", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
     tests: usize,
     /// What a question costs the robot that asks, in steps
     #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::numbers::cost)]
@@ -62,18 +63,6 @@ pub struct WaysOptions {
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
     force: bool,
-}
-
-fn runs(text: &str) -> Result<u32, String> {
-    goodbot_console::numbers::between(text, 1, 100_000).map(|runs| runs as u32)
-}
-
-fn lessons(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, 500)
-}
-
-fn tests(text: &str) -> Result<usize, String> {
-    goodbot_console::numbers::between(text, 1, 1_000)
 }
 
 /// Runs the command.

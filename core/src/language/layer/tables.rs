@@ -14,7 +14,7 @@ use crate::language::forgetting::close_up;
 #[cfg(feature = "layer")]
 use crate::language::roles::Layout;
 #[cfg(feature = "layer")]
-use crate::language::settings::{Model, Settings};
+use crate::language::settings::Settings;
 #[cfg(feature = "layer")]
 use crate::memory::{BitextTables, BitextTablesRef};
 #[cfg(feature = "layer")]
@@ -275,7 +275,7 @@ impl<'t> Room<'t> {
 
     /// Whether there is enough to train it on.
     pub fn is_wanted(&self, settings: &Settings) -> bool {
-        let is_on = settings.layer && settings.model.in_use() == Model::Roles && self.weights.len() >= LAYER_WEIGHTS;
+        let is_on = settings.has_layer() && self.weights.len() >= LAYER_WEIGHTS;
         let layer = self.read();
         let teaches = |&session: &u16| layer.tasks(session) > 0;
         is_on && (0..layer.possible.sessions() as u16).filter(teaches).nth(LEAST_SESSIONS.saturating_sub(1)).is_some()

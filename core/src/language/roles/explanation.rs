@@ -4,7 +4,7 @@ use super::forward::Reader;
 use super::layout::Layout;
 use super::training::{Event, read};
 use crate::symbols::Symbol;
-use crate::task::role::{Role, RoleKind};
+use crate::task::role::Role;
 
 /// What a word can mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,14 +51,4 @@ pub(crate) fn explain(
             }
         }
     });
-}
-
-impl Meaning {
-    /// The kind of role, where the word names a value.
-    pub fn role_kind(self) -> Option<RoleKind> {
-        match self {
-            Self::Value(role, _) => Some(role.kind()),
-            Self::Background | Self::Task => None,
-        }
-    }
 }

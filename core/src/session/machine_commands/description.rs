@@ -194,7 +194,7 @@ impl<M: AgentMemory> Agent<M> {
     #[cfg(feature = "layer")]
     #[inline(never)]
     pub(in crate::session) fn weigh_parts<D: Domain + ?Sized>(&mut self, domain: &D) {
-        if !self.options.language.layer || self.model() != Model::Roles {
+        if !self.options.language.has_layer() {
             return;
         }
         let Some(described) = self.described(domain) else { return };
@@ -214,7 +214,7 @@ impl<M: AgentMemory> Agent<M> {
     /// nothing from the session.
     #[cfg(feature = "layer")]
     pub(in crate::session) fn add_possible<D: Domain + ?Sized>(&mut self, domain: &D) {
-        if !self.options.language.layer || self.model() != Model::Roles {
+        if !self.options.language.has_layer() {
             return;
         }
         let Some(described) = self.described(domain) else { return };

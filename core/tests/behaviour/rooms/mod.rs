@@ -1,7 +1,8 @@
 //! The home in which agents are tried.
 
-use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::memory::HomeMemory;
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
+use goodbot::{Agent, Capacities, HeapMemory, Options};
 
 /// A green room and a red one above a blue one, in which the robot is at (4, 1); with a block, where it is given.
 pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
@@ -16,4 +17,11 @@ pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeSta
         builder.block("block0", cell, "yellow", "chair").unwrap();
     }
     builder.build(Moves::Push).unwrap()
+}
+
+/// These rooms, the state at the start, and an agent in memory of these capacities.
+pub fn robot(block: Option<Cell>, options: Options, capacities: &Capacities) -> (Home<HomeHeap>, HomeState, Agent<AgentHeap>) {
+    let (home, start) = rooms(HeapMemory::new(&Capacities::SMALL).home, block);
+    let agent = Agent::new(AgentHeap::new(capacities), &home::paper_tasks().unwrap(), options).unwrap();
+    (home, start, agent)
 }

@@ -11,7 +11,6 @@ use crate::teach::trainer::Judged;
 use crate::teach::trainer::{Heard, Meaning, Refusal};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
-use goodbot::planning::OptimalSet;
 use goodbot::session::Evidence;
 use goodbot::talk::Said;
 use goodbot::talk::{Class, Hypothesis};
@@ -118,16 +117,6 @@ fn error(message: &str, instead: &str) -> Value {
 /// The last line of each answer: who reads up to it never waits in vain.
 fn done() -> Value {
     json!({"type": "done"})
-}
-
-const fn plan_word(plan: OptimalSet) -> &'static str {
-    match plan {
-        OptimalSet::Toward(_) => "toward",
-        OptimalSet::Approximate(_) => "approximate",
-        OptimalSet::Goal => "goal",
-        OptimalSet::DeadEnd(_) => "dead end",
-        OptimalSet::Unknown => "unknown",
-    }
 }
 
 struct Speaker<'a> {
@@ -323,7 +312,7 @@ impl Speaker<'_> {
         let acted = trainer.act()?.clone();
         let task = meanings.iter().find(|meaning| meaning.position == acted.task);
         let mut answer = json!({
-            "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": plan_word(acted.plan),
+            "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": acted.plan.name(),
             "task": task.map(|task| &task.name), "words": task.map(|task| &task.words),
         });
         self.add_cells(&mut answer);
