@@ -81,14 +81,14 @@ pub fn counting(what: &'static str) -> ProgressBar {
     counting.with_style(style)
 }
 
-/// Faults as lines to be read: where many say the same of many lines, the first one with their count.
+/// Faults as lines of text: of those that say the same of many lines, the first one with their count.
 pub fn summed(faults: &[Fault]) -> Vec<String> {
     // Numbers differ from line to line.
     let text = |fault: &Fault| fault.message.chars().filter(|letter| !letter.is_ascii_digit()).collect::<String>();
     summed_by(faults, |fault| (fault.file.clone(), fault.field.clone(), text(fault)))
 }
 
-/// Faults as lines to be read: of those with the same key, the first one with their count.
+/// Faults as lines of text: of those with the same key, the first one with their count.
 pub fn summed_by<K: Eq + Hash>(faults: &[Fault], key: impl Fn(&Fault) -> K) -> Vec<String> {
     let mut same: HashMap<K, usize> = HashMap::new();
     let mut told: Vec<(&Fault, usize)> = Vec::new();

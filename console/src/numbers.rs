@@ -1,4 +1,4 @@
-//! Numbers as they are typed, and what to say of those that are none.
+//! Numbers as they are typed, and messages for other texts.
 
 use std::fmt::Display;
 use std::str::FromStr;

@@ -136,7 +136,7 @@ impl Starter {
         (0..left).filter_map(move |position| self.lessons.get(position * all / left.max(1)))
     }
 
-    /// Room for so much, and for all its lessons beside it.
+    /// Room for these capacities and all its lessons together.
     pub fn room(&self, own: Capacities) -> Capacities {
         if self.lessons.is_empty() {
             return own;

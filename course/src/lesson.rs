@@ -81,11 +81,11 @@ pub struct Step {
     pub correct: bool,
     /// What the trainer said.
     pub feedback: Feedback,
-    /// What came of it.
+    /// Its effect.
     pub evidence: Evidence,
 }
 
-/// What came of one turn.
+/// The result of one turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Turn {
     /// The agent acted.

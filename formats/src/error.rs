@@ -70,7 +70,7 @@ pub enum Problem {
         /// The kind that was found.
         found: &'static str,
     },
-    /// A word that is none of the field's words.
+    /// A word that the field does not know.
     UnknownWord {
         /// The word.
         found: String,

@@ -7,7 +7,7 @@ use crate::error::{FormatError, Problem};
 /// The most bytes that a line of a log may have, its end not counted: 16 MiB.
 pub const MAX_LINE_BYTES: usize = 16 << 20;
 
-/// Of a longer line so much is passed over to find the next one. What goes on beyond that has no lines, and is not read to its end.
+/// The bytes of a longer line that are skipped, at most, to find the next one. A file beyond that has no lines, and is not read on.
 const MOST_PASSED_OVER: usize = 8 * MAX_LINE_BYTES;
 
 /// A file, line by line.

@@ -134,7 +134,7 @@ impl MicrobitFile {
         if all.windows(MARK.len()).any(|window| window == MARK) { Ok(self) } else { Err(MicrobitError::NotGoodbot) }
     }
 
-    /// So many bytes from an address on; where the file has none, the flash is erased.
+    /// `count` bytes from an address on; where the file has none, the flash is erased.
     pub fn bytes(&self, from: u32, count: usize) -> Vec<u8> {
         (from..).take(count).map(|at| self.0.get(&at).copied().unwrap_or(ERASED)).collect()
     }
@@ -157,7 +157,7 @@ impl MicrobitFile {
         self.put("what was learned", SLOTS, END, slots)
     }
 
-    /// Puts a home in place of the robot's own, and commands in place of its own list; where there is none, its own stays.
+    /// Replaces the robot's own home and list of commands, each only if one is given.
     ///
     /// # Errors
     /// [`MicrobitError::Name`] and [`MicrobitError::TooLong`].
@@ -223,7 +223,7 @@ impl MicrobitFile {
     }
 }
 
-/// An object as the board is told of it.
+/// An object as the board reads it.
 fn request(object: &ObjectRecord) -> Result<String, MicrobitError> {
     let words = match object {
         ObjectRecord::Room { name, color, .. } => vec![name, color],

@@ -35,7 +35,7 @@ impl Asked {
     /// Nothing was asked.
     pub const NOTHING: Self = Self { sets: Vec::new(), answered: false, surprised: false };
 
-    /// Takes note of an answer: how probable it was, and how many others there were. One that is less probable than most is a surprise.
+    /// Records an answer: how probable it was, and how many others there were. One that is less probable than most is a surprise.
     pub fn hear(&mut self, probability: f32, others: u8) {
         self.answered = true;
         self.surprised |= probability * (f32::from(others) + 1.0) < LEAST_EXPECTED;
@@ -67,7 +67,7 @@ impl<D: Place> Lesson<D> {
     /// # Errors
     /// [`LiveError::NoSession`], or what [`Agent::question`](goodbot::Agent::question) refuses.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
-        // Who does not answer is not asked more.
+        // A trainer who does not answer is not asked more.
         if self.agent.open_question().is_some() {
             return Ok(None);
         }
@@ -92,7 +92,7 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// Takes note of how probable an answer is that is about to be taken in.
+    /// Records how probable an answer is that is about to be taken in.
     pub(crate) fn expect_answer(&mut self, answer: Answer) {
         let Some((tasks, yes, others)) = self.agent.open_question().and_then(|question| question.meaning(answer)) else { return };
         let among: f32 = tasks.iter().map(|task| self.agent.belief().probability(task)).sum();

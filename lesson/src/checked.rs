@@ -25,7 +25,7 @@ use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSessi
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use std::fmt;
 
-/// A session that can be gone through.
+/// A session that can be replayed.
 pub struct CheckedSession<D: Domain> {
     /// What happens in it.
     pub walk: Walk<D>,
@@ -110,7 +110,7 @@ pub fn check<M: HomeMemory>(
     })
 }
 
-/// As [`check`], for a session that is gone through: one that was labelled has no steps.
+/// As [`check`], for a session that is replayed: one that was labelled has no steps.
 ///
 /// # Errors
 /// All that is wrong with it.
@@ -124,7 +124,7 @@ pub fn check_steps<M: HomeMemory>(
     check(file, recorded, lifted, memory)
 }
 
-/// Whether a session is one that is gone through.
+/// Whether a session is one that is replayed.
 pub(crate) fn has_steps(file: &str, recorded: &RecordedSession) -> Result<(), Vec<Fault>> {
     if recorded.header.kind == Kind::Labelled {
         let message = "a labelled session has no steps to go through; learn from it with goodbot learn";

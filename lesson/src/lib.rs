@@ -6,7 +6,7 @@
 //! - [`name`]: a grounded task as a text, for files and for people;
 //! - [`checked`]: a recorded session, checked, with the place of each fault;
 //! - [`walk`]: what happens in a session;
-//! - [`replay`]: a recorded session, gone through once more;
+//! - [`replay`]: the replay of a recorded session;
 //! - [`kept_kinds`]: the kinds of task that a model was learned for, in a record after the model;
 //! - [`live`]: a session as it happens;
 //! - `listening`, with the feature `talk`: what a person says to the robot, and how a session begins with it;

@@ -66,7 +66,7 @@ pub fn listen<D: Domain>(
     Ok(listened)
 }
 
-/// What is still to come of an utterance.
+/// The rest of an utterance.
 #[derive(Clone, Debug)]
 pub(crate) struct Ahead {
     listening: Listening,
@@ -151,7 +151,7 @@ impl<D: Place> Lesson<D> {
         self.agent.tasks().iter().any(GroundedTask::is_negated)
     }
 
-    /// Whether something is still to come of what was said.
+    /// Whether an utterance has a rest.
     pub const fn is_more(&self) -> bool {
         self.ahead.is_some()
     }
@@ -161,7 +161,7 @@ impl<D: Place> Lesson<D> {
         self.is_under_way() && !self.agent.sentence().is_empty() && !self.is_about_what_shall_not_be()
     }
 
-    /// What is still to come of what was said.
+    /// The rest of the utterance.
     pub fn rest(&self) -> Option<&str> {
         self.ahead.as_ref().map(|ahead| ahead.listening.utterance.as_str())
     }

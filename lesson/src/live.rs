@@ -116,7 +116,7 @@ impl Acted {
     }
 }
 
-/// A word to a step, and what came of it.
+/// A word to a step, and its effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judged {
     /// It was taken in.
@@ -583,7 +583,7 @@ impl<D: Place> Lesson<D> {
         Ok(self.agent.finish(&self.walk.home)?)
     }
 
-    /// The session ends, and nothing is learned from it. What was still to come of the utterance does not come.
+    /// Ends the session, and learns nothing from it. The rest of the utterance is dropped.
     pub fn forget(&mut self) {
         self.acted = None;
         #[cfg(feature = "talk")]

@@ -1,4 +1,4 @@
-//! A recorded session, gone through once more by an agent: the same command in the same home or world, the same actions, words and answers.
+//! A recorded session, replayed by an agent: the same command in the same home or world, the same actions, words and answers.
 
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::feedback::{Ending, Strategy, population};
@@ -12,7 +12,7 @@ use goodbot::{Agent, AgentError, Options};
 use goodbot_formats::session::Kind;
 use std::fmt;
 
-/// What of a recorded session counts.
+/// Which parts of a recorded session count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rules {
     /// Whether the trainer strategies that the session names are believed.

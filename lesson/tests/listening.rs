@@ -1,4 +1,4 @@
-//! A live session that began by listening, and its record: gone through once more, it gives the same belief and the same model, to the bit.
+//! A live session that began by listening, and its record: replayed, it gives the same belief and the same model, to the bit.
 
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
@@ -94,7 +94,7 @@ fn beliefs(agent: &Agent<AgentHeap>) -> Vec<u32> {
     (0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect()
 }
 
-/// Goes through a record with another robot, as one who reads it from a log.
+/// Replays a record with another robot, as from a log.
 fn replayed(lesson: &mut Lesson, recorded: &RecordedSession) -> Vec<u32> {
     let log = recorded.to_lines().expect("lines").join("\n");
     let read = SessionReader::new(log.as_bytes()).next().expect("a session").expect("sound");

@@ -87,7 +87,7 @@ fn what_is_not_understood_is_refused_by_line() {
     let swap = "(define (domain d) (:predicates (p ?x) (q ?x)) (:action a :parameters (?x ?y) :precondition (p ?x) :effect (q ?y)))";
     let two = "(define (problem two) (:domain d) (:objects a b) (:init (p a)) (:goal (q a)))";
     assert!(refused(swap, two).contains("add (not (= ?x ?y))"));
-    // So many choices end soon, though no action can ever be done.
+    // The search of many choices ends soon, though no action can ever be done.
     let objects: String = (0..200).map(|number| format!(" o{number}")).collect();
     let many = "(define (domain d) (:predicates (p ?x) (q ?x) (r ?x)) (:action a :parameters (?a ?b ?c ?d ?e) :precondition (r ?e) :effect (q ?a)))";
     let wide = format!("(define (problem wide) (:domain d) (:objects{objects}) (:init (p o0)) (:goal (q o0)))");

@@ -171,7 +171,7 @@ impl Goodbot {
         self.0.recorded_answer(tasks.lines(), yes, eta, others, words).map_err(thrown)
     }
 
-    /// Goes through the session that was told, by a step or by about `budget` looks of planning. Gives whether it is done; where it is learned
+    /// Replays the session that was told, by a step or by about `budget` looks of planning. Gives whether it is done; where it is learned
     /// from, call `learn` until that is done too.
     #[wasm_bindgen(js_name = replayOn)]
     pub fn replay_on(&mut self, budget: u32, learn: bool) -> Thrown<bool> {
@@ -202,7 +202,7 @@ impl Goodbot {
         json(&self.0.listen(words, insists).map_err(thrown)?)
     }
 
-    /// Whether something is still to come of what was said.
+    /// Whether the utterance has a rest.
     #[wasm_bindgen(js_name = isMore)]
     pub fn is_more(&self) -> bool {
         self.0.is_more()

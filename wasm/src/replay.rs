@@ -15,7 +15,7 @@ use crate::cells::{MIND, ROOMS};
 use crate::training::task_name;
 use crate::world::{Refusal, World, build};
 
-/// A recorded session that is being told, and then gone through.
+/// A recorded session that is being told, and then replayed.
 #[derive(Debug)]
 pub struct Replaying {
     replay: Replay,
@@ -130,7 +130,7 @@ impl World {
     /// is then where the session ended. Where `learn` says so, it has begun to learn from it; otherwise the next one can go on from it.
     ///
     /// # Errors
-    /// Why the session cannot be gone through; what was learned before is kept.
+    /// Why the session cannot be replayed; what was learned before is kept.
     pub fn replay_on(&mut self, budget: u32, learn: bool) -> Result<bool, Refusal> {
         let told = self.replaying.as_mut().ok_or_else(not_begun)?;
         match told.replay.advance(&mut self.lesson.agent, &told.walk, budget) {
@@ -153,10 +153,10 @@ impl World {
         Ok(true)
     }
 
-    /// Goes through a session as a host has read it, and learns from it if that is so recorded.
+    /// Replays a session as a host has read it, and learns from it if that is so recorded.
     ///
     /// # Errors
-    /// Why the session cannot be gone through; what was learned before is kept.
+    /// Why the session cannot be replayed; what was learned before is kept.
     pub fn replay(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
         self.tell(recorded)?;
         while !self.replay_on(u32::MAX, recorded.learn)? {}

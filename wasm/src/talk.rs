@@ -106,7 +106,7 @@ impl World {
         self.heard(listened)
     }
 
-    /// Whether something is still to come of what was said.
+    /// Whether the utterance has a rest.
     pub fn is_more(&self) -> bool {
         self.lesson.is_more()
     }
@@ -182,7 +182,7 @@ impl World {
         Ok(())
     }
 
-    /// What came of words that the robot has listened to; `None` where it took them for a command.
+    /// The effect of words that the robot has listened to; `None` where it took them for a command.
     fn heard(&mut self, listened: Option<Listened>) -> Result<Heard, Refusal> {
         let begun = self.lesson.is_under_way();
         let Self { scout, lesson, .. } = self;

@@ -113,7 +113,7 @@ pub struct Evidence {
     pub action: String,
     /// The feedback to it.
     pub feedback: &'static str,
-    /// What came of it: `used`, `says nothing` where no task's plan is known exactly, or `impossible` under every task and strategy.
+    /// Its effect: `used`, `says nothing` where no task's plan is known exactly, or `impossible` under every task and strategy.
     pub outcome: &'static str,
     /// For each task whether the action was `right`, `wrong` or `unknown`.
     pub judgements: Vec<&'static str>,
@@ -123,7 +123,7 @@ pub struct Evidence {
     pub after: Vec<f32>,
 }
 
-/// What came of what was said to the robot.
+/// The effect of words to the robot.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Heard {
     /// Whether a session has begun.
@@ -191,7 +191,7 @@ pub struct NextLesson {
 /// What an answer said about each task.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Told {
-    /// What came of it: `used`, or `impossible` under every task.
+    /// Its effect: `used`, or `impossible` under every task.
     pub outcome: &'static str,
     /// The tasks' probabilities before.
     pub before: Vec<f32>,

@@ -73,7 +73,7 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
 /// Trains a model on lessons, from uniform parameters.
 ///
 /// # Errors
-/// An [`AgentError`] where the memory was made for fewer lessons, or a setting is none to train with.
+/// An [`AgentError`] where the memory was made for fewer lessons, or a setting is out of range.
 pub fn train<'m, 'l>(
     memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,

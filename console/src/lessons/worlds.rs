@@ -43,8 +43,8 @@ struct Worlds<'b> {
 }
 
 /// Reads a log of worlds, and hands over each lesson, or what is wrong with it: `None` for a command whose meaning is none of the tasks.
-/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted. So many
-/// commands and sessions are read as are `left`.
+/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted. At most
+/// `left` commands and sessions are read.
 ///
 /// # Errors
 /// What `take` says.
@@ -81,7 +81,7 @@ pub fn read<E>(
     Ok(())
 }
 
-/// A command that is asked in a world: a lesson of which nobody told what was meant.
+/// A command that is asked in a world: a lesson without its meaning.
 ///
 /// # Errors
 /// What is wrong with the world, or with the command.

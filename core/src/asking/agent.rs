@@ -152,7 +152,7 @@ impl<M: AgentMemory> Agent<M> {
         Considered::Ask(looking.question)
     }
 
-    /// The question that was proposed last is not asked after all: it waits for no answer. It is not proposed again in this session.
+    /// Withdraws the question that was proposed last: it waits for no answer, and is not proposed again in this session.
     pub const fn withdraw_question(&mut self) {
         self.asked.open = None;
     }

@@ -187,7 +187,7 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// Lets the kind of task speak, for the role model: see [`roles::kind`]. `weights` are pi_t Pr(e|t) of each task, `form` gives the token of
+    /// Weighs the kinds of task, for the role model: see [`roles::kind`]. `weights` are pi_t Pr(e|t) of each task, `form` gives the token of
     /// its lifted task and `prior` its pi_t. Model 2 leaves the weights as they are.
     pub fn weigh_kinds(
         self,
@@ -205,7 +205,7 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// Lets the [layer](super::layer) speak, after [`weigh_kinds`](Self::weigh_kinds): makes of the role model's weights of tasks its own.
+    /// Replaces the role model's weights of tasks by those of the [layer](super::layer), after [`weigh_kinds`](Self::weigh_kinds).
     /// `same` gives the first task of the same description, and `description` that one's.
     #[cfg(feature = "layer")]
     pub fn weigh_parts<'d>(
@@ -400,7 +400,7 @@ impl<'t> LanguageMut<'t> {
             added = added.and_then(|()| known.add_pair(&mut layer.possible, description, weight));
         }
         match added {
-            // A task that was not meant may speak of what no pair does.
+            // A task that was not meant may have tokens that no pair has.
             Ok(()) => *self.learned_tokens = self.tokens.len(),
             Err(_) => layer.possible.rewind(extent),
         }
@@ -457,7 +457,7 @@ impl<'t> LanguageMut<'t> {
         &mut self.bitext
     }
 
-    /// Takes note that the training data are others now: all their words and tokens are learned ones, and there is a table for each of
+    /// Adapts to new training data: all their words and tokens are learned ones, and there is a table for each of
     /// their pairs of lengths. A training must follow.
     ///
     /// # Errors

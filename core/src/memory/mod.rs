@@ -22,7 +22,7 @@ pub use arrays::{AgentArrays, Arrays, HomeArrays};
 #[cfg(feature = "alloc")]
 pub use heap::{AgentHeap, HeapMemory, HomeHeap};
 
-/// Makes the structs of slices, each to be written and to be read, and the trait of what lends them.
+/// Makes the structs of slices, mutable and read-only, and the trait of memory that lends them.
 macro_rules! tables {
     ($(#[$memory_meta:meta])* $Memory:ident $whole:ident $Whole:ident $WholeRef:ident; $(
         $(#[$meta:meta])* $group:ident: $Tables:ident $TablesRef:ident

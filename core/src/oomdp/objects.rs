@@ -249,15 +249,14 @@ impl<'t> Objects<'t> {
     }
 }
 
-/// Goes through objects. On a page it is one function for all who look for objects: adapters would be one each. Elsewhere the compiler joins it with its
-/// users, which takes less flash.
+/// Iterates over objects. On a page it is one function for all callers; elsewhere the compiler inlines it, which takes less flash.
 #[derive(Clone)]
 struct EachObject<'t> {
     objects: &'t [Object],
     next: usize,
 }
 
-/// Goes through the objects of a class, in one function too.
+/// Iterates over the objects of a class, in one function too.
 #[derive(Clone)]
 struct OfClass<'t> {
     objects: EachObject<'t>,

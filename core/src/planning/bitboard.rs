@@ -192,7 +192,7 @@ impl Bits {
 /// A way that the robot's cell decides.
 #[derive(Clone, Copy, Debug)]
 struct WayPlanes {
-    /// The plane of the cells that need not be avoided. Behind it come those where each clause `through` is met, and where each earlier goal
+    /// The plane of the cells that need not be avoided. After it come those where each clause `through` is met, and where each earlier goal
     /// holds.
     first: usize,
     clauses: u8,

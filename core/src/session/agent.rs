@@ -526,7 +526,7 @@ impl<M: AgentMemory> Agent<M> {
         right.over(right.plus(weight(Judgement::Incorrect)))
     }
 
-    /// Takes note that `action` was done in `state`, which must have been planned for. Returns the state that it leads to. The trainer's
+    /// Records that `action` was done in `state`, which must have been planned for. Returns the state that it leads to. The trainer's
     /// word about it is taken in by [`feedback`](Self::feedback), at any time until the next action is done.
     ///
     /// # Errors
@@ -695,7 +695,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Takes note of how full the tables are.
+    /// Records how full the tables are.
     pub(super) fn take_usage(&mut self) {
         self.most = self.most_used();
     }

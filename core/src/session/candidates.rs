@@ -105,7 +105,7 @@ impl<'t> Candidates<'t> {
         self.memory.candidate_tokens.get_mut(..self.count.used).unwrap_or(&mut [])
     }
 
-    /// Takes note that the tokens were renamed.
+    /// Updates the digests after the tokens were renamed.
     pub(super) fn renamed(&mut self) {
         for position in 0..self.count.len {
             let Some(entry) = self.read().entries().get(position) else { continue };

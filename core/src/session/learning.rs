@@ -84,7 +84,7 @@ fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[
     candidates.entries().iter().filter_map(move |entry| share(entry.weight).map(|share| (candidates.tokens(entry), share / kept)))
 }
 
-/// What came of the end of a session.
+/// The result of ending a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use = "other sessions may have given way"]

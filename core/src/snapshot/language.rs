@@ -130,7 +130,7 @@ impl LanguageMut<'_> {
         self.begin_training();
     }
 
-    /// Takes note that all training data are there, and begins training.
+    /// Marks all training data as there, and begins training.
     pub(super) fn complete(&mut self, checking: &Checking<'_>) -> Result<(), RestoreError> {
         #[cfg(feature = "layer")]
         self.take_over_possible(&checking.contents()?);

@@ -23,7 +23,7 @@ pub struct Restoring<'a> {
     pairs: &'a [u8],
     of_session: u32,
     unlearned: Unlearned,
-    /// Says how far this model has come back, to whoever restores another at the same time.
+    /// The state of this restoring, to tell it from another at the same time.
     pub(super) mark: u32,
 }
 

@@ -24,7 +24,7 @@ use heapless::Vec;
 /// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
 const WRONG: f32 = 1e-4;
 
-/// So much of the belief in the next task is left to the one that a correction turns the robot from.
+/// The share of the belief in the next task that is left to the task that is corrected.
 const LEFT: f32 = 0.05;
 
 /// What a correction was taken for, so that it can be recorded.

@@ -25,13 +25,13 @@ const CHANGE: f32 = 0.65;
 const UNNAMED: f32 = 54.598_15;
 /// The same for a plural, and how much sooner its word is one than a slip of the pen.
 const PLURAL: f32 = 1_000.0;
-/// So many clauses may be one command at most: "the bag and the chair".
+/// The most clauses of one command: "the bag and the chair".
 const CLAUSES_PER_COMMAND: usize = 2;
 /// How probable it is that two commands share the place that the second names: "the bag and the chair to the red room".
 const SHARED: f32 = 0.3;
 /// The words of that place are said once, but each command is explained with them: so probable is one of them in a command that has the place.
 const SAID_ONCE: f32 = 0.2;
-/// So many words behind "all" may name what is meant.
+/// The words after "all" that may name what is meant.
 const NAME_OF_ALL: usize = 2;
 
 /// Some words without those that say how to read them.

@@ -4,7 +4,7 @@ use super::classes::{Class, Classes};
 use super::explained::{begins_with_way, names_thing_and_way};
 use super::heard::{Heard, Words};
 
-/// So many words stand before "it" in "and bring it to", at most.
+/// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
 
 /// What such words say is of the command, however polite they are.

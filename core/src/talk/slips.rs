@@ -15,10 +15,10 @@ const ANOTHER_SLIP: f32 = 0.15;
 /// How probable each letter of a word is that was never heard, and the word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
-/// So many other last letters a word may have, and so many letters it then has before.
+/// The number of other endings that a word may have, and the least letters before them.
 const OTHER_ENDINGS: f32 = 25.0;
 const LEAST_BEFORE_ENDING: usize = 3;
-/// So many letters a plural has more.
+/// The most letters that a plural has more.
 const LONGEST_ENDING: usize = 2;
 
 /// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
@@ -32,7 +32,7 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
         if length < 2 || !(is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
-        // So many slips of a word there are: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
+        // The number of slips of a word: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
         let slips = if has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {

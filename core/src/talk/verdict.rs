@@ -15,7 +15,7 @@ use crate::task::TaskSet;
 
 /// Not sure if a done task of the same kind explains the words a fifth as well.
 const RIVAL: f32 = 5.0;
-/// So many words from "if" on name a case.
+/// The number of words, from "if" on, that name a case.
 const NAMES_A_CASE: usize = 3;
 
 /// Fewer new words before the verb are an exclamation.

@@ -431,7 +431,7 @@ fn pieces(text: &str, separator: u8) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Goes through the parts of a lifted task. It is one function for all who look at them: adapters would be one each.
+/// Iterates over the parts of a lifted task. One function for all callers: each would compile adapters of its own.
 #[derive(Clone)]
 struct EachPart<'l> {
     lifted: &'l LiftedTask,

@@ -7,7 +7,7 @@ use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_course::exercise::HomeName;
 use goodbot_course::{Homes, generator};
 
-/// What came of one lesson.
+/// The result of one lesson.
 #[derive(Debug, Default)]
 struct Lesson {
     words: usize,

@@ -63,7 +63,7 @@ impl fmt::Display for Atom {
 /// What an action costs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Cost {
-    /// So much; 1 where nothing is said.
+    /// A number; 1 by default.
     Of(u64),
     /// What the problem says of these objects.
     Told(Atom),

@@ -112,7 +112,7 @@ const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
-    /// A session of this kind, of which nothing else is told.
+    /// A session of this kind, without other fields.
     pub const fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
         Self {
             id: None,
@@ -153,7 +153,7 @@ impl SessionHeader {
         Self::read_in(EnvironmentFile::read(fields.required("environment")?)?, fields)
     }
 
-    /// Reads what is told of a session besides where it takes place.
+    /// Reads all fields of a session but its place.
     pub(crate) fn read_in(environment: EnvironmentFile, fields: &Object<'_>) -> Result<Self, FormatError> {
         let header = SessionHeader {
             id: fields.optional("id").map(|id| id.text()).transpose()?,
@@ -218,7 +218,7 @@ impl SessionHeader {
         Some(GroundTaskText::with_way(self.intended.clone()?, way))
     }
 
-    /// Takes note of what was meant, with its way.
+    /// Sets what was meant, with its way.
     pub fn set_meant(&mut self, task: Option<&GroundTaskText>) {
         fn filled<T>(list: &[T]) -> Option<Vec<T>>
         where

@@ -17,7 +17,7 @@ pub struct Followed {
     pub words: String,
     /// How probable they are all together.
     pub probability: f32,
-    /// What comes of the whole utterance.
+    /// The result of the whole utterance.
     pub verdict: Verdict,
     /// The actions of all, if they are known.
     pub plan: Option<Plan>,

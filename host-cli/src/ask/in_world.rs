@@ -19,7 +19,7 @@ use goodbot_lesson::world::robot;
 use serde_json::json;
 use std::io::{BufRead, BufWriter, Write};
 
-/// So many meanings are told.
+/// The most meanings that are printed.
 const TOLD: usize = 10;
 
 /// The commands, and the world where it is one with actions.

@@ -371,7 +371,7 @@ fn answer(
     Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan, steps, end, unread })
 }
 
-/// Whether a task is none of those that one command means: something shall not be, or comes after something else.
+/// Whether a task is a prohibition, or one of several in a row.
 fn is_of_parts(task: &GroundTaskText) -> bool {
     !task.way().before.is_empty() || task.atoms().iter().any(GroundAtomText::is_negated)
 }

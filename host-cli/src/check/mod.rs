@@ -149,7 +149,7 @@ fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     writeln!(std::io::stdout(), "{}: {}, no fault{warnings}", printable(file), found.what)
 }
 
-/// What is mended at once: a line, its field and what is said of it; of what an option mends, any line.
+/// Faults that are mended together: of one line, field and message; of those that an option mends, on any line.
 type Mended = (Option<usize>, Option<String>, String);
 
 fn mended(fault: &Fault) -> Mended {
@@ -304,7 +304,7 @@ const fn as_far(left: usize) -> &'static str {
     if left == 0 { ", as far as --limit" } else { "" }
 }
 
-/// So many states of a robot are looked at.
+/// The most states of a robot that are visited.
 const MOST_STATES: usize = 1_000_000;
 
 /// The robot of a world: what it can come to.

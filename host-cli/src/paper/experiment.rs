@@ -12,7 +12,7 @@ use goodbot_course::{CourseError, Homes, Observer, Results, generator, run_cours
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
-/// What came of one seed.
+/// The result of one seed.
 #[derive(Debug)]
 pub struct Run {
     /// The seed.

@@ -21,7 +21,7 @@ const NOTE: &str = "               ";
 /// Cells of a belief's bar.
 const BAR: usize = 18;
 
-/// Runs one seed and tells it as it happens. A reader who leaves does not end the run: what came of it comes first, then whether it could
+/// Runs one seed and tells it as it happens. A reader who leaves does not end the run: its result comes first, then whether it could
 /// be told.
 ///
 /// # Errors

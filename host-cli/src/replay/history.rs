@@ -1,4 +1,4 @@
-//! The agent that goes through recorded sessions, one after the other.
+//! The agent that replays recorded sessions, one after the other.
 
 use goodbot::feedback::Feedback;
 use goodbot::language::Synonyms;
@@ -203,7 +203,7 @@ impl History {
         self.go_through(file, recorded, &mut session, "the demonstration walks into a wall or a held block, and nothing moves")
     }
 
-    /// Goes through a session. `bump` says of a demonstration's step that it changes nothing.
+    /// Replays a session. `bump` says of a demonstration's step that it changes nothing.
     fn go_through<D: Domain>(
         &mut self,
         file: &str,

@@ -1,7 +1,7 @@
 //! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
 //!
-//! - [`history`]: the agent that goes through them, one after the other;
-//! - [`report`]: what is told of each, for people.
+//! - [`history`]: the agent that replays them, one after the other;
+//! - [`report`]: the report of each, for people.
 
 mod history;
 mod report;

@@ -1,4 +1,4 @@
-//! What is told of a replay, for people.
+//! The report of a replay, for people.
 
 use super::history::Outcome;
 use goodbot_console::messages::counted;

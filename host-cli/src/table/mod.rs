@@ -19,7 +19,7 @@ use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use source::Source;
 use std::io::Write;
 
-/// So many states are tried: with more, no plan on a controller is exact.
+/// The most states that are tried: with more, no plan on a controller is exact.
 const MOST_STATES: usize = 1_000_000;
 
 /// Print the robot of a world as source for a controller

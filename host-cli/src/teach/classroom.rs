@@ -25,7 +25,7 @@ pub struct Classroom {
     /// What was said last, as a command.
     last: Option<String>,
     kept: Option<Kept>,
-    /// What the robot knew before each session of a visit of which nothing is kept.
+    /// What the robot knew before each session of a visit, if nothing is kept.
     before: Vec<Vec<u8>>,
     learning: Option<(Recorded, Vec<u8>)>,
     /// The names of the sessions that were learned from in this visit.
@@ -118,7 +118,7 @@ impl Classroom {
         Ok(meant)
     }
 
-    /// Hears what is still to come of what was said, once a part is over and learned from; `None` where nothing is.
+    /// Hears the rest of the utterance, once a part is over and learned from; `None` if there is no rest.
     pub fn hear_rest(&mut self) -> Result<Option<Heard>, Refusal> {
         self.trainer.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }

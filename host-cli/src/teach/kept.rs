@@ -34,7 +34,7 @@ impl Places {
     /// In the platform's folder for a program's data, by the robot's name.
     ///
     /// # Errors
-    /// A [`Failure`] where the platform has no such folder, or the name is none for a file.
+    /// A [`Failure`] where the platform has no such folder, or the name cannot be a file's.
     pub fn of_robot(name: &str) -> Result<Self, Failure> {
         let plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_');
         if name.is_empty() || name.len() > 64 || !name.chars().all(plain) {

@@ -75,7 +75,7 @@ pub enum Intent {
     Scroll(i16),
 }
 
-/// A change of what is written.
+/// A change of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edit {
     /// Erase the letter before.

@@ -33,12 +33,12 @@ impl Proposal {
     }
 }
 
-/// What came of looking for a lesson.
+/// The result of looking for a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
     /// This one.
     Lesson(Proposal),
-    /// Every word of what is wanted was heard often.
+    /// Every wanted word was heard often.
     LittleLeft,
     /// Nothing is wanted yet.
     NothingWanted,

@@ -23,7 +23,7 @@ pub struct Spot {
     pub at: (i32, i32),
     /// What it is called, without its coordinates.
     pub looks: String,
-    /// The names of what is there: of all of which a proposition holds whose last object is this place.
+    /// The names of the things there: a proposition about each holds, with this place as its last object.
     pub here: Vec<String>,
 }
 
@@ -58,7 +58,7 @@ pub struct Table {
     pub facts: Vec<GroundAtomText>,
     /// Its places, where objects have coordinates: each with the values of its attributes `x` and `y`.
     pub places: Vec<Spot>,
-    /// Its objects, those first of which something holds that can change.
+    /// Its objects, those with facts that can change first.
     pub rows: Vec<Row>,
 }
 

@@ -1,4 +1,4 @@
-//! `goodbot evaluate`: what it is trained on, what it is asked, and what is told of that.
+//! `goodbot evaluate`: what it is trained on, what it is asked, and its report.
 
 use crate::program;
 

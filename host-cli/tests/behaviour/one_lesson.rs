@@ -17,7 +17,7 @@ fn the_command_line_believes_what_was_recorded() {
     assert_eq!((run.code, run.output.as_str()), (0, BELIEFS), "{}", run.messages);
 }
 
-/// Tells the page's module of a session, goes through it, and gives each belief: on hearing the command, and after each step.
+/// Tells the page's module of a session, replays it, and gives each belief: on hearing the command, and after each step.
 fn replayed(world: &mut World, session: &RecordedSession) -> Vec<Vec<f32>> {
     let believed = |world: &World| {
         let agent = world.agent();

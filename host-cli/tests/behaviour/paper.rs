@@ -244,7 +244,7 @@ fn other_bad_use_exits_with_2() {
         goodbot(arguments).assert().code(2);
     }
     let missing = folder("bad-plot").join("missing").join("a.svg");
-    // So many runs would take an hour: what cannot be written is said before the work.
+    // These runs would take an hour: a file that cannot be written is refused before the work.
     goodbot(&["--runs", "100000", "--plot", missing.to_str().unwrap()]).assert().code(2);
 }
 

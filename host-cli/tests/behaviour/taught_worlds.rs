@@ -1,4 +1,4 @@
-//! Robots in worlds from files, taught line by line; and what came of it.
+//! Robots in worlds from files, taught line by line.
 
 use crate::program::goodbot;
 use crate::robot::{Robot, is_right};

@@ -295,7 +295,7 @@ impl Sessions {
         self.asked().iter().all(|lesson| lesson.acts)
     }
 
-    /// What can be said of what was read.
+    /// Remarks on the sessions that were read.
     ///
     /// # Errors
     /// [`Failure::Input`] where no session that is asked says what was meant.

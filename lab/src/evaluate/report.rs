@@ -1,4 +1,4 @@
-//! What is told of an evaluation.
+//! The report of an evaluation.
 
 use super::curve::Point;
 use super::folds::Answer;

@@ -18,7 +18,7 @@ const ROUNDS: usize = 30;
 const HOLDS: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
 /// The prior of trainers, as a number of words.
 const BEFORE: (Manner, [f64; LAGS], f64) = (Manner { silence: [0.85, 0.85], mistake: 0.2 }, [0.7, 0.2, 0.1], 3.0);
-/// Who mistakes more than this means the opposite of what is said.
+/// A trainer who mistakes more than this means the opposite.
 const MOST_MISTAKEN: f64 = 0.45;
 
 /// How a trainer speaks of moves, or of rests.

@@ -47,7 +47,7 @@ impl Walk {
     }
 }
 
-/// Who trained in a session: its id up to the first dot, as in `w03.1-2`; whoever the file is of where there is none.
+/// The trainer of a session: its id up to the first dot, as in `w03.1-2`; without a dot, the file's name.
 pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
     id.and_then(|id| id.split_once('.')).map_or(file, |(trainer, _)| trainer)
 }

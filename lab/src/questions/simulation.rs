@@ -64,7 +64,7 @@ pub struct Setting {
     pub telling: bool,
 }
 
-/// What came of a session.
+/// The result of a session.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spent {
     /// Steps until the robot had understood, [`MOST_STEPS`] where it never did.

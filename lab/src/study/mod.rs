@@ -205,7 +205,7 @@ impl StudyOptions {
     }
 }
 
-/// Runs the study, joins its parts, or fits trainers, and shows what came of it.
+/// Runs the study, joins its parts, or fits trainers, and shows the results.
 ///
 /// # Errors
 /// [`Failure`].

@@ -29,7 +29,7 @@ pub fn check<'w>(
     }
 }
 
-/// As [`check`], for a session that is gone through: one that was labelled has no steps.
+/// As [`check`], for a session that is replayed: one that was labelled has no steps.
 ///
 /// # Errors
 /// All that is wrong with it.

@@ -10,7 +10,7 @@ use crate::probability::{Scaled, exp, total};
 use crate::symbols::Symbol;
 use alloc::vec::Vec;
 
-/// So much probability, in equal parts, is as good as any that the role model gives.
+/// The probability, in equal parts, that is mixed into the role model's.
 const FLOOR: f32 = 0.03;
 
 /// A task as the layer weighs it.

@@ -20,9 +20,9 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 const PASSES: u8 = 30;
-/// What of a task's prior the acts of a session cannot refute.
+/// The share of a task's prior that the acts of a session cannot refute.
 const UNREFUTED: f32 = 0.1;
-/// What no belief falls below, so that none is lost for good.
+/// The least belief, so that none is lost for good.
 const LEAST: f32 = 1e-9;
 
 /// Where the training of the layer stands.

@@ -98,7 +98,7 @@ impl Kinds {
     }
 }
 
-/// With weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, makes of them
+/// With weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, turns them into
 ///
 /// ```text
 /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,

@@ -30,7 +30,7 @@ pub const MOST_ROLES: usize = 16;
 pub const KINDS: usize = 2 + RoleKind::COUNT;
 /// What a cue tells apart: the kinds of roles.
 pub const CUES: usize = 2 * RoleKind::COUNT;
-/// How much of what has a role can be named: nothing, a part, all.
+/// The coverages of a role: none of it named, a part, all.
 pub(super) const SHARES_NAMED: usize = 3;
 const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 /// The number of sessions at which terms that grow with them reach half their size.

@@ -46,7 +46,7 @@ const OF_COMMON: f32 = 1.0;
 const OF_COMMON_WITH_NAMES: f32 = 0.1;
 /// The pairs of a value and a word that count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
 const OFTEN_NAMED: f32 = 100.0;
-/// The same for pairs of a lifted task and a word, of which there are more: a lifted task is spoken of by most words.
+/// The same for pairs of a lifted task and a word, which are more: most words occur with a lifted task.
 const OFTEN_SPOKEN: f32 = 1000.0;
 const OF_LAMBDA: f32 = 1.0;
 const OF_POOL: f32 = 4.0;
@@ -644,7 +644,7 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
     Some(())
 }
 
-/// Goes back by one word, and tells what is known of it: from a memory on, through at most `most` probable memories, and at last
+/// Goes back by one word, and tells the expected counts of it: from a memory on, through at most `most` probable memories, and at last
 /// from all together. Returns how many they were, and the next memory; the word is done where there is no such.
 ///
 /// The forward values of the word and of the one after it are not needed again. So the word's row is reused for the probability of the

@@ -153,7 +153,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Lets the kind of task speak.
+    /// Weighs the kinds of task.
     #[inline(never)]
     pub(super) fn weigh_kinds_of_descriptions<D: Domain + ?Sized>(&mut self, domain: &D) {
         let AgentTables { language, session, workspace } = self.memory.lend();
@@ -190,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
         Some(described)
     }
 
-    /// Lets the layer speak.
+    /// Replaces the tasks' weights by the layer's.
     #[cfg(feature = "layer")]
     #[inline(never)]
     pub(in crate::session) fn weigh_parts<D: Domain + ?Sized>(&mut self, domain: &D) {
@@ -284,7 +284,7 @@ impl<M: AgentMemory> Agent<M> {
         })
     }
 
-    /// The most symbols that a task's description can have, whatever holds at the start. Takes note of what descriptions speak of.
+    /// The most symbols that a task's description can have, whatever holds at the start. Adds to `layout` what descriptions speak of.
     fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);

@@ -106,7 +106,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Lets the kind of task speak, when the likelihood of each task is known.
+    /// Weighs the kinds of task, when the likelihood of each task is known.
     pub(super) fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
         match self.model() {
             Model::Model2 => {}

@@ -21,7 +21,7 @@ impl<R: BufRead> Lines<R> {
         Self { input, endless: false }
     }
 
-    /// The next line, or why it is none.
+    /// The next line, or why it cannot be read.
     pub fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
         let (mut bytes, mut length, mut any) = (Vec::new(), 0, false);
         while !self.endless {

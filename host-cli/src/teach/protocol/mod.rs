@@ -19,7 +19,7 @@ use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
 
-/// The version of what is written here.
+/// The version of the protocol.
 const PROTOCOL: u32 = 2;
 
 /// How it ended.
@@ -212,7 +212,7 @@ impl Speaker<'_> {
         Ok(answers)
     }
 
-    /// What came of a command.
+    /// The result of a command.
     fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
         let trainer = &self.classroom.trainer;
         let (certainty, meant) = (trainer.certainty(), trainer.taken_for().to_string());

@@ -22,7 +22,7 @@ const INDENT: &str = "  ";
 const PLACE: usize = 12;
 /// The rows that a place takes: what it is called, and what is there.
 const PLACE_ROWS: usize = 2;
-/// A plan that is larger than this is none to look at.
+/// A larger plan is not drawn.
 const MOST_PLACES: i32 = 16;
 
 /// The places, row by row, the northernmost first; nothing where they have no coordinates, or are too far apart.
@@ -53,7 +53,7 @@ pub fn wanted(table: &Table) -> (u16, u16) {
     (columns.max(LEAST_COLUMNS), rows)
 }
 
-/// Draws the plan and the table. Objects of which nothing holds that can change come last, and are left out first.
+/// Draws the plan and the table. Objects without facts that can change come last, and are left out first.
 pub fn draw(frame: &mut Frame<'_>, area: Rect, table: &Table, palette: Palette) {
     let lines = |row: &Row| {
         let style = if row.holds.is_empty() { palette.quiet() } else { palette.strong() };

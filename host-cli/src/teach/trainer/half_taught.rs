@@ -31,7 +31,7 @@ impl HalfTaught {
         !self.starter.lessons().is_empty()
     }
 
-    /// Room for so much, and for the sentences.
+    /// Room for these capacities and the sentences together.
     pub fn room(&self, own: Capacities) -> Capacities {
         self.starter.room(own)
     }

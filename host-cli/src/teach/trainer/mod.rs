@@ -69,7 +69,7 @@ fn no_session() -> Refusal {
     Refusal("no session is under way; give a command first".to_owned())
 }
 
-/// What came of words to the robot.
+/// The effect of words to the robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Heard {
     /// A session has begun.
@@ -158,7 +158,7 @@ impl Trainer {
         said_in_known_words(self.synonyms, self.lesson.agent.language(), words).map_err(refused)
     }
 
-    /// A mind that has learned nothing yet, with so much room and room for a starter.
+    /// A mind that has learned nothing yet, with these capacities and room for a starter.
     fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Refusal> {
         let (capacities, tasks) = (self.half_taught.room(*capacities), tasks + self.half_taught.tasks());
         new_mind(&capacities, tasks, self.lesson.agent.lifted(), self.believes.as_ref())
@@ -299,7 +299,7 @@ impl Trainer {
         Ok(self.listened.map_or(Heard::Command, |listened| self.heard(&listened)))
     }
 
-    /// Hears what is still to come of what was said, where the robot is now; `None` where nothing is.
+    /// Hears the rest of the utterance, where the robot is now; `None` if there is no rest.
     pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Refusal> {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
@@ -308,7 +308,7 @@ impl Trainer {
         Ok(listened.map(|listened| self.heard(&listened)))
     }
 
-    /// What came of words that the robot has listened to.
+    /// The effect of words that the robot has listened to.
     fn heard(&self, listened: &Listened) -> Heard {
         if self.lesson.is_under_way() {
             return Heard::Command;

@@ -10,7 +10,7 @@ use goodbot::talk::Hypothesis;
 /// From here on a step is right for all guesses, and a guess the only one.
 const ALL: f32 = 0.995;
 
-/// What came of words for which there is nothing to do.
+/// The effect of words for which there is nothing to do.
 pub fn declined(heard: &Heard) -> String {
     match heard {
         Heard::Command => String::new(),

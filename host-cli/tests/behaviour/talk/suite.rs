@@ -15,9 +15,9 @@ const CHINESE: &str = include_str!("zh.txt");
 const BY_A_STRANGER: [(&str, &str, &str); 2] =
     [("en", ENGLISH, include_str!("stranger.en.tsv")), ("de", GERMAN, include_str!("stranger.de.tsv"))];
 
-/// So many homes has each half.
+/// The homes of each half.
 const HOMES: u64 = 6;
-/// So many of them every run of the tests asks in.
+/// The number of them in which every run of the tests asks.
 const FEW_HOMES: u64 = 1;
 
 /// Which half of the suite.
@@ -283,7 +283,7 @@ fn is_right(answer: &str, kind: &str, meant: &[String]) -> bool {
     parts == meant
 }
 
-/// Asks half the suite of a robot with some lessons, and prints what came of it.
+/// Asks half the suite of a robot with some lessons, and prints the result.
 fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: Table, homes: u64) -> Tally {
     let wording = Wording::of(text);
     let folder = tempfile::tempdir().expect("a folder");

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 /// The most states, and the most actions with their objects, that are visited.
 const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
-/// So many choices of an object are tried for all actions together.
+/// The most choices of an object that are tried, for all actions together.
 const MOST_TRIES: usize = 100_000;
 
 /// A proposition of objects, all by their positions.
@@ -173,7 +173,7 @@ fn twice<T>(named: &Named<'_>, schema: usize, a: usize, b: usize) -> Result<T, F
     flaw("actions", message)
 }
 
-/// Takes note of what is so in a state.
+/// Records the facts of a state.
 fn look(state: &[usize], facts: &Facts, swept: &mut Swept, is_first: bool) {
     let mut counts: HashMap<(usize, usize, Vec<usize>), usize> = HashMap::new();
     let mut all = vec![0; swept.always.len()];

@@ -178,7 +178,7 @@ fn signs(outlook: &Outlook, action: Action) -> Vec<f32> {
     (0..outlook.optimal.len()).map(sign).collect()
 }
 
-/// A word as a number; silence is none.
+/// A word as a number; none for silence.
 const fn label(word: Feedback) -> Option<f32> {
     match word {
         Feedback::Reward => Some(1.0),
