@@ -3,8 +3,8 @@
 use super::contents::{Contents, Place, Section, options, symbols, take};
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord, SessionRecord,
-    Sizes, StrategyRecord, TrainerRecord,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord,
+    SessionRecord, Sizes, StrategyRecord, TrainerRecord,
 };
 use crate::capacity::NAME_BYTES;
 use crate::checksum::Running;
