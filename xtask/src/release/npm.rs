@@ -34,15 +34,21 @@ pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<PathBuf> {
     Ok(to.join(name.lines().last().context("npm names no file")?))
 }
 
-/// Installs the package into an empty folder, and uses it there.
-pub fn try_out(run: &mut Run) -> Result<()> {
-    let (sh, node, npm) = (shell()?, NODE.path()?, NPM.path()?);
+/// Makes the package, and tries it.
+pub fn make_and_try(run: &mut Run) -> Result<()> {
+    let sh = shell()?;
     let above = sh.create_temp_dir()?;
     let package = make(&sh, &Texts::new(&sh)?, above.path())?;
-    let folder = sh.create_dir(above.path().join("user"))?;
+    try_out(&sh, &package, run)
+}
+
+/// Installs a package into an empty folder, and uses it there.
+pub fn try_out(sh: &Shell, package: &Path, run: &mut Run) -> Result<()> {
+    let (node, npm, above) = (NODE.path()?, NPM.path()?, sh.create_temp_dir()?);
+    let folder = above.path();
     sh.write_file(folder.join("package.json"), "{}\n")?;
     cmd!(sh, "{npm} install --silent --offline --no-audit --no-fund --prefix {folder} {package}").run()?;
-    sh.set_var("GOODBOT_INSTALLED", &folder);
+    sh.set_var("GOODBOT_INSTALLED", folder);
     // The types, by the compiler that the page has.
     sh.write_file(
         folder.join("typed.mts"),
