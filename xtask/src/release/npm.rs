@@ -20,18 +20,23 @@ const TESTS: &str = "wasm/npm-tests";
 pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<PathBuf> {
     let (above, npm) = (sh.create_temp_dir()?, NPM.path()?);
     let folder = above.path().join("goodbot");
-    texts.copy_all(sh, Path::new(SOURCES), &folder)?;
+    describe(sh, texts, &folder)?;
+    let name = cmd!(sh, "{npm} pack {folder} --pack-destination {to} --silent").read()?;
+    Ok(to.join(name.lines().last().context("npm names no file")?))
+}
+
+/// Writes the module and the page into a folder.
+pub fn describe(sh: &Shell, texts: &Texts, folder: &Path) -> Result<()> {
+    texts.copy_all(sh, Path::new(SOURCES), folder)?;
     // As the page's builder has generated them.
     let generated = artifacts(WASM, "page").join("goodbot_wasm.page");
     for file in ["goodbot_wasm.js", "goodbot_wasm.d.ts"] {
-        sh.copy_file(generated.join(file), &folder)?;
+        sh.copy_file(generated.join(file), folder)?;
     }
     let module = STANDARD.encode(sh.read_binary_file(generated.join("goodbot_wasm_bg.wasm"))?);
     sh.write_file(folder.join("module.js"), format!("export default '{module}';\n"))?;
-    sh.copy_file("dist/goodbot.html", &folder)?;
-    super::licences(sh, &folder)?;
-    let name = cmd!(sh, "{npm} pack {folder} --pack-destination {to} --silent").read()?;
-    Ok(to.join(name.lines().last().context("npm names no file")?))
+    sh.copy_file("dist/goodbot.html", folder)?;
+    super::licences(sh, folder)
 }
 
 /// Makes the package, and tries it.

@@ -10,7 +10,7 @@ use zip::ZipArchive;
 use super::archive::files;
 use super::{FOLDER, Package, npm};
 use crate::process::{root, target_dir};
-use crate::programs::{npm_packages, on_path, python3};
+use crate::programs::{CHROMIUM, NODE, npm_packages, on_path, python3};
 use crate::test::Run;
 
 /// Tries the chosen kinds of package that have a tool to install them.
@@ -103,7 +103,7 @@ fn wheel(sh: &Shell, package: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Each page that the contents name is there, and so is each file of the guide that a page shows or leads to.
+/// Each page that the contents name is there, and so is each file of the guide that a page shows or leads to; the belief moves in a browser.
 fn guide(sh: &Shell, package: &Path) -> Result<()> {
     unpack(package, &sh.current_dir())?;
     let all = files(sh, &sh.current_dir())?;
@@ -123,7 +123,9 @@ fn guide(sh: &Shell, package: &Path) -> Result<()> {
         dead.extend(of_guide.filter(|target| !path(target).exists()).map(|target| format!("{} in {}", target, page.display())));
     }
     ensure!(dead.is_empty(), "the guide lacks: {}", dead.join(", "));
-    Ok(())
+    let (node, chromium, tests) = (NODE.path()?, CHROMIUM.path()?, root().join("wasm/npm-tests/guide.test.mjs"));
+    npm_packages()?;
+    Ok(cmd!(sh, "{node} --test --test-reporter=spec {tests}").env("GOODBOT_GUIDE", folder).env("GOODBOT_CHROMIUM", chromium).run()?)
 }
 
 fn unpack(archive: &Path, to: &Path) -> Result<()> {
