@@ -26,36 +26,25 @@ use goodbot_lab::ways::WaysOptions;
 const EXAMPLES: &str = "\
 Examples:
   goodbot                              one agent learns and is tested, told as a story
-  goodbot --seed 7 --layouts random    another agent, in other homes
   goodbot --trainer punish-only        a trainer who only ever says \"bad bot\"
-  goodbot --runs 200                   how often each command is understood
-  goodbot --runs 200 --json | tail -1  the same, for programs
+  goodbot --runs 200 --json | tail -1  how often each command is understood, for programs
+  goodbot teach --tour                 the same lessons, key by key: you are the trainer
   goodbot check home.json log.jsonl    the faults of your own files
-  goodbot learn log.jsonl --out words.goodbot
-                                       a model from recorded sessions
-  goodbot ask --with words.goodbot --environment home.json go to the red room
-                                       what a command means to that model
-  goodbot example home                 a home to begin with
-
-What you see: the robot hears a command in words that it may not know. For every task that is \
-possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
-trainer says \"good bot\", \"bad bot\" or nothing. After each lesson it learns what the words mean. \
-The five tests are in a new home, without feedback: three repeat a lesson's command word for word, \
-two are new. A test is right if the most likely task is the intended one.
+  goodbot help ask                     the options and examples of a command
 
 Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input.";
 
 /// A robot that learns what your words mean from reward and punishment.
 ///
-/// Without a command, this runs the paper's experiment: `goodbot` is `goodbot paper`.
+/// Without a command, this runs the paper's experiment, with the options of `goodbot paper`.
 #[derive(Debug, Parser)]
 #[command(name = "goodbot", version, after_help = EXAMPLES, args_conflicts_with_subcommands = true, max_term_width = 110)]
 pub struct Cli {
     /// Print only errors on standard error: no progress, no remarks
     #[arg(long, short = 'q', global = true)]
     pub quiet: bool,
-    /// When to use colours
-    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true)]
+    /// When to use colours: auto (on a terminal, unless NO_COLOR is set), always or never
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true, hide_possible_values = true)]
     pub color: Color,
     /// What to do
     #[command(subcommand)]

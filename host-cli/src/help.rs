@@ -34,7 +34,9 @@ pub fn arguments() -> Command {
         itself.ansi(),
         heading("Options"),
     );
-    take_negative_numbers(cli.help_template(template))
+    // The options of `goodbot paper` work here too, and its own help tells them.
+    let of_all_commands = cli.mut_args(|arg| if arg.is_global_set() { arg } else { arg.hide(true) });
+    take_negative_numbers(of_all_commands.help_template(template))
 }
 
 /// Lets every option take a number below 0: what is wrong with it is told by who reads it, and not as an option that there is not.

@@ -13,3 +13,8 @@ pub mod school;
 pub mod sweep;
 pub mod turning_robot;
 pub mod without_grid;
+
+/// The recipes for Rust.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/cookbook.md")]
+pub struct Cookbook;

@@ -14,7 +14,7 @@ const LIST: &str = "core/public-api.txt";
 pub struct Options {
     /// Compares with the list that is checked in and writes nothing
     #[arg(long)]
-    check: bool,
+    pub check: bool,
 }
 
 /// Lists the items with all features, by cargo-public-api.

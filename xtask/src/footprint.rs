@@ -14,7 +14,6 @@ use crate::toolchain::compiler;
 /// Where the numbers are kept, for the check and for people.
 const NUMBERS: &str = "docs/footprint.json";
 const PAGE: &str = "docs/footprint.md";
-const README: &str = "README.md";
 
 /// Per cent by which a number may rise before the tables have to be renewed: toolchains differ in the sizes that they come to.
 const INSTRUCTIONS_MAY_RISE: u64 = 5;
@@ -25,13 +24,6 @@ const FOR_ANOTHER_COMPILER: u64 = 12;
 /// Numbers and their titles; of several names with a `+` between them, the sum.
 type Columns = [(&'static str, &'static str)];
 
-/// The README's table: the first compiler's.
-const BRIEF: [(&str, &str); 4] = [
-    ("flash", "flash"),
-    ("statics+stack", "RAM in all"),
-    ("hear", "hearing a command"),
-    ("hear-plan-act", "from a command to the first action"),
-];
 /// The page's tables, for each compiler.
 const BYTES: [(&str, &str); 4] =
     [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack"), ("statics+stack", "RAM in all")];
@@ -102,19 +94,16 @@ pub fn run(options: &Options) -> Result<()> {
         renew(&mut kept, &compiler()?, measure(trials()?, false)?);
     }
     sh.write_file(NUMBERS, serde_json::to_string_pretty(&json!({ "version": 2, "compilers": kept }))? + "\n")?;
-    for (file, _, written) in files(&kept)? {
-        sh.write_file(file, written)?;
-    }
-    eprintln!("written: {NUMBERS}, and the tables in {PAGE} and {README}");
+    sh.write_file(PAGE, renewed(&sh.read_file(PAGE)?, &kept)?)?;
+    eprintln!("written: {NUMBERS}, and the tables in {PAGE}");
     Ok(())
 }
 
 /// Compares with the numbers that are checked in.
 pub fn check() -> Result<()> {
     let kept = kept()?;
-    for (file, is, should_be) in files(&kept)? {
-        ensure!(is == should_be, "{file} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
-    }
+    let page = shell()?.read_file(PAGE)?;
+    ensure!(page == renewed(&page, &kept)?, "{PAGE} does not say what {NUMBERS} says: write both again with `cargo xtask footprint`");
     let complaints = against(&kept, &compiler()?, &measure(trials()?, true)?);
     ensure!(complaints.is_empty(), "{}\n{} numbers are higher than {PAGE} says", complaints.join("\n"), complaints.len());
     println!("every row is within what {PAGE} says");
@@ -214,9 +203,8 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
     complaints
 }
 
-/// The files with tables: each as it is, and as it should be.
-fn files(kept: &Kept) -> Result<[(&'static str, String, String); 2]> {
-    let (readme, page) = (shell()?.read_file(README)?, shell()?.read_file(PAGE)?);
+/// The page, with its tables as they should be.
+fn renewed(page: &str, kept: &Kept) -> Result<String> {
     let tables: [(&str, &str, &str, &Columns); 6] = [
         ("bytes", "rows", "board, preset", &BYTES),
         ("programs", "programs", "program", &PROGRAMS),
@@ -226,13 +214,10 @@ fn files(kept: &Kept) -> Result<[(&'static str, String, String); 2]> {
         ("plans", "rows", "board, preset", &PLANS),
     ];
     let rows = |footprint: &Footprint, kind| footprint.get(kind).cloned().unwrap_or_default();
-    let renewed = tables.into_iter().try_fold(page.clone(), |page, (mark, kind, head, columns)| {
+    tables.into_iter().try_fold(page.to_owned(), |page, (mark, kind, head, columns)| {
         let each = kept.iter().map(|(compiler, footprint)| format!("{compiler}:\n\n{}", table(head, &rows(footprint, kind), columns)));
         with_table(&page, mark, &each.collect::<Vec<_>>().join("\n"))
-    })?;
-    let brief = kept.values().next().map(|footprint| table("board, preset", &rows(footprint, "rows"), &BRIEF)).unwrap_or_default();
-    let brief = with_table(&readme, "footprint", &brief)?;
-    Ok([(README, readme, brief), (PAGE, page, renewed)])
+    })
 }
 
 /// A text with this table between its marks.

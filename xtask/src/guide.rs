@@ -1,4 +1,4 @@
-//! `docs/robot.md`, done as it says: its programs are built in an empty folder and run.
+//! `docs/robot.md`, done as it says: its programs are built in an empty folder and run. So is the recipe for C of `docs/cookbook.md`.
 
 use std::path::{Path, PathBuf};
 
@@ -11,6 +11,7 @@ use crate::programs::{ARM_GCC, GCC, QEMU};
 use crate::toolchain::CORTEX_M4F;
 
 const PAGE: &str = "docs/robot.md";
+const COOKBOOK: &str = "docs/cookbook.md";
 
 /// A part of the page, done in a folder.
 struct Part<'p> {
@@ -69,7 +70,7 @@ impl<'p> Part<'p> {
 
 /// Does what the page says.
 pub fn follow() -> Result<()> {
-    let (sh, page, _) = (shell()?, shell()?.read_file(PAGE)?, GCC.path()?);
+    let (sh, page, gcc) = (shell()?, shell()?.read_file(PAGE)?, GCC.path()?);
     let folder = sh.create_temp_dir()?;
     let folder = folder.path();
 
@@ -78,6 +79,14 @@ pub fn follow() -> Result<()> {
     sh.copy_file("capi/include/goodbot.h", folder)?;
     in_c.write(&sh, "c", "robot.c")?;
     in_c.try_out(&sh, "gcc")?;
+
+    let recipe = Part { text: &sh.read_file(COOKBOOK)?, folder: folder.to_owned() };
+    recipe.write(&sh, "c", "recipe.c")?;
+    sh.copy_file("capi/tests/cookbook.c", folder)?;
+    let built = folder.join("cookbook");
+    cmd!(sh, "{gcc} -std=c11 -Wall -Wextra -Werror -I {folder} {folder}/cookbook.c {folder}/libgoodbot.a -o {built}").run()?;
+    let said = cmd!(sh, "{built}").read()?;
+    ensure!(said == "1 session came back", "{COOKBOOK} keeps no session in flash: {said}");
 
     // On this machine, and on the emulated board.
     let own_robot = Part::of(&page, "\n### A robot of your own\n", "\n## In Rust\n", folder)?;
@@ -88,8 +97,8 @@ pub fn follow() -> Result<()> {
     for file in ["capi/include/goodbot.h", "capi/examples/board/start.c", "capi/examples/board/link.ld"] {
         sh.copy_file(file, &board)?;
     }
-    let (gcc, qemu, path) = (ARM_GCC.path()?, QEMU.path()?, std::env::var_os("PATH").unwrap_or_default());
-    let found = [&gcc, &qemu].into_iter().filter_map(|program| program.parent()).map(Path::to_owned);
+    let (arm_gcc, qemu, path) = (ARM_GCC.path()?, QEMU.path()?, std::env::var_os("PATH").unwrap_or_default());
+    let found = [&arm_gcc, &qemu].into_iter().filter_map(|program| program.parent()).map(Path::to_owned);
     sh.set_var("PATH", std::env::join_paths(found.chain(std::env::split_paths(&path)))?);
     own_robot.try_out(&sh, "arm-none-eabi-gcc")?;
 

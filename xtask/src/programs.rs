@@ -99,10 +99,9 @@ impl Program {
         Ok(found.or_insert_with(|| find().map_err(|error| missing(self.name, self.why, error))).clone()?)
     }
 
-    /// Where its packages are unpacked. The folder can be moved.
+    /// Where its packages are unpacked.
     pub fn tree(&self) -> PathBuf {
-        let folder = folder_named_by("GOODBOT_PROGRAMS").unwrap_or_else(|| target_dir().join("programs"));
-        folder.join(self.packages.first().unwrap_or(&self.name))
+        programs().join(self.packages.first().unwrap_or(&self.name))
     }
 
     /// Whether its packages have been fetched.
@@ -128,6 +127,16 @@ impl Program {
         version(&launcher).with_context(|| format!("what was fetched into {} does not run here", tree.display()))?;
         Ok(launcher)
     }
+}
+
+/// The folder of all programs that were fetched or built. It can be moved.
+pub fn programs() -> PathBuf {
+    folder_named_by("GOODBOT_PROGRAMS").unwrap_or_else(|| target_dir().join("programs"))
+}
+
+/// A program that cargo installs, on the `PATH` or among those that were fetched, if it is there.
+pub fn built_by_cargo(program: &str) -> Option<PathBuf> {
+    on_path(program).or_else(|| Some(programs().join(program).join("bin").join(program)).filter(|path| path.is_file()))
 }
 
 /// Where on the `PATH` a program is, if it is there.
@@ -163,13 +172,19 @@ pub fn npm_packages() -> Result<()> {
     Ok(())
 }
 
-/// The programs of a virtual environment of Python's, below the build folder, that has these packages.
-pub fn python_with(packages: &str, name: &str) -> Result<PathBuf> {
-    let (sh, python, folder) = (shell()?, PYTHON.path()?, target_dir().join(name));
-    let programs = folder.join("bin");
+/// Python, with what makes an environment.
+pub fn python3() -> Result<PathBuf> {
+    let (sh, python) = (shell()?, PYTHON.path()?);
     cmd!(sh, "{python} -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))'").quiet().run().map_err(|error| {
         missing(PYTHON.name, "in version 3.10 or newer, with the modules venv and ensurepip (Debian's python3-venv)", error)
     })?;
+    Ok(python)
+}
+
+/// The programs of a virtual environment of Python's, below the build folder, that has these packages.
+pub fn python_with(packages: &str, name: &str) -> Result<PathBuf> {
+    let (sh, python, folder) = (shell()?, python3()?, target_dir().join(name));
+    let programs = folder.join("bin");
     if !programs.join("pip").is_file() {
         cmd!(sh, "{python} -m venv {folder}").run()?;
     }

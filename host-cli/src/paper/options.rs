@@ -26,6 +26,12 @@ With --json there is one line for each run, and a last line for all together:
   paper           what the paper reports of its one agent
 With --csv there is a line for each setting; --sweep makes many.
 
+What you see: the robot hears a command in words that it may not know. For every task that is \
+possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
+trainer says \"good bot\", \"bad bot\" or nothing. After each lesson it learns what the words mean. \
+The five tests are in a new home, without feedback: three repeat a lesson's command word for word, \
+two are new. A test is right if the most likely task is the intended one.
+
 Examples:
   goodbot paper --seed 3 --layouts random
   goodbot paper --runs 200 --seed 1 --layouts fixed --plot shares.svg

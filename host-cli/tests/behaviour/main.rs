@@ -7,6 +7,8 @@ mod window;
 mod ask;
 mod check;
 mod conversation;
+#[cfg(unix)]
+mod cookbook;
 mod evaluate;
 mod examples;
 mod first_hour;

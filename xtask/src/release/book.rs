@@ -6,11 +6,14 @@ use anyhow::Result;
 use xshell::{Shell, cmd};
 
 use super::archive::{files, pack};
-use super::installed_by_cargo;
 use super::texts::Texts;
+use super::{installed_by_cargo, npm};
 use crate::process::root;
+use crate::programs::{Missing, npm_packages};
 
 const DOCS: &str = "docs";
+/// The belief that a reader moves, in the page about how it works.
+const PICTURE: &str = "belief.js";
 
 /// Renders a copy of the documents, with README.md as the first page.
 pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
@@ -27,10 +30,25 @@ pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
         }
     }
     sh.write_file(copy.join("README.md"), within(&sh.read_file("README.md")?.replace("](docs/", "](")))?;
+    if let Err(error) = picture(sh, texts, &above.path().join("npm"), &copy.join(PICTURE)) {
+        let missing = error.downcast::<Missing>()?;
+        eprintln!("remark: the belief in the guide does not move, for lack of {missing}");
+        sh.write_file(copy.join(PICTURE), "// Built without the robot: a still picture takes its place.\n")?;
+    }
     let name = format!("goodbot-guide-{}", texts.text("@VERSION@"));
     let folder = above.path().join(&name);
     cmd!(sh, "{mdbook} build {copy} --dest-dir {folder}").run()?;
     pack(sh, &folder, &to.join(format!("{name}.zip")))
+}
+
+/// The robot of the npm package and the picture as one script, which also runs in a page from a file.
+fn picture(sh: &Shell, texts: &Texts, folder: &Path, to: &Path) -> Result<()> {
+    crate::page::build()?;
+    npm_packages()?;
+    npm::describe(sh, texts, folder)?;
+    let esbuild = root().join("page/node_modules/.bin/esbuild");
+    let options = ["--bundle", "--minify", "--format=iife", "--loader:.jsonl=text", "--log-level=warning"];
+    Ok(cmd!(sh, "{esbuild} wasm/guide/belief.mjs {options...} --alias:goodbot={folder}/index.js --outfile={to}").run()?)
 }
 
 /// A document whose links lead to pages of the book alone: of another link the text stays.

@@ -7,22 +7,24 @@ mod check;
 mod debian;
 mod npm;
 mod texts;
+mod try_out;
+mod twice;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
 use xshell::{Shell, TempDir, cmd};
 
 use crate::capi::{ALL_FEATURES, FEATURES, HEADERS, library};
 use crate::process::{folder_named_by, root, shell, target_dir};
-use crate::programs::{on_path, python_with};
+use crate::programs::{built_by_cargo, on_path, programs, python_with};
 use crate::toolchain::{TARGETS, WASM};
 use archive::{files, pack};
 use texts::Texts;
 
 pub use check::check;
-pub use npm::try_out;
+pub use npm::make_and_try;
 
 /// Where the packages go.
 const FOLDER: &str = "dist/release";
@@ -49,7 +51,7 @@ enum Package {
     Microbit,
     /// the documents as web pages
     Guide,
-    /// the list of all that the command line is made of, in CycloneDX's form
+    /// what the command line, the wheel, the C library and the module for JavaScript are made of, in CycloneDX's form
     Materials,
 }
 
@@ -62,11 +64,30 @@ pub struct Options {
     /// Builds the command line for this target, such as x86_64-unknown-linux-musl, after `rustup target add`
     #[arg(long)]
     target: Option<String>,
+    /// Makes the packages once more, of a copy in another folder, and compares their bytes
+    #[arg(long, conflicts_with = "try_out")]
+    twice: bool,
+    /// Makes nothing: installs what is in dist/release by its own tools, each in an empty folder, and uses it
+    #[arg(long)]
+    try_out: bool,
+}
+
+impl Options {
+    /// The chosen packages: all, where none was named.
+    fn packages(&self) -> impl Iterator<Item = Package> {
+        Package::value_variants().iter().copied().filter(|package| self.only.is_empty() || self.only.contains(package))
+    }
 }
 
 /// Makes the packages, and the list of their checksums.
 pub fn run(options: &Options) -> Result<()> {
     let (sh, to) = (shell()?, root().join(FOLDER));
+    if options.try_out {
+        return try_out::run(&sh, &to, options.packages());
+    }
+    if options.twice {
+        twice::is_possible(&sh)?;
+    }
     sh.create_dir(&to)?;
     let texts = Texts::new(&sh)?;
     if texts.text("@REPOSITORY@").is_empty() {
@@ -74,18 +95,23 @@ pub fn run(options: &Options) -> Result<()> {
     }
     // The day of what was released, not of the build.
     sh.set_var("SOURCE_DATE_EPOCH", cmd!(sh, "git log -1 --format=%ct").quiet().read()?);
-    for &package in Package::value_variants() {
-        if options.only.is_empty() || options.only.contains(&package) {
-            let value = package.to_possible_value();
-            let about = value.as_ref().and_then(|value| Some(format!("{}: {}", value.get_name(), value.get_help()?)));
-            println!("\n== {}", about.unwrap_or_default());
-            package.make(&sh, &texts, &to, options.target.as_deref())?;
-        }
+    for package in options.packages() {
+        let (name, about) = package.described();
+        println!("\n== {name}: {about}");
+        package.make(&sh, &texts, &to, options.target.as_deref())?;
     }
-    checksums(&sh, &to)
+    checksums(&sh, &to)?;
+    if options.twice { twice::compare(&sh, options, &to) } else { Ok(()) }
 }
 
 impl Package {
+    /// What it is called, and what it is.
+    fn described(self) -> (String, String) {
+        let value = self.to_possible_value();
+        let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
+        (name.unwrap_or_default(), about.flatten().unwrap_or_default())
+    }
+
     fn make(self, sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result<()> {
         match self {
             Self::Crates => crates(sh, texts, to),
@@ -182,34 +208,50 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>) -> Result<(TempDir
     Ok((above, folder))
 }
 
+/// The oldest Linux that the wheel runs on, by its C library: that of 2014. Zig links with it.
+const MANYLINUX: &str = "manylinux_2_17";
+
 fn python(sh: &Shell, to: &Path) -> Result<()> {
     let programs = python_with("--requirement=python/release.txt", "python-release")?;
     let built = target_dir().join("python-release/built");
     sh.remove_path(&built)?;
+    let is_linux = cfg!(target_os = "linux");
     {
         let _folder = sh.push_dir("python");
         let target = target_dir();
         // Apart: the sources have fewer crates than the lock file names.
         cmd!(sh, "{programs}/maturin sdist --out {built}").run()?;
         let build = cmd!(sh, "{programs}/maturin build --quiet --release --locked --out {built} --interpreter {programs}/python");
-        build.env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", without_places()?).run()?;
+        let build = build.args(["--zig", "--compatibility", MANYLINUX].iter().filter(|_| is_linux));
+        // Maturin looks for zig where Python's programs are.
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        let places = std::iter::once(programs.clone()).chain(std::env::split_paths(&path));
+        build.env("PATH", std::env::join_paths(places)?).env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", without_places()?).run()?;
     }
     let packages = sh.read_dir(&built)?;
     cmd!(sh, "{programs}/twine check --strict").args(&packages).run()?;
+    for wheel in packages.iter().filter(|package| is_linux && package.extension().is_some_and(|end| end == "whl")) {
+        // Whether it asks for no library, and no version of one, that such a Linux may lack.
+        let found = cmd!(sh, "{programs}/auditwheel show {wheel}").read()?;
+        let found = found.split_whitespace().collect::<Vec<_>>().join(" ");
+        ensure!(found.contains(&format!("platform tag: \"{MANYLINUX}")), "{} is not for {MANYLINUX}: {found}", wheel.display());
+    }
     packages.iter().try_for_each(|package| Ok(sh.copy_file(package, to)?))
 }
 
-/// A program that cargo installs, on the `PATH` or below the build folder.
+/// A program that cargo installs, on the `PATH` or among those that were fetched.
 pub fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
-    let place = target_dir().join("programs").join(program);
-    let path = on_path(program).unwrap_or_else(|| place.join("bin").join(program));
-    if !path.is_file() {
+    let place = programs().join(program);
+    if built_by_cargo(program).is_none() {
         cmd!(sh, "cargo install --quiet --locked --root {place} {program}").run()?;
     }
-    Ok(path)
+    built_by_cargo(program).with_context(|| format!("cargo installed no {program}"))
 }
 
-/// In a copy, because the list is written beside the manifests.
+/// What is shipped, and the crate that it is built of.
+const SHIPPED: [(&str, &str); 4] = [("goodbot", "host-cli"), ("goodbot-python", "python"), ("goodbot-c", "capi"), ("goodbot-npm", "wasm")];
+
+/// In a copy, because the lists are written beside the manifests.
 fn materials(sh: &Shell, to: &Path) -> Result<()> {
     let path = installed_by_cargo(sh, "cargo-cyclonedx")?;
     let copy = sh.create_temp_dir()?;
@@ -217,9 +259,12 @@ fn materials(sh: &Shell, to: &Path) -> Result<()> {
     cmd!(sh, "git archive --output {sources} HEAD").run()?;
     let _folder = sh.push_dir(copy.path());
     cmd!(sh, "tar --extract --file goodbot.tar").run()?;
-    let list = cmd!(sh, "{path} cyclonedx --quiet --format json --override-filename goodbot.cdx --manifest-path host-cli/Cargo.toml");
-    list.env("CARGO_TARGET_DIR", target_dir()).run()?;
-    Ok(sh.copy_file("host-cli/goodbot.cdx.json", to)?)
+    for (name, folder) in SHIPPED {
+        let list = cmd!(sh, "{path} cyclonedx --quiet --format json --override-filename {name}.cdx --manifest-path {folder}/Cargo.toml");
+        list.env("CARGO_TARGET_DIR", target_dir()).run()?;
+        sh.copy_file(format!("{folder}/{name}.cdx.json"), to)?;
+    }
+    Ok(())
 }
 
 /// Lists every package's SHA-256, as `sha256sum --check` reads it.

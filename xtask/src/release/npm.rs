@@ -20,29 +20,40 @@ const TESTS: &str = "wasm/npm-tests";
 pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<PathBuf> {
     let (above, npm) = (sh.create_temp_dir()?, NPM.path()?);
     let folder = above.path().join("goodbot");
-    texts.copy_all(sh, Path::new(SOURCES), &folder)?;
-    // As the page's builder has generated them.
-    let generated = artifacts(WASM, "page").join("goodbot_wasm.page");
-    for file in ["goodbot_wasm.js", "goodbot_wasm.d.ts"] {
-        sh.copy_file(generated.join(file), &folder)?;
-    }
-    let module = STANDARD.encode(sh.read_binary_file(generated.join("goodbot_wasm_bg.wasm"))?);
-    sh.write_file(folder.join("module.js"), format!("export default '{module}';\n"))?;
-    sh.copy_file("dist/goodbot.html", &folder)?;
-    super::licences(sh, &folder)?;
+    describe(sh, texts, &folder)?;
     let name = cmd!(sh, "{npm} pack {folder} --pack-destination {to} --silent").read()?;
     Ok(to.join(name.lines().last().context("npm names no file")?))
 }
 
-/// Installs the package into an empty folder, and uses it there.
-pub fn try_out(run: &mut Run) -> Result<()> {
-    let (sh, node, npm) = (shell()?, NODE.path()?, NPM.path()?);
+/// Writes the module and the page into a folder.
+pub fn describe(sh: &Shell, texts: &Texts, folder: &Path) -> Result<()> {
+    texts.copy_all(sh, Path::new(SOURCES), folder)?;
+    // As the page's builder has generated them.
+    let generated = artifacts(WASM, "page").join("goodbot_wasm.page");
+    for file in ["goodbot_wasm.js", "goodbot_wasm.d.ts"] {
+        sh.copy_file(generated.join(file), folder)?;
+    }
+    let module = STANDARD.encode(sh.read_binary_file(generated.join("goodbot_wasm_bg.wasm"))?);
+    sh.write_file(folder.join("module.js"), format!("export default '{module}';\n"))?;
+    sh.copy_file("dist/goodbot.html", folder)?;
+    super::licences(sh, folder)
+}
+
+/// Makes the package, and tries it.
+pub fn make_and_try(run: &mut Run) -> Result<()> {
+    let sh = shell()?;
     let above = sh.create_temp_dir()?;
     let package = make(&sh, &Texts::new(&sh)?, above.path())?;
-    let folder = sh.create_dir(above.path().join("user"))?;
+    try_out(&sh, &package, run)
+}
+
+/// Installs a package into an empty folder, and uses it there.
+pub fn try_out(sh: &Shell, package: &Path, run: &mut Run) -> Result<()> {
+    let (node, npm, above) = (NODE.path()?, NPM.path()?, sh.create_temp_dir()?);
+    let folder = above.path();
     sh.write_file(folder.join("package.json"), "{}\n")?;
     cmd!(sh, "{npm} install --silent --offline --no-audit --no-fund --prefix {folder} {package}").run()?;
-    sh.set_var("GOODBOT_INSTALLED", &folder);
+    sh.set_var("GOODBOT_INSTALLED", folder);
     // The types, by the compiler that the page has.
     sh.write_file(
         folder.join("typed.mts"),
