@@ -15,7 +15,7 @@ pub extern "C" fn prepare(position: u32) {
     RUN.set(work.map(|work| (work.prepare)()));
 }
 
-/// Does it so many times.
+/// Does it this many times.
 #[unsafe(no_mangle)]
 pub extern "C" fn run(times: u32) {
     RUN.with_borrow_mut(|run| {

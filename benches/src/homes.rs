@@ -14,12 +14,12 @@ use rand_pcg::Pcg32;
 /// Room for four million states looked at one by one.
 pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, ..Capacities::STANDARD };
 
-/// A home of so many rooms and blocks, in words.
+/// A home of this many rooms and blocks, in words.
 pub fn named(rooms: i32, blocks: i32) -> String {
     format!("{rooms} rooms, {blocks} block{}", if blocks == 1 { "" } else { "s" })
 }
 
-/// A home of so many rooms, three cells to a side, and so many blocks.
+/// A home of this many rooms, three cells to a side, and blocks.
 pub const fn size(rooms: i32, blocks: i32) -> Size {
     let columns = if rooms > 3 { rooms / 2 } else { rooms };
     Size { columns, rows: rooms / columns, side: 3, blocks }
@@ -45,7 +45,7 @@ pub struct Scene {
 pub enum Tasks {
     /// The paper's two kinds, all of them.
     Paper,
-    /// So many, evenly taken from the first 64, or as many as are asked for, of the paper's and those of agent and block together.
+    /// This many, evenly taken from the first 64, or as many as are asked for, of the paper's and those of agent and block together.
     Count(usize),
 }
 

@@ -4,10 +4,10 @@ use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentMemory;
 use goodbot::planning::Progress;
 
-/// One sentence pair: machine tokens and English words, in which no word stands twice.
+/// One sentence pair: machine tokens and English words, in which no word occurs twice.
 pub type Pair = (Vec<String>, Vec<String>);
 
-/// So many sessions of commands to go to rooms and to take things there, each with several machine commands of decreasing weight.
+/// This many sessions of commands to go to rooms and to take things there, each with several machine commands of decreasing weight.
 pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
     const COLOURS: [&str; 6] = ["red", "green", "blue", "yellow", "purple", "orange"];
     const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];

@@ -13,7 +13,7 @@ use serde_json::json;
 /// The commands in a world.
 const COMMANDS: usize = 20;
 
-/// Lessons in a world with so many tasks: lamps to be switched on and off, each in one of up to 125 rooms, on a shelf.
+/// Lessons in a world with this many tasks: lamps to be switched on and off, each in one of up to 125 rooms, on a shelf.
 fn lessons(tasks: usize) -> Vec<Lesson> {
     const COLORS: [&str; 8] = ["red", "green", "blue", "yellow", "white", "black", "orange", "brown"];
     let (color, room) = (|lamp: usize| COLORS[lamp % 8], |lamp: usize| format!("room{}", lamp / 8 % 125));

@@ -49,7 +49,7 @@ const BLOCKS: [(&str, &str, &str); 5] = [
 const VERBS: [&str; 8] = ["go", "drive", "bring", "take", "carry", "move", "push", "roll"];
 const THINGS: [&str; 8] = ["bag", "chair", "basket", "yourself", "it", "thing", "seat", "sack"];
 
-/// Plans are measured in so many calls: the first takes hundreds of millions of instructions.
+/// The calls in which plans are measured: the first plan takes hundreds of millions of instructions.
 const PLAN_CALLS: u32 = 20_000;
 
 /// The most instructions of one call of a kind.

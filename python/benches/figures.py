@@ -59,7 +59,7 @@ def courses(count: int = 200) -> None:
 
 
 def steps_a_second(step: Callable[[int], object], count: int) -> float:
-    """Steps a second of a function that does so many steps."""
+    """Steps a second of a function that takes a number of them."""
     return count / seconds(lambda: step(count))
 
 

@@ -3,7 +3,7 @@
     python dask_study.py --out study.jsonl --shards 64 -- --runs 1000 --trainers balanced,punish-only
     python dask_study.py --out study.jsonl --shards 64 --scheduler tcp://host:8786 -- --runs 1000
 
-What stands behind `--` goes to `goodbot study`. Without `--scheduler`, a cluster of this machine's cores is made; Dask says where its
+The arguments after `--` go to `goodbot study`. Without `--scheduler`, a cluster of this machine's cores is made; Dask says where its
 dashboard is. A part is done again elsewhere where its worker is lost. Parts are deterministic: what is merged is, byte for byte, what one
 machine alone would have written.
 """

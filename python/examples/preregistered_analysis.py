@@ -114,7 +114,7 @@ def simulate(count: int, data: Path, seed: int = 1) -> None:
 
 
 def power(count: int, studies: int) -> float:
-    """The share of simulated studies of so many people in which p is below alpha."""
+    """The share of simulated studies of this many people in which p is below alpha."""
     found = 0
     for study in range(studies):
         with tempfile.TemporaryDirectory() as folder:

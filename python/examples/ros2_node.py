@@ -7,7 +7,7 @@
 | `command` | topic, in | `std_msgs/String` | what to do, in a person's words; a command that is under way is dropped |
 | `feedback` | topic, in | `std_msgs/Int8` | of the last action: 1 good, -1 bad, 0 nothing |
 | `done` | topic, in | `std_msgs/Empty` | the command is carried out: learn from it |
-| `pose` | topic, in | `geometry_msgs/Point` | the cell that the robot stands in, where it senses that |
+| `pose` | topic, in | `geometry_msgs/Point` | the robot's cell, where it senses that |
 | `action` | topic, out | `std_msgs/String` | what the robot does next: north, south, east, west or noop |
 | `believed` | service | `std_srvs/Trigger` | what the command is believed to mean, as JSON |
 | `save` | service | `std_srvs/Trigger` | writes what was learned to the file of the parameter `model` |

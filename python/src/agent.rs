@@ -372,7 +372,7 @@ impl Agent {
     }
 
     /// Remembers a task of the session, by its name or its position among `tasks`, as followed from where the session began: `listen` then knows
-    /// what "it", "there", "back", "the other one" and "again" stand for. Call it before the session is finished or forgotten.
+    /// what "it", "there", "back", "the other one" and "again" refer to. Call it before the session is finished or forgotten.
     ///
     /// Raises ValueError where there is no such task, and SessionError where no session is under way.
     fn remember(&self, domain: &Bound<'_, PyAny>, task: &Bound<'_, PyAny>) -> PyResult<()> {
@@ -786,7 +786,7 @@ impl Agent {
         self.with(|mind| as_dict(py, &mind.core.most_used()))
     }
 
-    /// Plans, decides, acts and takes feedback so many times in one state, all in Rust: what the same calls cost from Python is measured
+    /// Plans, decides, acts and takes feedback this many times in one state, all in Rust: what the same calls cost from Python is measured
     /// against it, by `benches/figures.py`.
     fn _rounds(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, count: u32) -> PyResult<()> {
         self.with(|mind| {

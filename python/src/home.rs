@@ -1,4 +1,4 @@
-//! Homes and where things stand in them.
+//! Homes and their states.
 
 use crate::error::{format, full, misformed, value};
 use crate::options::{as_dict, capacities_of};
@@ -209,7 +209,7 @@ impl Home {
         Self::of_layout(&layout)
     }
 
-    /// Where things stand at the beginning.
+    /// The state at the beginning.
     #[getter(start)]
     fn get_start(&self) -> State {
         self.state(self.start)
@@ -328,9 +328,9 @@ impl Home {
         Ok(cells)
     }
 
-    /// The state in which the things named stand on these cells, all at once; the others stay. For a robot that senses where things are.
+    /// The state in which the named things are on these cells, all at once; the others stay. For a robot that senses where things are.
     ///
-    /// Raises `ValueError` where a cell is wall, or two things would stand on one.
+    /// Raises `ValueError` where a cell is wall, or two things would be on one.
     fn placed(&self, state: &Bound<'_, PyAny>, cells: &Bound<'_, PyDict>) -> PyResult<State> {
         let at = self.check(state)?;
         let mut things = Vec::new();
@@ -340,7 +340,7 @@ impl Home {
         }
         let placed = self.rooms.placed(&at, &things);
         placed.map(|at| self.state(at)).ok_or_else(|| {
-            value("this cannot be: a cell is wall, two things would stand on one cell, or an object is neither the agent nor a block")
+            value("this cannot be: a cell is wall, two things would be on one cell, or an object is neither the agent nor a block")
         })
     }
 

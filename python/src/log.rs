@@ -118,9 +118,9 @@ impl Session {
     }
 }
 
-/// What came of a session that was gone through.
+/// The result of a replayed session.
 struct Replayed {
-    /// For each step what came of it.
+    /// The effect of each step.
     evidence: Vec<&'static str>,
     /// How probable each task was: before the first step, and after each.
     beliefs: Vec<Vec<f32>>,
@@ -234,7 +234,7 @@ impl Session {
         self.0.to_lines().map_err(|error| format(py, &error))
     }
 
-    /// Goes through the session with an agent: it hears, plans, and takes in each step. Returns for each step what came of it, as
+    /// Replays the session with an agent: it hears, plans, and takes in each step. Returns the effect of each step, as
     /// `Agent.feedback` does. `learn` replaces the session's own word on whether to learn from it.
     #[pyo3(signature = (agent, *, learn=None))]
     fn teach(&self, py: Python<'_>, agent: &Bound<'_, Agent>, learn: Option<bool>) -> PyResult<Vec<&'static str>> {

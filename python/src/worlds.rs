@@ -1,6 +1,6 @@
 //! Many homes at once, for reinforcement learning: one call steps them all, without the interpreter.
 //!
-//! A world is a home with a command in it. It ends where what the command means holds, or after so many steps; the next step then begins
+//! A world is a home with a command in it. It ends where what the command means holds, or after a number of steps; the next step then begins
 //! another, at random among those that were given.
 
 use crate::error::value;
@@ -14,7 +14,7 @@ use pyo3::types::PyBytes;
 use rand_pcg::Pcg32;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Numbers of one cell: what it is, its colour, what stands there, and the colour of that.
+/// Numbers of one cell: what it is, its colour, the thing there, and that thing's colour.
 const CHANNELS: usize = 4;
 const COLORS: [&str; 10] = ["red", "green", "blue", "yellow", "purple", "orange", "tan", "teal", "magenta", "star"];
 const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
@@ -39,7 +39,7 @@ struct Site {
     /// The image without agent and blocks.
     bare: Vec<u8>,
     bounds: Area,
-    /// What stands for each block in an image.
+    /// The number of each block in an image.
     blocks: Vec<[u8; 2]>,
 }
 
@@ -65,7 +65,7 @@ struct Inner {
 /// Many worlds that are stepped together. `places` are homes, each with its commands and the names of the tasks that they mean.
 ///
 /// Images have a row for each row of cells, north first, and for each cell what it is (0 outside, 1 wall, 2 floor, 3 door), its colour,
-/// what stands there (0 nothing, 1 the agent, from 2 on blocks by their shape), and the colour of that; uint8, shape (size, size, 4).
+/// the thing there (0 nothing, 1 the agent, from 2 on blocks by their shape), and the colour of that; uint8, shape (size, size, 4).
 ///
 /// >>> home = goodbot.Home.from_map("#####\n#r@r#\n##+##\n#ggg#\n#####")
 /// >>> worlds = goodbot.Worlds(2, [(home, [("go to the green room", "agentInRoom(agent0,room0)")])])

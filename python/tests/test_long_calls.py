@@ -73,7 +73,7 @@ def test_another_thread_runs_while_a_robot_plans(hall: goodbot.Home) -> None:
 
 
 def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
-    """Plans, is interrupted after so many seconds, and says whether the plan was still to be done then."""
+    """Plans, is interrupted after this many seconds, and says whether the plan was still to be done then."""
     timer = threading.Timer(after, _thread.interrupt_main)
     timer.start()
     with pytest.raises(KeyboardInterrupt):

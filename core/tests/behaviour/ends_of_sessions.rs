@@ -1,9 +1,9 @@
 //! How a session ends, and that an ended one stays ended until it is taken up again.
 
-use crate::rooms::robot;
+use crate::rooms::{Memory, robot};
 use goodbot::feedback::{Feedback, Strategy};
 use goodbot::language::Settings;
-use goodbot::memory::{AgentHeap, AgentMemory};
+use goodbot::memory::{AgentArrays, AgentMemory};
 use goodbot::oomdp::Action;
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
@@ -11,7 +11,7 @@ use goodbot::{Agent, AgentError, Capacities, Options};
 
 #[test]
 fn a_session_is_learned_from_once() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -27,10 +27,10 @@ fn a_session_is_learned_from_once() {
 
 #[test]
 fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.plan_fully(&home, &start).unwrap();
-    let plans = |agent: &Agent<AgentHeap>| [0, 1].map(|task| agent.planned().optimal(task));
+    let plans = |agent: &Agent<AgentArrays<Memory>>| [0, 1].map(|task| agent.planned().optimal(task));
     let before = plans(&agent);
     let _ = agent.finish(&home).unwrap();
     // Planning and training have one memory in turn.
@@ -43,7 +43,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
 
 #[test]
 fn a_forgotten_session_is_not_learned_from() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     agent.hear(&home, &start, "go to the red room").unwrap();
     agent.forget();
     assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Ended)));
@@ -53,7 +53,7 @@ fn a_forgotten_session_is_not_learned_from() {
 
 #[test]
 fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     for prior in [f32::NAN, -1.0, f32::INFINITY, 0.0] {
         let error = agent.hear_with_prior(&home, &start, "go", |_, _| prior).unwrap_err();
         assert!(
@@ -67,7 +67,7 @@ fn after_a_prior_that_is_no_probability_no_session_is_under_way() {
 #[test]
 fn a_command_of_a_length_never_heard_is_learned_from_too() {
     let options = Options { language: Settings { length: true, ..Settings::PAPER }, ..Options::PAPER };
-    let (home, start, mut agent) = robot(None, options, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, options);
     agent.hear(&home, &start, "go to the red room").unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -85,7 +85,7 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
 }
 
 /// Every word's probability for every machine token.
-fn learned(agent: &Agent<AgentHeap>) -> Vec<(String, String, u32)> {
+fn learned(agent: &Agent<AgentArrays<Memory>>) -> Vec<(String, String, u32)> {
     let (language, mut all) = (agent.language(), vec![]);
     for (token, of) in language.tokens().iter().take(language.tables().tokens()) {
         for (word, said) in language.words().iter().take(language.tables().words()) {
@@ -102,7 +102,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
         // Their weights do not come from words, and so are the same whenever the words are learned.
         let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
         let tables = |later: bool| {
-            let (home, start, mut agent) = robot(None, options, &Capacities::SMALL);
+            let (home, start, mut agent) = robot(Memory::new().agent, None, options);
             agent.hear(&home, &start, "go to the red room").unwrap();
             let _ = agent.finish(&home).unwrap();
             agent.learn_fully();
@@ -134,7 +134,7 @@ fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
 
 #[test]
 fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     let refused = loop {
         agent.hear(&home, &start, "go to the red room").unwrap();
         if let Err(error) = agent.finish_for_later(&home) {
@@ -151,7 +151,7 @@ fn a_session_that_finds_no_room_for_later_goes_on_and_finishing_makes_room() {
 
 #[test]
 fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
-    let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+    let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
     let mut phases = vec![agent.phase()];
     agent.begin_hearing(&home, &start, "go to the red room").unwrap();
     phases.push(agent.phase());
@@ -181,7 +181,7 @@ fn kept<M: AgentMemory>(agent: &Agent<M>) -> Vec<String> {
 
 #[test]
 fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
-    let interruptions: [fn(&mut Agent<AgentHeap>); 5] = [
+    let interruptions: [fn(&mut Agent<AgentArrays<Memory>>); 5] = [
         |_| {},
         |agent| agent.leave(),
         |agent| agent.forget(),
@@ -189,7 +189,7 @@ fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
         |agent| agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).unwrap(),
     ];
     for (which, interrupt) in interruptions.into_iter().enumerate() {
-        let (home, start, mut agent) = robot(None, Options::DEFAULT, &Capacities::SMALL);
+        let (home, start, mut agent) = robot(Memory::new().agent, None, Options::DEFAULT);
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.begin_finishing(&home).unwrap();
         while agent.language().bitext().sessions() == 0 {
@@ -212,7 +212,7 @@ fn a_session_that_has_joined_keeps_its_words_whatever_breaks_its_end_off() {
 #[test]
 fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() {
     let learned = |looks: bool| {
-        let (home, start, mut agent) = robot(None, Options::PAPER, &Capacities::SMALL);
+        let (home, start, mut agent) = robot(Memory::new().agent, None, Options::PAPER);
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.begin_finishing(&home).unwrap();
         let _ = agent.finish_on(&home, 1).unwrap();
@@ -228,8 +228,9 @@ fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() 
 
 #[test]
 fn no_other_session_is_unlearned_where_one_is_about_to_give_way() {
+    goodbot::memory! { struct FewWords = Capacities { words: 20, ..Capacities::SMALL }; }
     for learned in 2..8 {
-        let (home, start, mut agent) = robot(None, Options::DEFAULT, &Capacities { words: 20, ..Capacities::SMALL });
+        let (home, start, mut agent) = robot(FewWords::new().agent, None, Options::DEFAULT);
         for number in 0..=learned {
             let words: Vec<String> = (b'a'..=b'e').map(|letter| format!("{}{number}", char::from(letter).to_string().repeat(3))).collect();
             agent.hear(&home, &start, &words.join(" ")).unwrap();

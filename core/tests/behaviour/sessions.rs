@@ -1,18 +1,18 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use crate::rooms::robot;
+use crate::rooms::{Memory, robot};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
 use goodbot::home::{Cell, Home, HomeState};
-use goodbot::memory::{AgentHeap, AgentMemory, HomeHeap, HomeMemory};
+use goodbot::memory::{AgentArrays, AgentMemory, HomeArrays, HomeMemory};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{OptimalSet, Progress};
 use goodbot::session::{Evidence, Phase};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use rand_pcg::Pcg32;
 
-fn begun(block: Option<Cell>) -> (Home<HomeHeap>, HomeState, Agent<AgentHeap>) {
-    robot(block, Options::PAPER, &Capacities::SMALL)
+fn begun(block: Option<Cell>) -> (Home<HomeArrays<Memory>>, HomeState, Agent<AgentArrays<Memory>>) {
+    robot(Memory::new().agent, block, Options::PAPER)
 }
 
 /// The agent does an action, and the trainer says something to it. Gives the state that the action leads to.
@@ -111,7 +111,8 @@ fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
 
 #[test]
 fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence() {
-    let (home, start, mut agent) = robot(Some(Cell::new(4, 2)), Options::PAPER, &Capacities { states: 0, ..Capacities::SMALL });
+    goodbot::memory! { struct Tight = Capacities { states: 0, ..Capacities::SMALL }; }
+    let (home, start, mut agent) = robot(Tight::new().agent, Some(Cell::new(4, 2)), Options::PAPER);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
@@ -123,12 +124,13 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
 
 #[test]
 fn a_home_too_large_for_the_memory_is_planned_for_as_far_as_it_goes_and_says_so() {
+    goodbot::memory! { struct Tight = Capacities { states: 320, ..Capacities::SMALL }; }
     let (home, start, mut exact) = begun(Some(Cell::new(4, 2)));
-    let (_, _, mut bounded) = robot(None, Options::PAPER, &Capacities { states: 320, ..Capacities::SMALL });
-    for agent in [&mut bounded, &mut exact] {
-        agent.hear(&home, &start, "go").unwrap();
-        agent.plan_fully(&home, &start).unwrap();
-    }
+    let (_, _, mut bounded) = robot(Tight::new().agent, None, Options::PAPER);
+    bounded.hear(&home, &start, "go").unwrap();
+    bounded.plan_fully(&home, &start).unwrap();
+    exact.hear(&home, &start, "go").unwrap();
+    exact.plan_fully(&home, &start).unwrap();
     let (bounded, exact) = (bounded.planned(), exact.planned());
     assert!(exact.approximate().is_empty() && exact.unknown().is_empty());
     for task in 0..4 {
@@ -215,7 +217,7 @@ fn a_strategy_or_prior_that_is_no_probability_is_refused() {
 #[test]
 fn a_command_too_long_is_refused_and_what_was_learned_stays() {
     let (home, start, mut agent) = begun(None);
-    let teach = |agent: &mut Agent<AgentHeap>| {
+    let teach = |agent: &mut Agent<AgentArrays<Memory>>| {
         agent.hear(&home, &start, "go to the red room").unwrap();
         agent.plan_fully(&home, &start).unwrap();
         let _ = told(agent, &home, &start, Action::new(2), Feedback::Reward);

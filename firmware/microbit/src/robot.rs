@@ -475,7 +475,7 @@ fn problem(problem: Problem) -> &'static str {
         Problem::RoomOfNoArea => "a room is at least two cells wide and high from border to border",
         Problem::DoorOfNoArea => "a door's right is not left of its left, nor its top below its bottom",
         Problem::InWall => "the agent or a block is in a wall, or outside every room",
-        Problem::OnAnother => "two things stand on one cell",
+        Problem::OnAnother => "two things are on one cell",
         Problem::TooFar => "a coordinate is too far away",
         Problem::TooManyStates => "there are too many cells and blocks",
         Problem::DuplicateName => "another object has this name",

@@ -1,8 +1,10 @@
 //! The home in which agents are tried.
 
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
-use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::memory::{AgentMemory, HomeArrays, HomeMemory};
+use goodbot::{Agent, Capacities, Options};
+
+goodbot::memory! { pub struct Memory = Capacities::SMALL; }
 
 /// A green room and a red one above a blue one, in which the robot is at (4, 1); with a block, where it is given.
 pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
@@ -19,9 +21,8 @@ pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeSta
     builder.build(Moves::Push).unwrap()
 }
 
-/// These rooms, the state at the start, and an agent in memory of these capacities.
-pub fn robot(block: Option<Cell>, options: Options, capacities: &Capacities) -> (Home<HomeHeap>, HomeState, Agent<AgentHeap>) {
-    let (home, start) = rooms(HeapMemory::new(&Capacities::SMALL).home, block);
-    let agent = Agent::new(AgentHeap::new(capacities), &home::paper_tasks().unwrap(), options).unwrap();
-    (home, start, agent)
+/// These rooms, the state at the start, and an agent in this memory.
+pub fn robot<M: AgentMemory>(memory: M, block: Option<Cell>, options: Options) -> (Home<HomeArrays<Memory>>, HomeState, Agent<M>) {
+    let (home, start) = rooms(Memory::new().home, block);
+    (home, start, Agent::new(memory, &home::paper_tasks().unwrap(), options).unwrap())
 }
