@@ -231,7 +231,10 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let is_thing = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::All));
     let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
-    let behind = words.iter().skip(first).find(|word| !word.is_new);
+    let known = || words.iter().skip(first).filter(|word| !word.is_new);
+    // "Off with you into the red room".
+    let way = known().find(|word| word.count > 0.0 || !word.classes.contains(Class::Polite)).filter(|word| word.is_toward);
+    let behind = way.or_else(|| known().next());
     (is_verb && !is_thing && !is_of_speaker && !asks).then_some(behind)
 }
 

@@ -43,7 +43,9 @@ pub(super) struct Heard {
     /// Whether it tells where a way leads, as "to" does.
     pub is_toward: bool,
     /// Whether it is "forget".
-    is_forgetting: bool,
+    pub is_forgetting: bool,
+    /// Whether it is an article: "el".
+    pub is_article: bool,
     /// Whether it leaves a thing in its place, as "leave" does.
     pub leaves: bool,
     /// Whether it is one sign of a script without spaces.
@@ -176,6 +178,7 @@ impl<'w> Iterator for Iter<'w> {
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
         let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
+        let is_article = classes.contains(Class::Clitic);
         let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
@@ -213,6 +216,7 @@ impl Heard {
             is_mended: false,
             is_toward,
             is_forgetting,
+            is_article,
             leaves,
             is_sign: false,
             piece: 0,
@@ -390,10 +394,23 @@ impl<M: AgentMemory> Agent<M> {
                 word.excuse();
             }
         }
+        // "Stay out of the red room" is about another place, but "get out of here" is not.
+        let is_out = |word: &Heard| word.classes.contains(Class::Out) && !word.leaves;
+        if words.iter().any(is_out) && words.iter().any(|word| word.is_name) {
+            words.iter_mut().for_each(|word| word.classes = word.classes.without(Class::Here));
+        }
+        // "Where it is" is here, behind a word such as "stay" or "leave".
+        let is_left = |word: &Heard| word.leaves || word.classes.contains(Class::Here);
+        let stays = words.iter().position(is_left).unwrap_or(words.len());
+        let where_it_is = [Class::Asking, Class::Pronoun, Class::You];
+        let here = words.iter_mut().skip(stays).skip_while(|word| !word.classes.contains(Class::Asking));
+        here.filter(|word| word.classes.contains_any(&where_it_is)).for_each(|word| word.classes = Classes::of(Class::Here));
         // Who says "don't forget to go" says to go.
         let forgets =
             |pair: &[Heard]| pair.iter().any(|word| word.is_forgetting) && pair.iter().any(|word| word.classes.contains(Class::Negation));
-        if let Some(not) = words.windows(2).position(forgets) {
+        if let Some(not) = words.windows(2).position(forgets)
+            && words.iter().skip(not).skip(2).any(|word| word.is_of_task)
+        {
             words.iter_mut().skip(not).take(2).for_each(Heard::excuse);
         }
         Ok(())

@@ -2,7 +2,7 @@
 //! after another.
 
 use super::classes::Class;
-use super::explained::Explained;
+use super::explained::{Explained, begins_with_way};
 use super::heard::{Heard, Words, learned};
 use super::hypothesis::{ALL, CUE, NEGATED, SEVERAL};
 use super::place::{Place, View};
@@ -94,11 +94,13 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     // "Why don't you go" is no command.
     // "If it's not too much trouble" is none either.
     // "Anywhere" asks nothing: "n'importe où".
-    let is_question = !words.has(Class::But) && is_question(words);
+    let is_told = words.get(0).is_some_and(|word| word.classes.contains(Class::You));
+    let is_question = !words.has(Class::But) && !is_told && is_question(words);
     let is_not_but = words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but);
     // "Go to the red room ... no": nothing is behind it that it could turn round.
-    let turns = !is_not || words.at(Class::Negation).is_some_and(|not| words.iter().skip(not).any(|word| word.is_name));
-    let is_act = is_out || words.has(Class::But) || rest.iter().any(Heard::may_act);
+    let is_before_name = |not: usize| words.iter().skip(not).any(|word| word.is_name);
+    let turns = !is_not || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
+    let is_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.iter().any(Heard::may_act);
     // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for it.
     let stays = is_out && rest.iter().any(|word| word.is_toward);
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);

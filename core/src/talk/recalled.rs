@@ -45,6 +45,8 @@ enum Place {
     Named,
     /// Where the thing, or the robot, was before.
     Was,
+    /// Where it is.
+    Here,
 }
 
 /// What is known of the thing.
@@ -69,7 +71,7 @@ pub(super) struct Recalled<'c> {
 }
 
 /// The classes of words that point back.
-const CUES: [Class; 5] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same];
+const CUES: [Class; 6] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same, Class::Here];
 
 impl Recalled<'_> {
     /// Whether the thing of a task needs no name.
@@ -101,7 +103,7 @@ impl Recalled<'_> {
             Thing::Named => is_like_last && is_about_thing && !holds(Fact::MovedLast, subject),
         };
         let is_the_place = match self.place {
-            Place::Free => true,
+            Place::Free | Place::Here => true,
             Place::Named => holds(Fact::NamedLast, place),
             Place::Was if is_about_thing => holds(Fact::MovedLast, subject) && holds(Fact::WasThereBefore, place),
             Place::Was => holds(Fact::RobotWasThereBefore, place),
@@ -119,14 +121,15 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
     let rest = words.only(|word| {
         let is_cue = word.classes.contains_any(&CUES);
         let is_plain = is_told && word.is_plain();
-        if is_cue {
+        if word.classes.contains(Class::Here) {
+        } else if is_cue {
             probability *= CUE;
         } else if is_plain {
             probability *= word.beside;
         }
         !(is_cue || is_plain)
     });
-    let is_pointing = rest.len() < words.len() && (is_told || !rest.is_empty());
+    let is_pointing = rest.len() < words.len() && (is_told || words.has(Class::Here) || !rest.is_empty());
     is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
 }
 
@@ -141,7 +144,9 @@ fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (R
     } else {
         Thing::Free
     };
-    let places: &'static [(Place, f32)] = if words.has(Class::There) {
+    let places: &'static [(Place, f32)] = if words.has(Class::Here) {
+        &[(Place::Here, 1.0)]
+    } else if words.has(Class::There) {
         &[(Place::Named, 1.0)]
     } else if words.has(Class::Back) {
         &[(Place::Was, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
@@ -164,7 +169,8 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         self.explain_words(domain, words, wording, view, None, explained)?;
-        let (false, Some((rest, prior))) = (matches!(view.before, Before::Nothing), without(words)) else { return Ok(()) };
+        let can_point = words.has(Class::Here) || !matches!(view.before, Before::Nothing);
+        let Some((rest, prior)) = without(words).filter(|_| can_point) else { return Ok(()) };
         self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
     }
 
@@ -186,11 +192,13 @@ impl<M: AgentMemory> Agent<M> {
                 }
                 _ => view.kind,
             };
-            let view = View { has_act: view.has_act || matches!(recalled.thing, Thing::Other | Thing::Named), kind, ..view };
+            let is_here = recalled.place == Place::Here;
+            let has_act = view.has_act || is_here || matches!(recalled.thing, Thing::Other | Thing::Named);
+            let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
             self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
             // Words are missing that a command would have.
             let is_same = recalled.thing == Thing::Named;
-            let missing = [recalled.has_thing(), recalled.has_place(), is_same, is_same];
+            let missing = [recalled.has_thing(), recalled.has_place() && !is_here, is_same, is_same];
             let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
             let prior = prior * share * missing;
             (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));

@@ -16,7 +16,7 @@ use crate::task::TaskSet;
 /// Not sure if a done task of the same kind explains the words a fifth as well.
 const RIVAL: f32 = 5.0;
 /// So many words from "if" on name a case.
-const NAMES_A_CASE: usize = 3;
+const NAMES_A_CASE: usize = 4;
 
 /// Fewer new words before the verb are an exclamation.
 const LEAST_SUBJECT: usize = 2;
@@ -128,7 +128,7 @@ impl<M: AgentMemory> Agent<M> {
         let (task, of_command) = explained.best();
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
-        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0 || word.is_forgetting);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
@@ -175,10 +175,12 @@ fn tells(words: Words<'_>) -> bool {
     let mut before: Option<&Heard> = None;
     // "Tomorrow Paul will take": so many new words in a row stand before the verb.
     let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
-    let subject = words.iter().take_while(is_strange).count();
+    let article = usize::from(words.get(0).is_some_and(|word| word.is_article));
+    let subject = || words.iter().skip(article).take_while(is_strange);
     // Two signs are a word.
-    let signs = words.iter().take(subject).filter(|word| word.is_sign).count();
-    if subject.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
+    let (count, signs) = (subject().count(), subject().filter(|word| word.is_sign).count());
+    let is_verb = |word: &Heard| word.is_of_task && !word.is_toward;
+    if count.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(article.saturating_add(count)).is_some_and(is_verb) {
         return true;
     }
     // "You went to the red room".
@@ -206,14 +208,21 @@ fn tells(words: Words<'_>) -> bool {
     // "I like the red room" has no word of a task, and none for where a way leads.
     let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    (tells || speaks && !asks) && !words.has(Class::You)
+    // "I want you to go", but not "I saw you go".
+    let mut of_speaker = words.iter().skip_while(|word| !word.classes.contains(Class::Speaker)).skip(1);
+    let is_seen = of_speaker.find(|word| !word.classes.contains(Class::Negation)).is_some_and(Heard::is_new_word);
+    (tells || speaks && !asks) && (is_seen || !words.has(Class::You))
 }
 
-/// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.
+/// Whether the words hold in a case alone that is not known, or later: "if it rains", "until I say so", "tomorrow". "If you like" says nothing, and
+/// whoever is glad if you go asks for it.
 fn has_condition(words: Words<'_>) -> bool {
-    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If);
-    let mut case = words.iter().skip_while(|word| !is_if(word)).take(NAMES_A_CASE);
-    case.clone().any(Heard::is_new_word) || case.nth(1).is_some_and(|word| word.classes.contains(Class::Speaker))
+    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
+    let Some(at) = words.iter().position(is_if) else { return false };
+    let mut case = words.iter().skip(at).take(NAMES_A_CASE).skip(1);
+    let is_polite = case.clone().next().is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
+    let is_glad = at > 0 && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
+    !is_polite || !(is_glad && words.has(Class::You)) && case.any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
 /// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.
