@@ -14,7 +14,7 @@ use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
-use crate::task::{GroundedTask, LiftedTask};
+use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// How probable it is that an utterance in a conversation points back, and each word by which it does.
 const POINTS_BACK: f32 = 0.4;
@@ -84,6 +84,11 @@ impl Recalled<'_> {
         self.place != Place::Free
     }
 
+    /// Whether what is meant holds already.
+    pub fn is_here(&self) -> bool {
+        self.place == Place::Here
+    }
+
     /// Whether a task is one that the words can point at: of one proposition about something and its place, without a way.
     pub fn fits<D: Domain + ?Sized>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
         let world = domain.world();
@@ -115,7 +120,9 @@ impl Recalled<'_> {
 
 /// The words without those that point back, with how probable it is that these do.
 fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
-    let mut probability = POINTS_BACK;
+    // "Stay" points at what is here, and at nothing that was said.
+    let is_here = words.has(Class::Here);
+    let mut probability = if is_here { 1.0 } else { POINTS_BACK };
     // "The other one" needs no other word.
     let is_told = words.iter().any(|word| word.classes.contains_any(&[Class::Other, Class::Same]));
     let rest = words.only(|word| {
@@ -129,7 +136,7 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
         }
         !(is_cue || is_plain)
     });
-    let is_pointing = rest.len() < words.len() && (is_told || words.has(Class::Here) || !rest.is_empty());
+    let is_pointing = rest.len() < words.len() && (is_told || is_here || !rest.is_empty());
     is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
 }
 
@@ -185,6 +192,7 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         let mut other = Explained::NEW;
+        let is_way = rest.iter().any(|word| word.is_toward);
         for (recalled, share) in readings(words, view.before) {
             let kind = match view.before {
                 Before::Known(conversation) if matches!(recalled.thing, Thing::Other | Thing::Named) => {
@@ -192,16 +200,18 @@ impl<M: AgentMemory> Agent<M> {
                 }
                 _ => view.kind,
             };
-            let is_here = recalled.place == Place::Here;
+            let is_here = recalled.is_here();
             let has_act = view.has_act || is_here || matches!(recalled.thing, Thing::Other | Thing::Named);
             let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
             self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
             // Words are missing that a command would have.
             let is_same = recalled.thing == Thing::Named;
-            let missing = [recalled.has_thing(), recalled.has_place() && !is_here, is_same, is_same];
+            let missing = [recalled.has_thing(), recalled.has_place() && !(is_here && is_way), is_same, is_same];
             let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
             let prior = prior * share * missing;
-            (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));
+            // What is not here cannot stay.
+            let absent = if is_here { Scaled::ZERO } else { other.absent };
+            (other.here, other.absent) = (other.here.scaled_by(prior), absent.scaled_by(prior));
             other.points_back = true;
             if other.here.exceeds(explained.here) {
                 core::mem::swap(explained, &mut other);
@@ -228,8 +238,14 @@ impl Explained {
 
     /// One task alone.
     pub(super) fn keep_only(&mut self, task: usize) {
-        for (position, weight) in self.weights.iter_mut().enumerate() {
-            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
+        self.leave(TaskSet::first(self.weights.len()).without(TaskSet::of(task)));
+        self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ONE);
+    }
+
+    /// Leaves some tasks out.
+    pub(super) fn leave(&mut self, tasks: TaskSet) {
+        for task in tasks.iter() {
+            self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ZERO);
         }
     }
 }

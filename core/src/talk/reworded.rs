@@ -75,9 +75,12 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
 pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
     let rest = words.only(|word| !word.leaves);
-    // "Leave the bag here", but not "leave this red room".
-    let is_here = rest.iter().skip_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Here));
-    (rest.len() < words.len() && !words.iter().any(is_other) && (is_here || names_thing_and_way(rest))).then_some(rest)
+    (rest.len() < words.len() && !words.iter().any(is_other) && (stays_by_name(rest) || names_thing_and_way(rest))).then_some(rest)
+}
+
+/// Whether something is named before a word such as "here": "leave the bag here", but not "leave this red room".
+pub(super) fn stays_by_name(words: Words<'_>) -> bool {
+    words.at(Class::Here).is_some_and(|here| words.part(0, here).iter().any(|word| word.is_name))
 }
 
 /// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".

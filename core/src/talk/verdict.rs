@@ -111,12 +111,18 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
+            let left = rest.except.map(|words| self.named(domain, words, wording, explained)).transpose()?.unwrap_or(TaskSet::EMPTY);
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
+            // Who leaves out what nobody meant is not understood.
+            let (rest_of_all, is_left) = (tasks.without(left), rest.except.is_none());
+            let is_understood = is_left || rest_of_all != tasks;
+            let tasks = rest_of_all;
+            explained.leave(left);
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
             let (words, is_clear, probability) =
-                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
+                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && is_understood && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -173,23 +179,26 @@ fn begins_with_new_word(words: Words<'_>) -> bool {
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
-    // "Tomorrow Paul will take": so many new words in a row stand before the verb.
-    let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
-    let article = usize::from(words.get(0).is_some_and(|word| word.is_article));
-    let subject = || words.iter().skip(article).take_while(is_strange);
-    // Two signs are a word.
-    let (count, signs) = (subject().count(), subject().filter(|word| word.is_sign).count());
-    let is_verb = |word: &Heard| word.is_of_task && !word.is_toward;
-    if count.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(article.saturating_add(count)).is_some_and(is_verb) {
+    // "Tomorrow Paul will take": so many new words in a row stand before the verb, and perhaps an article before them. Two signs are a word.
+    let (mut at, mut subject) = (usize::from(words.get(0).is_some_and(|word| word.is_article)), 0_usize);
+    while let Some(word) = words.get(at).filter(|word| word.is_new_word() && word.classes == Classes::NONE) {
+        (at, subject) = (at.saturating_add(1), subject.saturating_add(if word.is_sign { 1 } else { 2 }));
+    }
+    if subject / 2 >= LEAST_SUBJECT && words.get(at).is_some_and(|word| word.is_of_task && !word.is_toward) {
         return true;
     }
     // "You went to the red room".
     if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
         return true;
     }
-    let mut tells = false;
+    // "I saw you go", "I never said that you should".
+    let (mut tells, mut is_seen, mut is_subject) = (false, false, false);
+    let (mut speaks, is_told) = (false, words.has(Class::You));
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
+        is_seen |= is_subject && word.is_new_word();
+        speaks |= is_of(Class::Speaker);
+        is_subject = is_of(Class::Speaker) || is_subject && is_of(Class::Negation);
         // "I want to go" tells of oneself.
         let is_wished = before.is_some_and(|before| before.classes.contains(Class::Wish)) && !word.is_toward;
         is_speaker &= !is_wished;
@@ -206,12 +215,8 @@ fn tells(words: Words<'_>) -> bool {
         before = Some(word);
     }
     // "I like the red room" has no word of a task, and none for where a way leads.
-    let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    // "I want you to go", but not "I saw you go".
-    let mut of_speaker = words.iter().skip_while(|word| !word.classes.contains(Class::Speaker)).skip(1);
-    let is_seen = of_speaker.find(|word| !word.classes.contains(Class::Negation)).is_some_and(Heard::is_new_word);
-    (tells || speaks && !asks) && (is_seen || !words.has(Class::You))
+    if is_told { is_seen } else { tells || speaks && !asks }
 }
 
 /// Whether the words hold in a case alone that is not known, or later: "if it rains", "until I say so", "tomorrow". "If you like" says nothing, and
