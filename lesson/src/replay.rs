@@ -263,7 +263,7 @@ fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answ
     let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
     #[cfg(feature = "talk")]
     if let Some(words) = &answer.words {
-        let _ = agent.corrected(&walk.home, words, walk.closed)?;
+        let _ = agent.corrected(&walk.home, words, walk.closed, answer.tasks)?;
     }
     let _ = walk;
     Ok(())

@@ -119,7 +119,7 @@ impl<D: Place> Lesson<D> {
         let closed = self.closed;
         let (agent, home, _) = self.parts();
         let _ = agent.answered(tasks, false, eta, 1)?;
-        let _ = agent.corrected(home, words, closed)?;
+        let _ = agent.corrected(home, words, closed, tasks)?;
         self.note_answer(SessionAnswer { tasks, yes: false, words: Some(words.to_owned()), ..SessionAnswer::of(eta) });
         Ok(())
     }

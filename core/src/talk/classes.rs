@@ -62,7 +62,7 @@ pub enum Class {
     If,
     /// "to", "into", "towards": a way leads where the words behind it say. Commands have such words themselves.
     Toward,
-    /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb.
+    /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb. Else such a word is an article.
     Clitic,
     /// "want": whoever says it tells what shall be, and not what to do.
     Wish,
@@ -73,11 +73,13 @@ pub enum Class {
     Act,
     /// "forget": a negation beside it asks for what follows.
     Forget,
+    /// "here", "stay": what is meant holds already, and its place needs no name.
+    Here,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 32] = [
+    pub const ALL: [Self; 33] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -110,6 +112,7 @@ impl Class {
         Self::Meant,
         Self::Act,
         Self::Forget,
+        Self::Here,
     ];
 
     /// Its name in a table.
@@ -147,6 +150,7 @@ impl Class {
             Self::Meant => "meant",
             Self::Act => "act",
             Self::Forget => "forget",
+            Self::Here => "here",
         }
     }
 
@@ -158,7 +162,7 @@ impl Class {
 
 /// The classes that a word is in, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Classes(u32);
+pub struct Classes(u64);
 
 impl Classes {
     /// In no class.
@@ -187,6 +191,10 @@ impl Classes {
 
     pub(super) const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
+    }
+
+    pub(super) const fn without(self, class: Class) -> Self {
+        Self(self.0 & !Self::of(class).0)
     }
 
     pub(super) const fn with(self, class: Class) -> Self {

@@ -24,6 +24,10 @@ use heapless::Vec;
 /// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
 const WRONG: f32 = 1e-4;
 
+/// How probable it is that the place is corrected where the thing may be, and that more is corrected than one of them.
+const PLACE_CHANGED: f32 = 0.5;
+const MORE_CHANGED: f32 = 0.1;
+
 /// The share of the belief in the next task that is left to the task that is corrected.
 const LEFT: f32 = 0.05;
 
@@ -84,15 +88,22 @@ impl<M: AgentMemory> Agent<M> {
         let eta = (LEFT * next / belief(task)).clamp(f32::MIN_POSITIVE, Asking::DEFAULT.eta);
         self.withdraw_question();
         let _ = self.answered(TaskSet::of(task), false, eta, 1)?;
-        let _ = self.corrected(domain, words, closed)?;
+        let _ = self.corrected(domain, words, closed, TaskSet::of(task))?;
         Ok(Corrected { task, eta })
     }
 
-    /// Takes in words that correct the robot on its way, as evidence about the session under way, without the "no" to what it does.
+    /// Takes in words that correct the robot on its way, as evidence about the session under way, without the "no" to what it does, which is one of
+    /// `turned`. What the words do not name stays as it is there: another thing in the same place, sooner than the same thing elsewhere.
     ///
     /// # Errors
     /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) where the words are too many or too long.
-    pub fn corrected<D: Domain + ?Sized>(&mut self, domain: &D, words: &str, closed: ClosedWords<'_>) -> Result<Evidence, AgentError> {
+    pub fn corrected<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: &str,
+        closed: ClosedWords<'_>,
+        turned: TaskSet,
+    ) -> Result<Evidence, AgentError> {
         self.check_session(domain)?;
         if self.tasks().iter().any(GroundedTask::is_negated) || self.language().tables().words() == 0 {
             return Ok(Evidence::SaysNothing);
@@ -116,10 +127,30 @@ impl<M: AgentMemory> Agent<M> {
         for (words, is_meant) in [(meant, true), (other, false)] {
             let Some(fits) = self.fits(domain, &words, closed)? else { continue };
             let fit = |task: usize| (1.0 - WRONG) * fits.get(task).copied().unwrap_or(0.0);
+            let mut kept: Vec<f32, { TaskSet::MOST }> = Vec::new();
+            for task in 0..self.tasks().len() {
+                let _ = kept.push(if is_meant { self.kept(domain, task, turned) } else { 1.0 });
+            }
+            let fit = |task: usize| fit(task) * kept.get(task).copied().unwrap_or(1.0);
             let possible = self.belief_mut().observe_beside(|task| if is_meant { WRONG + fit(task) } else { 1.0 - fit(task) });
             evidence = if possible { Evidence::Used } else { Evidence::Impossible };
         }
         Ok(evidence)
+    }
+
+    /// How probable a task is where one of these is corrected, by what it has in common with that one.
+    fn kept<D: Domain + ?Sized>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
+        let common = |other: usize| {
+            let (one, another) = (self.task(task), self.task(other));
+            let is_like = one.lifted == another.lifted;
+            let differ = one.bindings.iter().zip(&another.bindings).filter(|(one, another)| one != another).count();
+            match () {
+                () if !is_like || differ > 1 => MORE_CHANGED,
+                () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
+                () => PLACE_CHANGED,
+            }
+        };
+        turned.iter().map(common).fold(MORE_CHANGED, f32::max)
     }
 
     /// How well each task fits words that name something, against the one that fits best; `None` where all fit alike.

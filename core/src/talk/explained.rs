@@ -114,7 +114,7 @@ impl<M: AgentMemory> Agent<M> {
         // "I want the bag in the red room" needs no word of a task.
         // "Come back": nothing behind the verb tells which it is.
         let points_with_verb = recalled.is_some() && matches!(new_verb(words), Some(None));
-        let wishes = words.has(Class::Wish) && !words.iter().any(|word| word.is_new);
+        let wishes = words.has(Class::Wish) && !words.iter().any(|word| word.is_new && !word.is_article);
         if view.has_act || wishes || points_with_verb {
             named.act();
         }
@@ -166,7 +166,9 @@ impl<M: AgentMemory> Agent<M> {
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
             let share = if recalled.is_some() { share_among(tasks, task, is_meant) } else { 1.0 };
-            let whole = if share > 0.0 { whole } else { Scaled::ZERO };
+            // "The bag where it is" is about no place of the robot.
+            let is_other_thing = recalled.is_some_and(|recalled| recalled.is_here()) && !explained.own.contains(position);
+            let whole = if share > 0.0 && !is_other_thing { whole } else { Scaled::ZERO };
             let prior = share * task.prior;
             let _ = explained.likelihoods.push(whole);
             let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * prior } else { prior }));
@@ -228,11 +230,13 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
     // "All bags": a thing.
-    let is_thing = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::All));
-    let is_of_speaker = first.checked_sub(1).and_then(|before| words.get(before)).is_some_and(|word| word.classes.contains(Class::Speaker));
-    let asks = words.iter().take(first).any(|word| word.classes.contains(Class::Asking));
-    let behind = words.iter().skip(first).find(|word| !word.is_new);
-    (is_verb && !is_thing && !is_of_speaker && !asks).then_some(behind)
+    let before = first.checked_sub(1).and_then(|before| words.get(before));
+    let is_other = before.is_some_and(|word| word.classes.contains_any(&[Class::All, Class::Speaker]));
+    let asks = words.part(0, first).has(Class::Asking);
+    let known = words.part(first, words.len()).only(|word| !word.is_new);
+    // "Off with you into the red room".
+    let way = known.only(|word| word.count > 0.0 || !word.classes.contains(Class::Polite)).get(0).filter(|word| word.is_toward);
+    (is_verb && !is_other && !asks).then(|| way.or_else(|| known.get(0)))
 }
 
 /// Whether no word tells what to do, but at most where a way leads.

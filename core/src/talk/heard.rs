@@ -43,7 +43,9 @@ pub(super) struct Heard {
     /// Whether it tells where a way leads, as "to" does.
     pub is_toward: bool,
     /// Whether it is "forget".
-    is_forgetting: bool,
+    pub is_forgetting: bool,
+    /// Whether it is an article: "el".
+    pub is_article: bool,
     /// Whether it leaves a thing in its place, as "leave" does.
     pub leaves: bool,
     /// Whether it is one sign of a script without spaces.
@@ -176,6 +178,7 @@ impl<'w> Iterator for Iter<'w> {
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
         let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
+        let is_article = classes.contains(Class::Clitic);
         let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
@@ -213,6 +216,7 @@ impl Heard {
             is_mended: false,
             is_toward,
             is_forgetting,
+            is_article,
             leaves,
             is_sign: false,
             piece: 0,
@@ -236,6 +240,7 @@ impl Heard {
 
     /// It says nothing against a command: "if you don't mind", "don't forget to".
     fn excuse(&mut self) {
+        self.is_forgetting = false;
         if self.count == 0.0 {
             (self.factor, self.said.chatter, self.classes, self.is_new) = (1.0, POLITE, Classes::of(Class::Polite), false);
         }
@@ -361,42 +366,71 @@ impl<M: AgentMemory> Agent<M> {
         };
         let asks = |word: &&mut Heard| word.classes.contains(Class::Asking) && !word.said.symbol.is_some_and(begins);
         words.iter_mut().take(1).filter(asks).for_each(|word| word.count = 0.0);
-        // "Be so kind and go" has no command before it.
-        let polite = [Class::Polite, Class::Greeting, Class::Connective];
-        let begin = words.iter().take_while(|word| word.classes.contains_any(&polite)).count();
-        words.iter_mut().take(begin).for_each(Heard::make_polite);
-        // What "if you don't mind" says no to is no command.
-        let at = |class, from: usize| words.iter().skip(from).position(|word| word.classes.contains(class));
-        if let Some(condition) = at(Class::If, 0)
-            && let Some(not) = at(Class::Negation, condition).filter(|&not| not <= NEGATES_A_CONDITION)
-        {
-            // "Si ça ne te dérange pas".
-            let more = at(Class::Negation, condition.saturating_add(not).saturating_add(1)).filter(|&more| more < NEGATES_A_CONDITION);
-            let last = more.map_or(not, |more| not.saturating_add(more).saturating_add(1));
-            words.iter_mut().skip(condition).take(last.saturating_add(2)).for_each(Heard::excuse);
+        excuse(words);
+        Ok(())
+    }
+}
+
+/// Words that say nothing against a command, beside what they stand beside, and words for where things are already.
+fn excuse(words: &mut [Heard]) {
+    // "Be so kind and go" has no command before it.
+    let polite = [Class::Polite, Class::Greeting, Class::Connective];
+    for word in words.iter_mut() {
+        if !word.classes.contains_any(&polite) {
+            break;
         }
-        let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
-        let (mut is_from, mut is_polite) = (false, false);
-        for at in (0..words.len()).rev() {
-            let Some(word) = words.get_mut(at) else { continue };
-            let is_of = |class| word.classes.contains(class);
-            // "Away" takes something out before "from" alone: "right away". "Sorry, but could you go" excepts nothing.
-            let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
-            let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
-            // "After that" leads on to the next command, "after taking" back to one before.
-            let is_after = is_of(Class::Connective) && is_of(Class::Polite) && !is_polite;
-            (is_from, is_polite) = (is_of(Class::From), is_of(Class::Polite) && !is_of(Class::You));
-            if is_away || is_sorry || is_after {
-                word.excuse();
-            }
+        word.make_polite();
+    }
+    let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
+    let (mut is_from, mut is_polite, mut is_out, mut is_named) = (false, false, false, false);
+    for at in (0..words.len()).rev() {
+        let Some(word) = words.get_mut(at) else { continue };
+        let is_of = |class| word.classes.contains(class);
+        // "Away" takes something out before "from" alone: "right away". "Sorry, but could you go" excepts nothing.
+        let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
+        let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
+        // "After that" leads on to the next command, "after taking" back to one before.
+        let is_after = is_of(Class::Connective) && is_of(Class::Polite) && !is_polite;
+        (is_from, is_polite) = (is_of(Class::From), is_of(Class::Polite) && !is_of(Class::You));
+        is_out |= is_of(Class::Out) && !is_away && !word.leaves;
+        is_named |= word.is_name;
+        if is_away || is_sorry || is_after {
+            word.excuse();
+        }
+    }
+    let (mut case, mut reach, mut stays, mut is_where, mut is_forgetting, mut is_not) = (0, 0, false, false, false, false);
+    for at in 0..words.len() {
+        let behind = at.saturating_add(1);
+        let acts = words.iter().skip(behind).any(|word| word.is_of_task);
+        let Some(word) = words.get_mut(at) else { break };
+        let is_of = |class| word.classes.contains(class);
+        let (forgets, negates) = (word.is_forgetting, is_of(Class::Negation));
+        // "Where it is" is here, behind a word such as "stay" or "leave".
+        stays |= word.leaves || is_of(Class::Here);
+        is_where |= stays && is_of(Class::Asking);
+        // What "if you don't mind" says no to is no command, and once more "si ça ne te dérange pas". "If I don't" and "tomorrow don't" are none such.
+        if is_of(Class::If) {
+            (case, reach) = (at, behind.saturating_add(NEGATES_A_CONDITION));
+        } else if is_of(Class::Speaker) || word.classes == Classes::NONE && !word.is_new {
+            reach = 0;
+        }
+        let is_polite = negates && case.saturating_add(1) < at && at < reach;
+        if is_out && is_named {
+            // "Stay out of the red room" is about another place, but "get out of here" is not.
+            word.classes = word.classes.without(Class::Here);
+        } else if is_where && word.classes.contains_any(&[Class::Asking, Class::Pronoun, Class::You]) {
+            word.classes = Classes::of(Class::Here);
         }
         // Who says "don't forget to go" says to go.
-        let forgets =
-            |pair: &[Heard]| pair.iter().any(|word| word.is_forgetting) && pair.iter().any(|word| word.classes.contains(Class::Negation));
-        if let Some(not) = words.windows(2).position(forgets) {
-            words.iter_mut().skip(not).take(2).for_each(Heard::excuse);
-        }
-        Ok(())
+        let asks = acts && (forgets && is_not || negates && is_forgetting);
+        (is_forgetting, is_not) = (forgets, negates);
+        let excused = match () {
+            () if is_polite => case..behind.saturating_add(1),
+            () if asks => at.saturating_sub(1)..behind,
+            () => 0..0,
+        };
+        reach = if is_polite { behind.saturating_add(NEGATES_A_CONDITION) } else { reach };
+        words.iter_mut().take(excused.end).skip(excused.start).for_each(Heard::excuse);
     }
 }
 

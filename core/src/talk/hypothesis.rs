@@ -23,6 +23,8 @@ pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
 /// How probable the opposite of a command is where a new word may turn it round: as probable as the command.
 const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
+/// A table of fewer words that negate has not all of a language.
+const FEW: usize = 5;
 /// The weight of "again" where something was done before, in no unit.
 const AGAIN: f32 = 1.0;
 /// How probable a word is as a cue of a negation, of several commands or of all things.
@@ -90,7 +92,7 @@ impl<M: AgentMemory> Agent<M> {
             None => drop(hypotheses.push((hypothesis, weight))),
         };
         // As probable as the command, and before it: who waits does no harm.
-        if wording.closed.count(Class::Negation) == 0 && may_turn(words, explained.has_new_verb) {
+        if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {
             add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
         }
         add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));

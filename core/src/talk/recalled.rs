@@ -14,7 +14,7 @@ use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
-use crate::task::{GroundedTask, LiftedTask};
+use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// How probable it is that an utterance in a conversation points back, and each word by which it does.
 const POINTS_BACK: f32 = 0.4;
@@ -45,6 +45,8 @@ enum Place {
     Named,
     /// Where the thing, or the robot, was before.
     Was,
+    /// Where it is.
+    Here,
 }
 
 /// What is known of the thing.
@@ -69,7 +71,7 @@ pub(super) struct Recalled<'c> {
 }
 
 /// The classes of words that point back.
-const CUES: [Class; 5] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same];
+const CUES: [Class; 6] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same, Class::Here];
 
 impl Recalled<'_> {
     /// Whether the thing of a task needs no name.
@@ -80,6 +82,11 @@ impl Recalled<'_> {
     /// Whether the place of a task needs no name.
     pub fn has_place(&self) -> bool {
         self.place != Place::Free
+    }
+
+    /// Whether what is meant holds already.
+    pub fn is_here(&self) -> bool {
+        self.place == Place::Here
     }
 
     /// Whether a task is one that the words can point at: of one proposition about something and its place, without a way.
@@ -101,7 +108,7 @@ impl Recalled<'_> {
             Thing::Named => is_like_last && is_about_thing && !holds(Fact::MovedLast, subject),
         };
         let is_the_place = match self.place {
-            Place::Free => true,
+            Place::Free | Place::Here => true,
             Place::Named => holds(Fact::NamedLast, place),
             Place::Was if is_about_thing => holds(Fact::MovedLast, subject) && holds(Fact::WasThereBefore, place),
             Place::Was => holds(Fact::RobotWasThereBefore, place),
@@ -113,20 +120,23 @@ impl Recalled<'_> {
 
 /// The words without those that point back, with how probable it is that these do.
 fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
-    let mut probability = POINTS_BACK;
+    // "Stay" points at what is here, and at nothing that was said.
+    let is_here = words.has(Class::Here);
+    let mut probability = if is_here { 1.0 } else { POINTS_BACK };
     // "The other one" needs no other word.
     let is_told = words.iter().any(|word| word.classes.contains_any(&[Class::Other, Class::Same]));
     let rest = words.only(|word| {
         let is_cue = word.classes.contains_any(&CUES);
         let is_plain = is_told && word.is_plain();
-        if is_cue {
+        if word.classes.contains(Class::Here) {
+        } else if is_cue {
             probability *= CUE;
         } else if is_plain {
             probability *= word.beside;
         }
         !(is_cue || is_plain)
     });
-    let is_pointing = rest.len() < words.len() && (is_told || !rest.is_empty());
+    let is_pointing = rest.len() < words.len() && (is_told || is_here || !rest.is_empty());
     is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
 }
 
@@ -141,7 +151,9 @@ fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (R
     } else {
         Thing::Free
     };
-    let places: &'static [(Place, f32)] = if words.has(Class::There) {
+    let places: &'static [(Place, f32)] = if words.has(Class::Here) {
+        &[(Place::Here, 1.0)]
+    } else if words.has(Class::There) {
         &[(Place::Named, 1.0)]
     } else if words.has(Class::Back) {
         &[(Place::Was, 1.0 - ELSEWHERE), (Place::Free, ELSEWHERE)]
@@ -164,7 +176,8 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         self.explain_words(domain, words, wording, view, None, explained)?;
-        let (false, Some((rest, prior))) = (matches!(view.before, Before::Nothing), without(words)) else { return Ok(()) };
+        let can_point = words.has(Class::Here) || !matches!(view.before, Before::Nothing);
+        let Some((rest, prior)) = without(words).filter(|_| can_point) else { return Ok(()) };
         self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
     }
 
@@ -179,6 +192,7 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         let mut other = Explained::NEW;
+        let is_way = rest.iter().any(|word| word.is_toward);
         for (recalled, share) in readings(words, view.before) {
             let kind = match view.before {
                 Before::Known(conversation) if matches!(recalled.thing, Thing::Other | Thing::Named) => {
@@ -186,14 +200,18 @@ impl<M: AgentMemory> Agent<M> {
                 }
                 _ => view.kind,
             };
-            let view = View { has_act: view.has_act || matches!(recalled.thing, Thing::Other | Thing::Named), kind, ..view };
+            let is_here = recalled.is_here();
+            let has_act = view.has_act || is_here || matches!(recalled.thing, Thing::Other | Thing::Named);
+            let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
             self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
             // Words are missing that a command would have.
             let is_same = recalled.thing == Thing::Named;
-            let missing = [recalled.has_thing(), recalled.has_place(), is_same, is_same];
+            let missing = [recalled.has_thing(), recalled.has_place() && !(is_here && is_way), is_same, is_same];
             let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
             let prior = prior * share * missing;
-            (other.here, other.absent) = (other.here.scaled_by(prior), other.absent.scaled_by(prior));
+            // What is not here cannot stay.
+            let absent = if is_here { Scaled::ZERO } else { other.absent };
+            (other.here, other.absent) = (other.here.scaled_by(prior), absent.scaled_by(prior));
             other.points_back = true;
             if other.here.exceeds(explained.here) {
                 core::mem::swap(explained, &mut other);
@@ -220,8 +238,14 @@ impl Explained {
 
     /// One task alone.
     pub(super) fn keep_only(&mut self, task: usize) {
-        for (position, weight) in self.weights.iter_mut().enumerate() {
-            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
+        self.leave(TaskSet::first(self.weights.len()).without(TaskSet::of(task)));
+        self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ONE);
+    }
+
+    /// Leaves some tasks out.
+    pub(super) fn leave(&mut self, tasks: TaskSet) {
+        for task in tasks.iter() {
+            self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ZERO);
         }
     }
 }

@@ -35,31 +35,34 @@ pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
 /// green room, not the red one" is "go to the green room". A whole command behind "no" takes back all: "no, go to the green room".
 pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     // The names before it, whether they tell where a way leads, and where they begin and end.
-    let (mut has_way, mut is_place, mut begin, mut end) = (false, false, 0, 0);
+    let (mut way, mut is_place, mut begin, mut end) = (None, false, 0, 0);
     let corrects = |(position, word): (usize, &Heard)| {
         let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant, Class::Blame]);
         if is_no || is_place && word.classes.contains(Class::Negation) {
             return Some((position, is_no));
         }
-        has_way |= word.is_toward;
+        way = if word.is_toward { Some(position) } else { way };
         if word.is_name {
             begin = if end < position { position } else { begin };
             end = position.saturating_add(1);
-            is_place = has_way;
+            is_place = way.is_some();
         }
         None
     };
     let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
-    let behind = words.part(correction.saturating_add(1), words.len());
+    // "Sorry", "I meant" are of the correction.
+    let of_command = |word: &Heard| word.count > 0.0 || !word.classes.contains_any(&[Class::Meant, Class::Speaker]);
+    let behind = words.part(correction.saturating_add(1), words.len()).only(of_command);
     let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
     let has_verb = behind.iter().any(is_verb);
     // "With no chairs", "do not touch the bag".
     if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
         return None;
     }
-    let before = words.part(0, if is_no { begin } else { correction });
-    // "Sorry", "I" are of the correction.
-    let noun = words.part(end, correction).only(|word| word.classes == Classes::NONE && !word.is_new);
+    // "To the red room, no, to the green one".
+    let way = way.filter(|_| behind.iter().any(|word| word.is_toward));
+    let before = words.part(0, if is_no { way.unwrap_or(begin) } else { correction });
+    let noun = words.part(end, correction).only(|word| way.is_none() && word.classes == Classes::NONE && !word.is_new);
     Some(match (is_no, has_verb) {
         (false, _) => before,
         // "La bolsa no entre" corrects nothing.
@@ -72,7 +75,12 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
 pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
     let rest = words.only(|word| !word.leaves);
-    (rest.len() < words.len() && !words.iter().any(is_other) && names_thing_and_way(rest)).then_some(rest)
+    (rest.len() < words.len() && !words.iter().any(is_other) && (stays_by_name(rest) || names_thing_and_way(rest))).then_some(rest)
+}
+
+/// Whether something is named before a word such as "here": "leave the bag here", but not "leave this red room".
+pub(super) fn stays_by_name(words: Words<'_>) -> bool {
+    words.at(Class::Here).is_some_and(|here| words.part(0, here).iter().any(|word| word.is_name))
 }
 
 /// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".
@@ -84,7 +92,7 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
     let mut rest = words.only(|word| {
         at = at.saturating_add(1);
         let is_inside = verb < at && at < behind;
-        let is_polite = word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
+        let is_polite = word.is_article || word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
         !(is_inside && is_polite && word.count == 0.0)
     });
     // Who is polite asks for something.

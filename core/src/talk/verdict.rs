@@ -16,7 +16,7 @@ use crate::task::TaskSet;
 /// Not sure if a done task of the same kind explains the words a fifth as well.
 const RIVAL: f32 = 5.0;
 /// The number of words, from "if" on, that name a case.
-const NAMES_A_CASE: usize = 3;
+const NAMES_A_CASE: usize = 4;
 
 /// Fewer new words before the verb are an exclamation.
 const LEAST_SUBJECT: usize = 2;
@@ -111,12 +111,18 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
+            let left = rest.except.map(|words| self.named(domain, words, wording, explained)).transpose()?.unwrap_or(TaskSet::EMPTY);
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
+            // Who leaves out what nobody meant is not understood.
+            let (rest_of_all, is_left) = (tasks.without(left), rest.except.is_none());
+            let is_understood = is_left || rest_of_all != tasks;
+            let tasks = rest_of_all;
+            explained.leave(left);
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
             let (words, is_clear, probability) =
-                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
+                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && is_understood && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -128,7 +134,7 @@ impl<M: AgentMemory> Agent<M> {
         let (task, of_command) = explained.best();
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
-        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0 || word.is_forgetting);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
@@ -173,21 +179,26 @@ fn begins_with_new_word(words: Words<'_>) -> bool {
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
-    // "Tomorrow Paul will take": so many new words in a row stand before the verb.
-    let is_strange = |word: &&Heard| word.is_new_word() && word.classes == Classes::NONE;
-    let subject = words.iter().take_while(is_strange).count();
-    // Two signs are a word.
-    let signs = words.iter().take(subject).filter(|word| word.is_sign).count();
-    if subject.saturating_sub(signs / 2) >= LEAST_SUBJECT && words.get(subject).is_some_and(|word| word.is_of_task && !word.is_toward) {
+    // "Tomorrow Paul will take": so many new words in a row stand before the verb, and perhaps an article before them. Two signs are a word.
+    let (mut at, mut subject) = (usize::from(words.get(0).is_some_and(|word| word.is_article)), 0_usize);
+    while let Some(word) = words.get(at).filter(|word| word.is_new_word() && word.classes == Classes::NONE) {
+        (at, subject) = (at.saturating_add(1), subject.saturating_add(if word.is_sign { 1 } else { 2 }));
+    }
+    if subject / 2 >= LEAST_SUBJECT && words.get(at).is_some_and(|word| word.is_of_task && !word.is_toward) {
         return true;
     }
     // "You went to the red room".
     if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
         return true;
     }
-    let mut tells = false;
+    // "I saw you go", "I never said that you should".
+    let (mut tells, mut is_seen, mut is_subject) = (false, false, false);
+    let (mut speaks, is_told) = (false, words.has(Class::You));
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
+        is_seen |= is_subject && word.is_new_word();
+        speaks |= is_of(Class::Speaker);
+        is_subject = is_of(Class::Speaker) || is_subject && is_of(Class::Negation);
         // "I want to go" tells of oneself.
         let is_wished = before.is_some_and(|before| before.classes.contains(Class::Wish)) && !word.is_toward;
         is_speaker &= !is_wished;
@@ -204,16 +215,19 @@ fn tells(words: Words<'_>) -> bool {
         before = Some(word);
     }
     // "I like the red room" has no word of a task, and none for where a way leads.
-    let speaks = words.iter().take_while(|word| !word.is_name).any(|word| word.classes.contains(Class::Speaker));
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    (tells || speaks && !asks) && !words.has(Class::You)
+    if is_told { is_seen } else { tells || speaks && !asks }
 }
 
-/// Whether the words hold in a case alone that is not known: "if it rains", "until I say so". "If you like" says nothing.
+/// Whether the words hold in a case alone that is not known, or later: "if it rains", "until I say so", "tomorrow". "If you like" says nothing, and
+/// whoever is glad if you go asks for it.
 fn has_condition(words: Words<'_>) -> bool {
-    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If);
-    let mut case = words.iter().skip_while(|word| !is_if(word)).take(NAMES_A_CASE);
-    case.clone().any(Heard::is_new_word) || case.nth(1).is_some_and(|word| word.classes.contains(Class::Speaker))
+    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
+    let Some(at) = words.iter().position(is_if) else { return false };
+    let mut case = words.iter().skip(at).take(NAMES_A_CASE).skip(1);
+    let is_polite = case.clone().next().is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
+    let is_glad = at > 0 && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
+    !is_polite || !(is_glad && words.has(Class::You)) && case.any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
 /// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.
