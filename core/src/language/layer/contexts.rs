@@ -1,11 +1,12 @@
 //! A command as the layer hears it: which words speak of values, and what stands around them.
 
 use super::parts::Part;
-use super::weights::{Context, of_context, of_kind, of_kind_word, of_told, of_value_word};
+use super::weights::{Context, Place, of_context, of_kind, of_kind_word, of_task_word, of_told, of_value_word};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::roles::names::Names;
 use crate::language::tables::TablesRef;
 use crate::symbols::Symbol;
+use core::ops::Range;
 use heapless::Vec;
 
 /// A word speaks of a value if it was taken for it in more than this share of the times that it was heard.
@@ -14,6 +15,10 @@ const SPEAKS: f32 = 0.05;
 const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as so many.
 const MOST_COUNTED: usize = 3;
+/// A command ends with so many words.
+const LAST: usize = 4;
+/// A word that is said more often counts as if said so often.
+const MOST_TIMES: usize = 5;
 
 /// A word that was taken for a value often enough.
 #[derive(Clone, Copy)]
@@ -49,26 +54,53 @@ impl<'s, 't> Command<'s, 't> {
         command
     }
 
-    /// The words from a position on, each once.
-    fn different(&self, from: usize) -> impl Iterator<Item = Symbol> {
-        let words = self.words.get(from..).unwrap_or(&[]);
+    /// The words of a stretch, each once.
+    fn different(&self, stretch: Range<usize>) -> impl Iterator<Item = Symbol> {
+        let words = self.words.get(stretch).unwrap_or(&[]);
         let is_first = move |position: usize, word: Symbol| !words.iter().take(position).any(|&other| other == Some(word));
         let known = words.iter().enumerate().filter_map(|(position, word)| word.map(|word| (position, word)));
         known.filter(move |&(position, word)| is_first(position, word)).map(|(_, word)| word)
     }
 
-    /// Tells each weight that speaks for a part of a task, and how much it counts.
-    pub fn each_weight(&self, (role, value): Part, mut tell: impl FnMut(usize, f32)) {
-        if role == value {
-            tell(of_kind(value), 1.0);
-            self.different(0).for_each(|word| tell(of_kind_word(value, word), 1.0));
-            return;
+    /// All different words.
+    fn all(&self) -> impl Iterator<Item = Symbol> {
+        self.different(0..self.words.len())
+    }
+
+    /// Tells each word with the parts of the command that it is in, and how often it is said.
+    fn each_place(&self, mut tell: impl FnMut(Symbol, Place)) {
+        let count = self.words.len();
+        let until = |numerator: usize, denominator: usize| count.saturating_mul(numerator).checked_div(denominator).unwrap_or(0);
+        let (half, third, last) = (until(1, 2), until(1, 3), count.saturating_sub(LAST));
+        let stretches = [0..half, half..count, 0..third, third..until(2, 3), until(2, 3)..count, last..count];
+        for (number, stretch) in stretches.into_iter().enumerate() {
+            self.different(stretch).for_each(|word| tell(word, Place::Stretch(number as u16)));
         }
+        for word in self.all() {
+            let times = self.words.iter().filter(|&&other| other == Some(word)).count();
+            (2..=times.min(MOST_TIMES)).for_each(|times| tell(word, Place::Times(times as u16)));
+        }
+    }
+
+    /// Tells each weight that speaks for a part of a task, and how much it counts.
+    pub fn each_weight(&self, part: Part, mut tell: impl FnMut(usize, f32)) {
+        let (role, value) = match part {
+            Part::Kind(form) => {
+                tell(of_kind(form), 1.0);
+                self.all().for_each(|word| tell(of_kind_word(form, word), 1.0));
+                return;
+            }
+            Part::Task(task) => {
+                self.each_place(|word, place| tell(of_task_word(task, word, place), 1.0));
+                return;
+            }
+            Part::Value(role, value) => (role, value),
+        };
         if self.is_told {
             tell(of_told(role, value, None), 1.0);
-            self.different(0).for_each(|word| tell(of_told(role, value, Some(word)), 1.0));
+            self.all().for_each(|word| tell(of_told(role, value, Some(word)), 1.0));
         }
-        for word in self.different(0).filter(|&word| self.names.share(word, value) > SPEAKS) {
+        for word in self.all().filter(|&word| self.names.share(word, value) > SPEAKS) {
             tell(of_value_word(role, value, word), 1.0);
         }
         for (position, word) in self.words.iter().enumerate() {
@@ -99,7 +131,7 @@ impl<'s, 't> Command<'s, 't> {
         tell(Context::Earlier(earlier().count().min(MOST_COUNTED) as u16));
         tell(Context::Later(later().count().min(MOST_COUNTED) as u16));
         if later().next().is_none() {
-            self.different(next).for_each(|word| tell(Context::Tail(word)));
+            self.different(next.min(self.words.len())..self.words.len()).for_each(|word| tell(Context::Tail(word)));
         }
         let same = |mention: Option<&Mention>| mention.map_or(0, |mention| if mention.value == value { 2 } else { 1 });
         tell(Context::Between(same(earlier().next_back()), same(later().next())));

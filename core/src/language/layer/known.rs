@@ -41,7 +41,7 @@ impl Known {
 }
 
 /// FNV-1a, symbol by symbol.
-fn hash(tokens: &[Symbol]) -> u32 {
+pub(super) fn hash(tokens: &[Symbol]) -> u32 {
     tokens.iter().fold(0x811c_9dc5, |hash, token| (hash ^ u32::from(token.0)).wrapping_mul(0x0100_0193))
 }
 

@@ -41,6 +41,8 @@ mod parts;
 #[cfg(feature = "layer")]
 mod posterior;
 #[cfg(feature = "layer")]
+mod scenes;
+#[cfg(feature = "layer")]
 mod speaking;
 #[cfg(feature = "layer")]
 pub(crate) mod training;

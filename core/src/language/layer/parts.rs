@@ -1,21 +1,31 @@
-//! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role.
+//! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role. In a scene that was
+//! taught often, each task itself, too.
 
+use super::scenes;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::RoleKind;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-/// A role's marker and a value. For the kind of task, its token twice.
-pub(super) type Part = (Symbol, Symbol);
+/// A part of a task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Part {
+    /// Its kind, by its token.
+    Kind(Symbol),
+    /// A value in a role, by the role's marker.
+    Value(Symbol, Symbol),
+    /// The task itself in its scene, by a hash of both.
+    Task(u32),
+}
 
 /// The parts of a task, by its description.
 pub(super) fn of_description(description: &[Symbol]) -> impl Iterator<Item = Part> {
     let speaks = |kind: RoleKind| kind.is_of_task() || kind == RoleKind::Start;
     let values = groups(description)
         .filter(move |group| speaks(group.marker.role.kind()))
-        .flat_map(|group| group.values.iter().map(move |&value| (group.marker.symbol(), value)));
-    form(description).map(|form| (form, form)).into_iter().chain(values)
+        .flat_map(|group| group.values.iter().map(move |&value| Part::Value(group.marker.symbol(), value)));
+    form(description).map(Part::Kind).into_iter().chain(values)
 }
 
 /// The different parts of a session's tasks, and a number for each.
@@ -26,12 +36,15 @@ pub(super) struct Parts {
     /// The parts of one task after another, by position among all, and where those of each task end.
     of_tasks: Vec<u32>,
     ends: Vec<usize>,
+    /// Where each task itself is among all, if it is a part.
+    themselves: Vec<Option<u32>>,
 }
 
 impl Parts {
-    /// The parts of these tasks.
-    pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> Self {
-        let mut parts = Self { all: Vec::new(), numbers: Vec::new(), of_tasks: Vec::new(), ends: Vec::new() };
+    /// The parts of these tasks. A task among those that were `taught` in this scene is a part of itself.
+    pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]> + Clone, taught: &[u32]) -> Self {
+        let mut parts = Self { all: Vec::new(), numbers: Vec::new(), of_tasks: Vec::new(), ends: Vec::new(), themselves: Vec::new() };
+        let scene = if taught.is_empty() { 0 } else { scenes::of(descriptions.clone()) };
         let mut known: BTreeMap<Part, u32> = BTreeMap::new();
         for description in descriptions {
             for part in of_description(description) {
@@ -44,6 +57,12 @@ impl Parts {
                 parts.of_tasks.push(at);
             }
             parts.ends.push(parts.of_tasks.len());
+            let itself = scenes::task(scene, description);
+            parts.themselves.push(taught.binary_search(&itself).is_ok().then_some(parts.all.len() as u32));
+            if taught.binary_search(&itself).is_ok() {
+                parts.all.push(Part::Task(itself));
+                parts.numbers.push(0.0);
+            }
         }
         parts
     }
@@ -58,13 +77,19 @@ impl Parts {
         start..self.ends.get(task).copied().unwrap_or(start)
     }
 
-    /// The sum of the numbers of a task's parts.
+    /// The number of a task itself, if it is a part.
+    pub fn itself(&mut self, task: usize) -> Option<&mut f32> {
+        let at = self.themselves.get(task).copied().flatten()?;
+        self.numbers.get_mut(at as usize)
+    }
+
+    /// The sum of the numbers of a task's parts without itself.
     pub fn sum(&self, task: usize) -> f32 {
         let parts = self.of_tasks.get(self.of_task(task)).unwrap_or(&[]);
         parts.iter().filter_map(|&at| self.numbers.get(at as usize)).sum()
     }
 
-    /// Adds to the number of each of a task's parts.
+    /// Adds to the number of each of a task's parts without itself.
     pub fn add(&mut self, task: usize, value: f32) {
         let range = self.of_task(task);
         for &at in self.of_tasks.get(range).unwrap_or(&[]) {

@@ -24,8 +24,13 @@ pub(super) struct Weighed {
     pub logarithm: f32,
     /// The sum of U over its parts.
     pub parts: f32,
-    /// The layer's posterior among the tasks of its group.
+    /// U of the task itself, where it was meant in this scene and the scene was taught often.
+    pub itself: Option<f32>,
+    /// The layer's posterior among the tasks of its group, and among all, without U of the tasks themselves.
     pub within: f32,
+    pub trusted: f32,
+    /// The layer's posterior among the tasks that were meant in this scene.
+    pub here: f32,
     /// The layer's posterior.
     pub believed: f32,
 }
@@ -53,7 +58,21 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
         }
         for task in tasks.iter_mut().filter(of_group) {
             task.within /= sum;
-            task.believed = mass * task.within;
+            (task.trusted, task.believed) = (mass * task.within, mass * task.within);
+        }
+    }
+    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together.
+    let of_scene = tasks.iter().filter_map(|task| Some((task.itself?, task.believed)));
+    let (best, whole) = of_scene.fold((f32::MIN, 0.0), |(best, whole), (itself, believed)| (itself.max(best), whole + believed));
+    let mut sum = 0.0;
+    for task in tasks.iter_mut() {
+        task.here = task.itself.map_or(0.0, |itself| task.believed * exp(itself - best));
+        sum += task.here;
+    }
+    if sum > 0.0 {
+        for task in tasks.iter_mut().filter(|task| task.itself.is_some()) {
+            task.here /= sum;
+            task.believed = whole * task.here;
         }
     }
 }
@@ -77,7 +96,7 @@ impl LayerRef<'_> {
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
-        let mut parts = Parts::of(groups().map(|(first, _)| description(first)));
+        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught);
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
@@ -86,7 +105,8 @@ impl LayerRef<'_> {
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (first, group)) in groups().enumerate() {
             let (met, understood) = (self.learned.has_met(description(first)), before(weights, group).over(whole));
-            tasks.push(Weighed { met, understood, parts: parts.sum(position), ..Weighed::default() });
+            let itself = parts.itself(position).copied();
+            tasks.push(Weighed { met, understood, itself, parts: parts.sum(position), ..Weighed::default() });
         }
         let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
         let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));

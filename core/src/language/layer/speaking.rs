@@ -20,10 +20,17 @@ pub(super) struct Speaking {
 
 impl Speaking {
     /// What speaks for the parts of tasks of these descriptions, after a training on data of so many words, each as often as it was `said`.
-    pub fn of<'d>(tables: TablesRef<'_>, said: f32, sentence: &[Symbol], descriptions: impl Iterator<Item = &'d [Symbol]>) -> Self {
+    /// `taught` are the tasks of scenes that were taught often.
+    pub fn of<'d>(
+        tables: TablesRef<'_>,
+        said: f32,
+        sentence: &[Symbol],
+        descriptions: impl Iterator<Item = &'d [Symbol]> + Clone,
+        taught: &[u32],
+    ) -> Self {
         let words: Vec<Option<Symbol>> = sentence.iter().copied().map(Some).collect();
         let command = Command::new(tables, said, &words);
-        let mut parts = Parts::of(descriptions);
+        let mut parts = Parts::of(descriptions, taught);
         let (mut weights, mut ends) = (Vec::new(), Vec::new());
         for (part, _) in parts.each() {
             command.each_weight(part, |cell, times| weights.push((cell as u32, times)));

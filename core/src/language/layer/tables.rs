@@ -47,6 +47,8 @@ pub struct LayerMemory {
     /// [`LAYER_WEIGHTS`] numbers.
     weights: Vec<f32>,
     learned: Learned,
+    /// The tasks that were meant in scenes that were taught often, in order.
+    taught: Vec<u32>,
     left_out: LeftOut,
     /// One entry a word, while a role model is asked for the sessions that it has not seen: whether it was heard in those that it has.
     heard: Vec<bool>,
@@ -66,6 +68,7 @@ impl LayerMemory {
         understood: Vec::new(),
         weights: Vec::new(),
         learned: Learned::NOTHING,
+        taught: Vec::new(),
         left_out: LeftOut::NONE,
         heard: Vec::new(),
         found: Found::NONE,
@@ -109,7 +112,7 @@ const LEAST_SESSIONS: usize = 8;
 
 /// A kind of task was meant if the sessions show it so often, all together.
 #[cfg(feature = "layer")]
-const MET: f32 = 0.5;
+pub(super) const MET: f32 = 0.5;
 
 /// What a training left.
 #[cfg(feature = "layer")]
@@ -216,6 +219,7 @@ pub(in crate::language) struct Room<'t> {
     pub(super) understood: &'t mut [f32],
     pub(super) weights: &'t mut [f32],
     pub(super) learned: &'t mut Learned,
+    pub(super) taught: &'t mut Vec<u32>,
     pub(super) heard: &'t mut Vec<bool>,
     pub(super) found: &'t mut Found,
 }
@@ -227,6 +231,7 @@ pub(in crate::language) struct LayerRef<'t> {
     pub possible: BitextRef<'t>,
     pub(super) weights: &'t [f32],
     pub(super) learned: Learned,
+    pub(super) taught: &'t [u32],
 }
 
 #[cfg(feature = "layer")]
@@ -241,7 +246,12 @@ impl<'t> LayerRef<'t> {
             sentence_words: &[],
             pairs: &memory.pairs,
         };
-        Some(Self { possible: BitextRef::new(possible, memory.used), weights: &memory.weights, learned: memory.learned })
+        Some(Self {
+            possible: BitextRef::new(possible, memory.used),
+            weights: &memory.weights,
+            learned: memory.learned,
+            taught: &memory.taught,
+        })
     }
 }
 
@@ -263,6 +273,7 @@ impl<'t> Room<'t> {
             understood: &mut memory.understood,
             weights: &mut memory.weights,
             learned: &mut memory.learned,
+            taught: &mut memory.taught,
             heard: &mut memory.heard,
             found: &mut memory.found,
         })
@@ -270,7 +281,7 @@ impl<'t> Room<'t> {
 
     /// The same, to be read.
     pub const fn read(&self) -> LayerRef<'_> {
-        LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned }
+        LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned, taught: self.taught.as_slice() }
     }
 
     /// Whether there is enough to train it on.

@@ -8,9 +8,14 @@
 //! ```
 //!
 //! Words may say what the trainer's acts leave open, and one session of some shows another task than was meant: what no act speaks for keeps
-//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1.
+//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps of each pass are shorter than those
+//! of the pass before.
+//!
+//! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
+//! there were none of them.
 
 use super::posterior::{Weighed, weigh};
+use super::scenes;
 use super::speaking::{Found, Speaking};
 use super::tables::Room;
 use super::weights::{PULLS, TRUST, Weights};
@@ -41,17 +46,19 @@ impl Room<'_> {
     pub fn advance(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, part: Part) -> (usize, Part) {
         match part {
             Part::Clear => {
-                let mut weights = Weights::of(self.weights);
+                let mut weights = Weights::of(self.weights, 0.0);
                 weights.clear();
                 self.learned.begin(tables.layout(), bitext);
+                let is_told = tables.layout().has_names();
+                *self.taught = if is_told { Vec::new() } else { scenes::taught(self.possible.read(), self.shares) };
                 *self.found = Found::NONE;
                 (weights.values.len(), Part::Pass(0, 0))
             }
             Part::Pass(pass, session) if usize::from(session) < bitext.sessions() => {
-                (self.learn_session(tables, bitext, session), Part::Pass(pass, session.saturating_add(1)))
+                (self.learn_session(tables, bitext, session, pass), Part::Pass(pass, session.saturating_add(1)))
             }
             Part::Pass(pass, _) => {
-                let cells = self.pull();
+                let cells = self.pull(pass);
                 let pass = pass.saturating_add(1);
                 self.learned.done = pass >= PASSES;
                 if self.learned.done {
@@ -65,7 +72,7 @@ impl Room<'_> {
 
     /// One step towards what a session shows.
     #[inline(never)]
-    fn learn_session(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
+    fn learn_session(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16, pass: u8) -> usize {
         let count = self.read().tasks(session);
         if count == 0 {
             return 1;
@@ -75,10 +82,11 @@ impl Room<'_> {
         let of_session = first..first.saturating_add(count);
         let (understood, shown) = (self.understood.get(of_session.clone()), self.shares.get(of_session));
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
-        let mut weights = Weights::of(self.weights);
+        let mut weights = Weights::of(self.weights, rate(pass));
         let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
         let found = self.found.take(session);
-        let mut speaking = found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions()));
+        let mut speaking =
+            found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions(), self.taught));
 
         for (speaks, number) in speaking.each() {
             *number = 0.0;
@@ -89,18 +97,19 @@ impl Room<'_> {
         let parts = &mut speaking.parts;
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
-            let (met, parts) = (self.learned.has_met(possible.command(pair.command)), parts.sum(position));
-            tasks.push(Weighed { met, understood, parts, ..Weighed::default() });
+            let (met, itself) = (self.learned.has_met(possible.command(pair.command)), parts.itself(position).copied());
+            tasks.push(Weighed { met, understood, itself, parts: parts.sum(position), ..Weighed::default() });
         }
         weigh(&mut tasks, 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0));
         let wanted = &mut *vec![0.0_f32; count];
         for (((slot, task), &shown), pair) in wanted.iter_mut().zip(&tasks).zip(shown).zip(pairs) {
-            *slot = (shown + UNREFUTED * pair.weight) * (task.believed + LEAST);
+            *slot = (shown + UNREFUTED * pair.weight) * (task.trusted + LEAST);
         }
         normalise(wanted);
         // The words cannot change what is wanted of each group.
         let wanted_of = |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| task.met == met).map(|(_, wanted)| wanted).sum::<f32>();
         let (of_met, of_others) = (wanted_of(true), wanted_of(false));
+        let of_scene: f32 = tasks.iter().zip(&*wanted).filter(|(task, _)| task.itself.is_some()).map(|(_, wanted)| wanted).sum();
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         // Where tasks are told, a meaning counts as the root of how often it was told, as it does for the role model.
@@ -111,6 +120,9 @@ impl Room<'_> {
         for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
             let slope = counts * (if task.met { of_met } else { of_others } * task.within - wanted);
             parts.add(position, slope);
+            if let Some(itself) = parts.itself(position) {
+                *itself += counts * (of_scene * task.here - wanted);
+            }
             of_trust += slope * task.logarithm;
         }
         for (speaks, number) in speaking.each() {
@@ -126,8 +138,8 @@ impl Room<'_> {
     }
 
     /// One step of the pulls.
-    fn pull(&mut self) -> usize {
-        let mut weights = Weights::of(self.weights);
+    fn pull(&mut self, pass: u8) -> usize {
+        let mut weights = Weights::of(self.weights, rate(pass));
         for (range, pull) in PULLS {
             for cell in range {
                 let value = weights.values.get(cell).copied().unwrap_or(0.0);
@@ -146,4 +158,10 @@ fn normalise(numbers: &mut [f32]) {
     if whole > 0.0 {
         numbers.iter_mut().for_each(|number| *number /= whole);
     }
+}
+
+/// How long a step of a pass is: the later, the shorter, so that the last sessions count no more than the first.
+fn rate(pass: u8) -> f32 {
+    const FIRST: f32 = 0.15;
+    FIRST * f32::from(PASSES.saturating_sub(pass)) / f32::from(PASSES)
 }

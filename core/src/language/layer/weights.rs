@@ -14,15 +14,25 @@ const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, where a is how much the role model counts.
 pub(super) const TRUST: usize = CONSTANTS.end;
-/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it.
-const TOLD: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
+/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it. Elsewhere, weights of a word
+/// together with a task of a scene that was taught often.
+const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// How many weights there are.
-pub(super) const CELLS: usize = TOLD.end;
+pub(super) const CELLS: usize = WORDS.end;
 
 /// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
 /// so that what all values of a role share is learned first.
 pub(super) const PULLS: [(Range<usize>, f32); 6] =
-    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (TOLD, 10.0)];
+    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (WORDS, 10.0)];
+
+/// Where in a command a word is, or how often.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Place {
+    /// In one half or third of the command, or at its end.
+    Stretch(u16),
+    /// So many times at least.
+    Times(u16),
+}
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
@@ -74,7 +84,16 @@ pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize 
 
 /// The cell of a value in a role, alone or with a word that need not speak of it.
 pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usize {
-    cell(TOLD, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
+    cell(WORDS, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
+}
+
+/// The cell of a word together with a task of a scene.
+pub(super) fn of_task_word(task: u32, word: Symbol, place: Place) -> usize {
+    let (place, number) = match place {
+        Place::Stretch(number) => (1, number),
+        Place::Times(number) => (2, number),
+    };
+    cell(WORDS, [task as u16, (task >> 16) as u16, word.0, place, number])
 }
 
 /// The cell of a context, for all values of a role.
@@ -89,7 +108,7 @@ pub(super) fn of_kind(form: Symbol) -> usize {
 }
 
 /// The finisher of MurmurHash3, word by word.
-fn cell(range: Range<usize>, parts: [u16; 3]) -> usize {
+fn cell<const PARTS: usize>(range: Range<usize>, parts: [u16; PARTS]) -> usize {
     let mut hash = 0x9e37_79b9_u32;
     for part in parts {
         hash = (hash ^ u32::from(part)).wrapping_mul(0x85eb_ca6b);
@@ -106,14 +125,16 @@ pub(super) struct Weights<'t> {
     pub slopes: &'t mut [f32],
     /// The sum of the squares of all slopes before.
     pub squares: &'t mut [f32],
+    /// How long a step is.
+    pub rate: f32,
 }
 
 impl<'t> Weights<'t> {
     /// The parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
-    pub fn of(all: &'t mut [f32]) -> Self {
+    pub fn of(all: &'t mut [f32], rate: f32) -> Self {
         let (values, rest) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
         let (slopes, squares) = rest.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
-        Self { values, slopes, squares }
+        Self { values, slopes, squares, rate }
     }
 
     /// Before anything is learned.
@@ -125,10 +146,9 @@ impl<'t> Weights<'t> {
 
     /// One step down a weight's slope (`AdaGrad`).
     pub fn step(&mut self, cell: usize, slope: f32) {
-        const RATE: f32 = 0.1;
         if let (Some(value), Some(square)) = (self.values.get_mut(cell), self.squares.get_mut(cell)) {
             *square += slope * slope;
-            *value -= RATE * slope / square_root(*square);
+            *value -= self.rate * slope / square_root(*square);
         }
     }
 
