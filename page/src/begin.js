@@ -8,7 +8,7 @@ import { fromBase64 } from './base64.js';
 import { expanded } from './lzma.js';
 
 // How many bits of the byte before tell what a byte is, as the builder has it.
-const LC = 4;
+const LC = 5;
 
 async function begin() {
   // The robot of the first paint is seen meanwhile. A message comes in a hidden page too, which gets no frames.

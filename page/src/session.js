@@ -283,7 +283,7 @@ async function go(session) {
       if (step) session.feedback = step.feedback;
       else if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
       render();
-      if (delay > 0) await pause(session, delay * 0.45);
+      if (delay > 0 && step?.feedback !== 'neutral') await pause(session, delay * 0.45);
       else if (session.steps % 8 === 0) await nextFrame();
     } else {
       if (delay > 0) await pause(session, delay);
