@@ -10,7 +10,7 @@ const small = { bundle: true, format: 'iife', minify: true, charset: 'utf8', leg
 await build({ ...small, entryPoints: source('src/begin.js'), outfile: begin });
 await build({ ...small, entryPoints: source('style.css'), outfile: style });
 await build({
-  ...small, entryPoints: source('src/main.js'), outfile: others, globalName: 'goodbotPage',
+  ...small, entryPoints: source('src/main.js'), outfile: others,
   alias: { 'goodbot-wasm': resolve(glue) },
   // The glue's own way to fetch the module from beside itself is never taken.
   define: { 'import.meta.url': 'undefined', GOODBOT_VERSION: JSON.stringify(version) },

@@ -8,7 +8,7 @@ import { fromBase64 } from './base64.js';
 import { expanded } from './lzma.js';
 
 // How many bits of the byte before tell what a byte is, as the builder has it.
-const LC = 4;
+const LC = 5;
 
 async function begin() {
   // The robot of the first paint is seen meanwhile. A message comes in a hidden page too, which gets no frames.
@@ -27,11 +27,11 @@ async function begin() {
   document.body.insertAdjacentHTML('afterbegin', text(body));
   add('style', style);
   add('script', script);
-  await /** @type {any} */ (globalThis).goodbotPage.begin(module, text(languages));
+  await /** @type {any} */ (globalThis).goodbotBegin(module, text(languages));
 }
 
 begin().catch(error => {
-  // A browser that cannot expand anything has none of the page's texts but these.
+  // What cannot run the robot may have none of the page's texts but these.
   const texts = { de, en, es, fr, zh };
   const language = navigator.languages.map(one => one.toLowerCase().split('-')[0]).find(one => Object.hasOwn(texts, one)) || 'en';
   document.body.innerHTML = `<p role="alert" lang="${language}">${texts[language]}</p>`;

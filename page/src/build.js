@@ -48,7 +48,7 @@ const MOST_CHARACTERS = 100000;
 
 /** Goes on with one's own drawing; the first one begins with the home that is shown. */
 export function enterBuild() {
-  const kept = shelf.read('drawing', null) || { file: shelf.read('own', null) };
+  const kept = shelf.read('drawing', {});
   build.shown = parsed(world.environment());
   build.file = kept.file || structuredClone(build.shown);
   [build.past, build.future] = [kept.past || [], kept.future || []];
@@ -82,7 +82,7 @@ function keepDrawing() {
 // Why a home is none, in words for people: the core's limits have the names of its tables.
 function whyNot(error) {
   const [, table = '', n] = error.match(/apacit(?:ies|y)::(\w+) is (\d+)/) || [];
-  return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error);
+  return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error.startsWith('line ') ? t('build.malformed') + ' (' + error + ')' : error);
 }
 
 // Is this a home? If so, the robot lives in it.

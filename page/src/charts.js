@@ -1,6 +1,8 @@
 // Charts: what the robot believed, step by step, and how sure it was of each command when it heard it, session by session; and both as a table.
 import { download } from './files.js';
 import { t } from './language.js';
+import { sessionLink } from './link.js';
+import { share } from './share.js';
 import { $, draw, make, percent, state, tell } from './state.js';
 import { logOf } from './store.js';
 import { isShown } from './tabs.js';
@@ -56,8 +58,8 @@ const cell = value => (/[",\n]/.test(String(value)) ? '"' + String(value).replac
 
 /** The sessions that this robot was taught by as a table: a line for each step. */
 export function saveTable() {
-  const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback', 'seed', 'version', 'citation']];
-  const about = () => [state.robot.seeds?.[learned] ?? '', 'goodbot ' + GOODBOT_VERSION, CITATION];
+  const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback', 'seed', 'version', 'citation', 'condition', 'consent']];
+  const about = () => [state.robot.seeds?.[learned] ?? '', 'goodbot ' + GOODBOT_VERSION, CITATION, state.robot.study?.id ?? '', state.robot.study?.consent ?? ''];
   let [session, step, command, learned] = [0, 0, '', 0];
   for (const line of logOf(state.robot).split('\n').filter(Boolean)) {
     const record = JSON.parse(line);
@@ -69,4 +71,11 @@ export function saveTable() {
   }
   if (rows.length === 1) tell(t('settings.noLog'));
   else download('goodbot.csv', rows.map(row => row.map(cell).join(',') + '\r\n').join(''), 'text/csv');
+}
+
+/** Offers the last session as a link. */
+export async function shareSession() {
+  const link = await sessionLink();
+  if (link) share(link, t('session.share'), t('session.link'));
+  else tell(t('settings.noLog'));
 }

@@ -1,11 +1,13 @@
-// What an address carries behind its #: a home with settings, or a robot with all that it knows.
+// What an address carries behind its #: a home with settings, a robot with all that it knows, a session of it, or a study.
 import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { expectTrainer, expectedNow } from './believes.js';
 import { world } from './core.js';
 import { expanded, packed } from './deflate.js';
 import { names, t } from './language.js';
+import { checkRecord } from './logs.js';
 import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
+import { logOf } from './store.js';
 
 // The settings that a link carries; the look and the keys are everybody's own.
 const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'seed'];
@@ -30,10 +32,12 @@ export function checksum(bytes) {
   return ~sum >>> 0;
 }
 
-/** The address of this page with this tab's robot: what it knows, its name, its home and settings. `secret`: what it knows is to be found out. */
-export async function robotLink(secret = false) {
-  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), secret }));
-  const model = fromBase64(state.robot.model);
+/** The address of this page with this tab's robot: what it knows, its name, its home and settings.
+ * @param {{ secret?: boolean, session?: any[] }} more `secret`: what it knows is to be found out; `session`: what is shown, the records of a log
+ * @param {string} known what it knows, as it is kept */
+export async function robotLink(more = {}, known = state.robot.model) {
+  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), ...more }));
+  const model = fromBase64(known);
   const whole = new Uint8Array(2 + about.length + model.length);
   whole.set([about.length >> 8, about.length & 255]);
   whole.set(about, 2);
@@ -43,15 +47,24 @@ export async function robotLink(secret = false) {
   new DataView(bytes.buffer).setUint32(1, checksum(robot));
   bytes[0] = ROBOT_VERSION;
   bytes.set(robot, 5);
-  return location.href.split('#')[0] + '#robot=' + toAddress(bytes);
+  return location.href.split('#')[0] + (more.session ? '#session=' : '#robot=') + toAddress(bytes);
+}
+
+/** The link to the session that this robot learned from last, with what the robot knew before. Nothing where there is none, or where it came with
+ * others from a log. */
+export async function sessionLink() {
+  const log = logOf(state.robot);
+  const before = state.robot.past.findLast(point => point.length < log.length);
+  const records = before ? log.slice(before.length).trimEnd().split('\n').map(line => JSON.parse(line)) : [];
+  const session = records.filter(({ type }) => type !== 'end').map(({ at_ms, said_ms, ...record }) => record);
+  return before && records.length === session.length + 1 ? robotLink({ session }, before.model) : undefined;
 }
 
 /** The robot that the address carries, taken off it; `null` where there is none, and where it is damaged, which is told.
- * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, secret: boolean, model: Uint8Array } | null>} */
+ * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, secret: boolean, session: any[] | undefined, model: Uint8Array } | null>} */
 export async function readRobot() {
-  const [, text] = location.hash.match(/^#robot=(.*)$/) || [];
+  const text = takeOff('robot|session');
   if (text === undefined) return null;
-  history.replaceState(null, '', location.href.split('#')[0]);
   try {
     const bytes = fromAddress(text);
     if (bytes[0] > ROBOT_VERSION) {
@@ -62,12 +75,27 @@ export async function readRobot() {
     if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(robot)) throw new Error('checksum');
     const whole = await expanded(robot);
     const length = whole[0] << 8 | whole[1];
-    const { name, home, pull, ways, secret } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
-    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, secret: secret === true, model: whole.slice(2 + length) };
+    const { name, home, pull, ways, secret, session } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
+    session?.forEach(checkRecord);
+    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, secret: secret === true, session, model: whole.slice(2 + length) };
   } catch {
-    tell(t('link.damagedRobot'), true);
+    tell(t('link.damaged'), true);
     return null;
   }
+}
+
+/** The study that the address invites to, taken off it: its condition, the text that people agree to, and settings. `null` where there is none, and
+ * where something in it is wrong, which is told.
+ * @returns {{ id: string, consent: any, settings: Record<string, any> } | null} */
+export function readStudy() {
+  const text = takeOff('study');
+  if (text === undefined) return null;
+  try {
+    const { id, consent, settings = {} } = JSON.parse(decodeURIComponent(text));
+    if (typeof id === 'string' && id.trim() && Object.entries(settings).every(([name, value]) => SHARED.includes(name) && isSetting(name, value))) return { id, consent, settings };
+  } catch { /* Then it is damaged, too. */ }
+  tell(t('link.damaged'), true);
+  return null;
 }
 
 /** Whether a setting may have this value.
@@ -82,13 +110,18 @@ export function isSetting(name, value) {
   return typeof value === 'boolean';
 }
 
-/** Takes what the address carries, and takes it off the address, so that a reload does not undo what was changed since. Returns whether
- * there was something. Other marks behind the #, such as the one of the skip link, are none of ours. */
+// What the address carries by this name, taken off it, so that a reload does not undo what was changed since. Other marks behind the #, such as the
+// one of the skip link, are none of ours.
+function takeOff(name) {
+  const [, text] = location.hash.match('^#(?:' + name + ')=(.*)$') || [];
+  if (text !== undefined) history.replaceState(null, '', location.href.split('#')[0]);
+  return text;
+}
+
+/** Takes the home and the settings that the address carries. Returns whether there was something. */
 export function readLink() {
-  // Links of earlier versions have no name before the text, which begins with {".
-  const [, text] = location.hash.match(/^#(?:home=|(?=eyJ))(.*)$/) || [];
+  const text = takeOff('home');
   if (text === undefined) return false;
-  history.replaceState(null, '', location.href.split('#')[0]);
   try {
     const share = JSON.parse(new TextDecoder().decode(fromAddress(text)));
     world.setEnvironment(JSON.stringify(share.home));
@@ -97,9 +130,7 @@ export function readLink() {
       if (isSetting(name, value)) state.settings[name] = value;
     }
     world.setPulls(state.settings.pull);
-    // Earlier versions knew two.
-    const style = { true: 'population', false: 'balanced' }[state.settings.style] || state.settings.style;
-    state.settings.style = style;
+    const { style } = state.settings;
     if (style !== expectedNow()) expectTrainer(style);
     return true;
   } catch {

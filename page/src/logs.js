@@ -17,7 +17,8 @@ const LOG_FIELDS = {
   end: ['type', 'learn'],
 };
 
-function checkRecord(record) {
+/** Throws what is wrong with a line of a log. */
+export function checkRecord(record) {
   const fields = LOG_FIELDS[record.type];
   if (!fields) throw new Error(t('log.type'));
   const strange = Object.keys(record).find(field => !fields.includes(field));

@@ -1,8 +1,8 @@
 // The page is set up.
 import { drawnElsewhere, setUpBuild } from './build.js';
-import { saveTable } from './charts.js';
+import { saveTable, shareSession } from './charts.js';
 import { startCore, world } from './core.js';
-import { speakLanguage, t, takeLanguages, writePage } from './language.js';
+import { speakLanguage, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
 import { setUpNext } from './next.js';
 import { setUpOwnTests } from './owntests.js';
@@ -10,12 +10,12 @@ import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { render } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, heatNow, leaveSession, pick, refresh, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
-import { meet } from './roster.js';
+import { finishSession, finishWithoutLearning, heatNow, leaveSession, pick, refresh, showSession, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
+import { joinStudy, meet } from './roster.js';
 import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
-import { $, all, attempt, make, state } from './state.js';
+import { $, all, attempt, state } from './state.js';
 import { openLast, othersTaught, wouldBeLost } from './store.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
@@ -44,14 +44,18 @@ function setUp() {
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
   $('save-table').addEventListener('click', saveTable);
+  $('share-session').addEventListener('click', shareSession);
   window.addEventListener('hashchange', async () => {
-    if (!await leaveSession()) return;
-    if (!readLink() && !await meet()) return;
+    if (!await leaveSession() || await joinStudy()) return;
+    const isHome = readLink();
+    const visitor = isHome ? null : await meet();
+    if (!isHome && !visitor) return;
     state.mode = 'play';
     state.heat = { now: heatNow(), before: null };
     refresh();
     nameHome();
     render();
+    showSession(visitor?.session);
   });
   shelf.watch(async key => {
     if (key === 'robot.' + state.robot.id && !state.session && state.phase === 'none') await takeOver();
@@ -78,7 +82,8 @@ async function takeOver() {
   else state.tour.at = at;
 }
 
-async function main(module, languages) {
+// Begins, with what was packed: the core's module, and the texts of all languages.
+async function begin(module, languages) {
   takeLanguages(languages);
   restoreSettings();
   speakLanguage(state.settings.language);
@@ -101,13 +106,9 @@ async function main(module, languages) {
   }
   render();
   document.body.classList.add('ready');
+  showSession(visited?.session);
+  await joinStudy();
 }
 
-/** Begins, with what was packed: the core's module, and the texts of all languages.
- * @param {Uint8Array} module
- * @param {string} languages */
-export const begin = (module, languages) => main(module, languages).catch(error => {
-  $('page').replaceChildren(make('p', { class: 'card', role: 'alert' }, t('noRobot')));
-  document.body.classList.add('ready');
-  console.info(error);
-});
+// For page/src/begin.js.
+Object.assign(globalThis, { goodbotBegin: begin });

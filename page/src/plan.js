@@ -240,7 +240,13 @@ export function watchSize() {
     }
   });
   for (const id of ['plan', 'draft']) sizes.observe($(id));
-  const around = new ResizeObserver(fitPlan);
+  // The bubble has another width at each step; where the plan ends depends on heights alone.
+  const heights = new Map();
+  const around = new ResizeObserver(entries => {
+    const changed = entries.filter(({ target, contentRect }) => heights.get(target) !== contentRect.height);
+    for (const { target, contentRect } of changed) heights.set(target, contentRect.height);
+    if (changed.length) fitPlan();
+  });
   for (const element of [$('say'), $('good').closest('.desk'), document.documentElement]) around.observe(element);
   window.addEventListener('resize', fitPlan);
 }
@@ -248,9 +254,12 @@ export function watchSize() {
 // Where the buttons lie over the page, as on a phone, the plan ends above them.
 function fitPlan() {
   const desk = $('good').closest('.desk');
-  const covers = getComputedStyle(desk).position === 'fixed';
+  if (getComputedStyle(desk).position !== 'fixed') {
+    $('plan').style.maxHeight = '';
+    return;
+  }
   const free = window.innerHeight - desk.getBoundingClientRect().height - 14;
   const room = free - ($('plan').getBoundingClientRect().top + window.scrollY);
   // Where it begins below what is seen, it is scrolled to, and seen whole then.
-  $('plan').style.maxHeight = covers ? (room < 90 && !state.session ? free - 60 : Math.max(90, room)) + 'px' : '';
+  $('plan').style.maxHeight = (room < 90 && !state.session ? free - 60 : Math.max(90, room)) + 'px';
 }

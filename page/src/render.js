@@ -13,10 +13,14 @@ import { hasWords } from './session.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
 import { renderTabs } from './tabs.js';
-import { renderThoughts } from './thoughts.js';
+import { feedbackWord, renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
 import { renderTrick } from './trick.js';
 import { acted, isThere, speech } from './words.js';
+
+// How long the robot still waits, as it is drawn.
+/** @type {Animation | undefined} */
+let waiting;
 
 export function render() {
   const session = state.session;
@@ -55,7 +59,7 @@ export function render() {
     $(id).setAttribute('aria-pressed', given);
     $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action === 'noop' ? 'stayed' : session.decided.action) : '';
   }
-  const to = !session || !session.decided ? t('train.to') : session.looking ? t('told.testTold')
+  const to = !session || !session.decided ? t('train.to') : session.recorded ? t('judge.given', { word: feedbackWord(session.feedback), did: acted(session.decided.action) }) : session.looking ? t('told.testTold')
     : t(session.feedback === 'reward' ? 'train.saidGood' : session.feedback === 'punish' ? 'train.saidBad' : 'train.silent', { it: t('it', { did: acted(session.decided.action) }) });
   $('to').replaceChildren(to);
   $('pause').textContent = t(session && session.paused ? 'train.goOn' : 'train.pause');
@@ -77,11 +81,9 @@ export function render() {
   $('choose').hidden = $('home').value !== 'random' || Boolean(session);
   renderIdeas();
   renderQuestion();
-  const wait = $('wait');
-  wait.style.animation = 'none';
+  waiting?.cancel();
   if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
-    void wait.offsetWidth;
-    wait.style.animation = 'fill ' + session.delay + 'ms linear ' + (session.since - performance.now()) + 'ms both';
+    waiting = $('wait').animate([{ transform: 'scaleX(0)' }, { transform: 'scaleX(1)' }], { duration: session.delay, delay: session.since - performance.now(), fill: 'both' });
   }
   // Who works by keyboard is not left on a button that has gone.
   if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session?.question ? $('answers') : session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });

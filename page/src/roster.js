@@ -3,19 +3,20 @@ import { readFile } from './files.js';
 import { world } from './core.js';
 import { render } from './render.js';
 import { heatNow, leaveSession, refresh } from './session.js';
+import { ask } from './dialog.js';
+import { expectTrainer } from './believes.js';
 import { listed, t } from './language.js';
-import { readRobot } from './link.js';
+import { readRobot, readStudy } from './link.js';
 import { refused } from './shelf.js';
 import { $, make, state, tell } from './state.js';
+import { isShown } from './tabs.js';
+import { keepSetting } from './settings.js';
 import { add, copy, freeName, logOf, newRecord, open, patch, robots, takeModel } from './store.js';
 import { enterStop } from './tour.js';
 import { sessionsWord } from './words.js';
 
-/** Says who learns here, and what of it is not kept. */
-export function renderRoster() {
-  const guest = state.robot.log !== undefined;
-  const all = robots();
-  $('who').textContent = state.robot.name;
+/** @param {import('./store.js').Robot[]} all */
+function renderList(all) {
   $('robots').replaceChildren(...all.filter(robot => !robot.deleted).map(robot => {
     const here = robot.id === state.robot.id;
     const name = make('input', { value: robot.name, maxlength: 40, 'aria-label': t('robots.nameOf', robot) });
@@ -28,6 +29,14 @@ export function renderRoster() {
   const deleted = all.filter(robot => robot.deleted);
   $('deleted').hidden = !deleted.length;
   $('deleted').replaceChildren(t('robots.deleted'), ' ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, t('robots.back', robot))));
+}
+
+/** Says who learns here, and what of it is not kept. */
+export function renderRoster() {
+  const guest = state.robot.log !== undefined;
+  // In a session nothing of them changes, and all that is kept would be read at each step.
+  if (!state.session || isShown('robots')) renderList(robots());
+  $('who').textContent = state.robot.name;
   const lost = refused();
   const kinds = [[/^robot/, t('kept.robot')], [/^log/, t('kept.log')], [/^(drawing|home)/, t('kept.home')], [/^settings/, t('kept.settings')]]
     .filter(([kind]) => lost.some(key => /** @type {RegExp} */ (kind).test(key))).map(([, words]) => words);
@@ -35,7 +44,7 @@ export function renderRoster() {
   $('unkept').textContent = kinds.length ? t('kept.not', { what: listed(/** @type {string[]} */ (kinds)) }) : '';
   $('kept').textContent = guest ? t('kept.guest') : lost.some(key => key.startsWith('robot')) ? t('kept.blocked') : t('kept.yes', { sessions: sessionsWord() });
   $('guest').hidden = !guest;
-  $('guest-words').textContent = state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
+  $('guest-words').textContent = state.shown ? t('guest.session', { name: state.robot.name, command: state.shown }) : state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
   $('keep-guest').hidden = !guest || state.secret === 'open' || state.sessions === 0 || state.tour.watching;
 }
 
@@ -119,13 +128,13 @@ export async function beginGuest(name) {
   const robot = { ...newRecord(name), log: '' };
   await open(robot);
   state.mine = mine;
-  [state.visitor, state.secret] = [false, ''];
+  [state.visitor, state.secret, state.shown] = [false, '', ''];
 }
 
-/** The robot of a link visits: one's own waits. Returns whether it has come. */
+/** The robot of a link visits: one's own waits. Returns it where it has come. */
 export async function meet() {
   const visitor = await readRobot();
-  if (!visitor) return false;
+  if (!visitor) return null;
   const mine = state.robot;
   try {
     await beginGuest(visitor.name);
@@ -139,11 +148,34 @@ export async function meet() {
     await open(mine);
     state.mode = 'tour';
     tell(t('guest.cannot'), true);
-    return false;
+    return null;
   }
   state.visitor = true;
   state.secret = visitor.secret ? 'open' : '';
+  state.shown = visitor.session?.[0].command ?? '';
   refresh();
+  return visitor;
+}
+
+/** Takes part in the study that the address invites to, where the visitor agrees: with a robot of its own, from the tour's beginning. Returns whether
+ * there was one. */
+export async function joinStudy() {
+  const study = readStudy();
+  if (!study || !await leaveSession()) return false;
+  const { id, consent, settings } = study;
+  const own = consent?.[document.documentElement.lang] ?? consent?.en ?? consent;
+  if (await ask(typeof own === 'string' ? own : t('study.consent'), { yes: t('study.agree'), no: t('ask.no') }) === 'no') return true;
+  try {
+    expectTrainer(settings.style ?? state.settings.style);
+  } catch {
+    tell(t('link.damaged'), true);
+    return true;
+  }
+  Object.assign(state.settings, settings);
+  for (const name of Object.keys(settings)) keepSetting(name);
+  state.mode = 'tour';
+  await newRobot();
+  await patch(state.robot, { study: { id, consent: new Date().toISOString() } });
   return true;
 }
 

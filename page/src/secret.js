@@ -18,7 +18,7 @@ const words = () => clearWords().slice(0, MOST_WORDS);
 /** The link to this robot as a game. */
 export async function shareSecret() {
   if (!words().length) tell(t('secret.none'), true);
-  else share(await robotLink(true), t('secret.title', state.robot), t('secret.link'));
+  else share(await robotLink({ secret: true }), t('secret.title', state.robot), t('secret.link'));
 }
 
 async function sayWord(word) {

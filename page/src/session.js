@@ -60,13 +60,13 @@ export function startSession(command, { intended = null, looking = false, picked
 
 /** Goes on with a session that the robot has begun.
  * @param {string} command
- * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how */
-export function begin(command, { intended = null, looking = false, picked = '' }) {
+ * @param {{ intended?: string | null, looking?: boolean, picked?: string, recorded?: any[] }} how */
+export function begin(command, { intended = null, looking = false, picked = '', recorded = undefined }) {
   refresh();
   state.support = attempt(() => parsed(world.support()));
   state.evidence = [];
   $('command').value = '';
-  const session = newSession(command, { intended, looking });
+  const session = newSession(command, { intended, looking, recorded });
   session.heard = ranked();
   session.picked = picked;
   state.session = session;
@@ -85,13 +85,25 @@ export function begin(command, { intended = null, looking = false, picked = '' }
 }
 
 /** @param {string} command
- * @param {{ intended?: string | null, looking?: boolean }} how
+ * @param {{ intended?: string | null, looking?: boolean, recorded?: any[] }} how
  * @returns {import('./state.js').Session} */
-function newSession(command, { intended = null, looking = false }) {
+function newSession(command, { intended = null, looking = false, recorded = undefined }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
-    command, intended: task < 0 ? null : task, looking, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
+    command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
     began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onEnd: null, onLearn: null,
+  };
+}
+
+/** Shows a session from a link, step by step: the robot does what it did then, and hears what it was told. It learns nothing from that.
+ * @param {any[] | undefined} records */
+export function showSession(records) {
+  if (!records || attempt(() => (beginAnew(records[0]), true)) !== true) return;
+  const session = begin(records[0].command, { looking: true, recorded: records.slice(1) });
+  session.onEnd = () => {
+    const [{ words, probability }] = ranked();
+    state.said = [t('told.heard', { command: session.command, task: words, sure: percent(probability) }), ''];
+    render();
   };
 }
 
@@ -164,8 +176,8 @@ export async function takeUpSession() {
     const { value, closed } = await underWay.get();
     const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
-    // A session in which nothing was said yet is not taken up from a tab that was closed.
-    if (closed && !kept.steps.some(step => /"type":"answer"|"feedback":"(reward|punish)"/.test(step))) return false;
+    // A session that only began is not taken up from a tab that was closed.
+    if (closed && kept.steps.length < 2) return false;
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
     if (kept.at !== null && kept.at !== state.tour.at) return false;
@@ -185,7 +197,7 @@ export async function takeUpSession() {
       }
       await inParts(() => world.plan(PLAN_BUDGET));
       world.drawFrom(state.settings.seed, session.steps);
-      world.actAs(step.action);
+      world.act(step.action);
       state.evidence.push(parsed(world.judge(step.feedback)));
       session.steps += 1;
     }
@@ -233,8 +245,13 @@ export function pause(session, milliseconds) {
 }
 
 async function go(session) {
+  const { recorded } = session;
   while (!session.over) {
     takePick(session);
+    while (recorded?.[0]?.type === 'answer') {
+      attempt(() => answerRecorded(recorded.shift()));
+      state.belief = beliefNow();
+    }
     state.phase = 'planning';
     const slow = setTimeout(render, 40);
     await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
@@ -244,7 +261,9 @@ async function go(session) {
     if (session.over) return undefined;
     if (answered) continue;
     world.drawFrom(state.settings.seed, session.steps);
-    const decided = attempt(() => parsed(world.act()));
+    const step = recorded?.shift();
+    if (recorded && !step) return endWalk();
+    const decided = attempt(() => parsed(world.act(step?.action)));
     if (!decided) return stopSession(), render();
     session.decided = decided;
     session.feedback = null;
@@ -258,12 +277,13 @@ async function go(session) {
     session.delay = delay;
     render();
     if (delay > 300) announce(t('told.did', { did: acted(decided.action), speech: speech().join(' ') }));
-    if (session.intended !== null && !session.looking) {
+    if (step || (session.intended !== null && !session.looking)) {
       if (delay > 0) await pause(session, delay * 0.55);
       if (session.over) return undefined;
-      if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
+      if (step) session.feedback = step.feedback;
+      else if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
       render();
-      if (delay > 0) await pause(session, delay * 0.45);
+      if (delay > 0 && step?.feedback !== 'neutral') await pause(session, delay * 0.45);
       else if (session.steps % 8 === 0) await nextFrame();
     } else {
       if (delay > 0) await pause(session, delay);
@@ -332,7 +352,7 @@ function waitOf(session, auto) {
 // The core takes in the feedback to the last action. A robot that is only watched takes nothing in: its silence would be evidence, and might turn it
 // round and round.
 function commit(session) {
-  const evidence = session.looking ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
+  const evidence = session.looking && !session.recorded ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
   if (evidence) state.evidence.push(evidence);
   else if (!session.looking) return;
   session.times.push(timeOfStep(session));
@@ -345,7 +365,7 @@ function commit(session) {
 
 // Whether a session that goes on by itself has come to its end.
 async function ended(session) {
-  if (session.intended === null && !session.looking) return false;
+  if (session.recorded || (session.intended === null && !session.looking)) return false;
   const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];
   const there = plan === 'goal' && session.rests >= (session.looking ? 1 : RESTS);
   if (!there && plan !== 'dead end' && session.steps < MOST_STEPS) return false;
@@ -449,7 +469,7 @@ export function stepOnce() {
 // Finish and learn.
 export async function finishSession() {
   const session = state.session;
-  if (!session || state.phase === 'learning') return;
+  if (!session || session.looking || state.phase === 'learning') return;
   if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
   session.over = true;
   clearTimeout(session.soon);

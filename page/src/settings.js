@@ -187,7 +187,7 @@ export async function considerWays(value) {
 const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
 
 // Each setting by itself: another tab may have changed others.
-function keepSetting(name) {
+export function keepSetting(name) {
   const kept = shelf.read('settings', {});
   shelf.put('settings', JSON.stringify({ ...kept, [name]: state.settings[name] }));
 }

@@ -34,6 +34,7 @@ import { t } from './language.js';
  * @property {(() => void) | null} wake
  * @property {number} soon
  * @property {number} said when the word on the last step was said
+ * @property {any[] | undefined} recorded what is still to come of a session that is shown: records of a log
  * @property {string[]} heardNew the words that were new to the robot
  * @property {import('goodbot-wasm').Question | null} question what the robot asks, and waits for
  * @property {number} asked when it asked
@@ -65,6 +66,8 @@ export const state = {
   mine: /** @type {import('./store.js').Robot | null} */ (null),
   // Whether the robot that is shown came with a link.
   visitor: false,
+  // The command of the session that came with it, to be shown.
+  shown: '',
   // The game of a secret language: `open` while it is played, `told` when it is over.
   secret: '',
   // The tab of the panel that is shown.

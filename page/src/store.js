@@ -39,6 +39,7 @@ const DAYS_KEPT = 30;
  * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
  * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
+ * @property {{ id: string, consent: string }} [study] the condition of the study that it is for, and when its trainer agreed to take part
  * @property {Point[]} past
  * @property {Point[]} future
  * @property {string} [log] the log of a robot that is not kept
@@ -220,28 +221,16 @@ export function freeName(name) {
   return free;
 }
 
-// What versions before this one kept: one robot, without a name.
-function keptByOlderVersions() {
-  const model = shelf.get('model');
-  if (!model) return null;
-  const tour = shelf.read('tour', {});
-  const robot = { ...newRecord(t('robots.first')), model, sessions: 1, tour: { at: tour.at | 0, done: Array.isArray(tour.done) ? tour.done : [] } };
-  add(robot, shelf.get('log') || '');
-  for (const key of ['model', 'log', 'tour', 'undo']) shelf.put(key, null);
-  return robot;
-}
-
 /** Whether the browser does not keep something that was taught or drawn. */
 export const wouldBeLost = () => shelf.refused().some(key => /^(drawing$|log\.)/.test(key) || (key.startsWith('robot.') && shelf.read(key, {}).sessions > 0));
 
 /** Opens the robot that this tab or else this browser used last, or a new one. */
 export async function openLast() {
-  const old = keptByOlderVersions();
   for (const robot of robots()) {
     if (robot.deleted && Date.now() - robot.deleted > DAYS_KEPT * 864e5) for (const key of ['robot.', 'log.']) shelf.put(key + robot.id, null);
   }
   const all = robots().filter(robot => !robot.deleted);
-  const wanted = [shelf.ofTab.get('robot'), old?.id, shelf.get('last')];
+  const wanted = [shelf.ofTab.get('robot'), shelf.get('last')];
   const choice = wanted.map(id => all.find(robot => robot.id === id)).find(Boolean) || all.at(-1);
   if (choice) {
     try {

@@ -61,7 +61,7 @@ function renderPick() {
   $('pick').replaceChildren(make('option', { value: '' }, '…'), ...state.belief.tasks.map(({ name, words }) => make('option', { value: name }, words)));
 }
 
-const feedbackWord = feedback => (feedback === 'reward' ? t('train.good') : feedback === 'punish' ? t('train.bad') : '—');
+export const feedbackWord = feedback => (feedback === 'reward' ? t('train.good') : feedback === 'punish' ? t('train.bad') : '—');
 
 function renderEvidence() {
   const best = ranked()[0];

@@ -412,26 +412,3 @@ test('a link is taken once: what is changed after it outlives a reload', async (
   await close(page);
   await close(other);
 });
-
-test('what earlier versions kept is taken over', async () => {
-  const page = await open(browser);
-  await play(page, 'A');
-  await teach(page, 'go to the red room');
-  const bytes = Buffer.from(await model(page)).toString('base64');
-  const lines = await log(page);
-  const context = await browser.newContext({ acceptDownloads: true });
-  const other = await openIn(context);
-  await other.evaluate(([kept, text]) => {
-    localStorage.clear();
-    sessionStorage.clear();
-    localStorage.setItem('goodbot.model', kept);
-    localStorage.setItem('goodbot.log', text);
-    localStorage.setItem('goodbot.tour', '{"at":1,"done":["wrong"]}');
-  }, [bytes, lines]);
-  await reload(other);
-  assert.deepEqual(await model(other), await model(page));
-  assert.match(await other.textContent('#tour-title'), /Lesson 2/);
-  assert.deepEqual(commands(await log(other)), ['go to the red room']);
-  await close(page);
-  await close(other);
-});

@@ -47,7 +47,7 @@ test('where all is kept, nobody is asked', async () => {
   await close(page);
 });
 
-test('a session whose tab was closed goes on in the next one, if something was said in it', async () => {
+test('a session whose tab was closed goes on in the next one, if a step of it was done', async () => {
   const one = await open(browser);
   await begin(one);
   await one.click('#pause');
@@ -68,8 +68,15 @@ test('a session whose tab was closed goes on in the next one, if something was s
   await begin(three);
   await three.close();
   const four = await openIn(other.context());
-  assert.ok(await four.isVisible('#lesson'), 'where nothing was said, nothing is taken up');
-  await close(four);
+  assert.ok(await four.isVisible('#lesson'), 'what only began is not taken up');
+  await begin(four);
+  await four.click('#next');
+  await four.waitForFunction(() => document.querySelectorAll('#steps tr').length === 1);
+  await four.close();
+  const five = await openIn(other.context());
+  await five.getByText('Your session goes on where it was').first().waitFor();
+  assert.equal(await five.locator('#steps tr').count(), 1, 'a step that nobody judged is one, too');
+  await close(five);
 });
 
 test('two tabs stand at the same lesson of the tour', async () => {
@@ -112,7 +119,11 @@ test('a home that is too large is refused in plain words, `null` is no drawing, 
   await refuse(home(room(0, 60), agent), /floor is too large: it has at most \d+ cells/);
   const blocks = Array.from({ length: 12 }, (_, at) => ({ class: 'block', name: 'block' + at, x: 1 + at % 7, y: 3 + Math.floor(at / 7), color: 'red', shape: 'bag' }));
   await refuse(home(room(0, 8), ...blocks, agent), /too many things: there are at most \d+/);
-  for (const text of ['null', '[1, 2]', '"home"', '7']) await refuse(text, /no home: (something in it|line 1: is )/);
+  for (const text of ['null', '[1, 2]', '"home"', '7']) await refuse(text, /no home: something in it/);
+  await refuse('[]', /“Show as JSON” shows how it is written \(line 1: is a list; write an object\)/);
+  await page.selectOption('#language', 'de');
+  await refuse('[]', /etwas darin fehlt.*\(line 1: is a list; write an object\)/);
+  await page.selectOption('#language', 'en');
   const took = await refuse('#rrr#'.repeat(600000), /too long: a home has at most \d+ characters/);
   assert.ok(took < 2000, took + ' ms');
   await page.fill('#home-text', home(room(0), agent));

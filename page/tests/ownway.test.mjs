@@ -73,7 +73,7 @@ test('the table has the seed of each session, the version and what to cite', asy
   await page.click('#tab-steps');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-table')]);
   const [head, first] = readFileSync(await download.path(), 'utf8').split('\r\n');
-  assert.equal(head, 'session,command,heard,step,action,feedback,seed,version,citation');
+  assert.equal(head, 'session,command,heard,step,action,feedback,seed,version,citation,condition,consent');
   assert.match(first, /,2014,goodbot \d+\.\d+\.\d+,MacGlashan et al\./);
   await close(page);
 });

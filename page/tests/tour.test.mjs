@@ -108,7 +108,7 @@ test('what feedback was worth is seen at the end, and all steps are a table with
   const sum = column => rows.reduce((total, row) => total + row[column], 0);
   assert.ok(sum(0) > sum(1), JSON.stringify(rows));
   const table = (await saved(page, '#tour-table')).toString().trim().split('\r\n');
-  assert.equal(table[0], 'session,command,heard,step,action,feedback,seed,version,citation');
+  assert.equal(table[0], 'session,command,heard,step,action,feedback,seed,version,citation,condition,consent');
   assert.match(table.at(-1), /^7,/, 'all seven lessons');
   await close(page);
 });

@@ -259,15 +259,13 @@ impl Goodbot {
         self.0.plan(budget).map_err(thrown)
     }
 
-    /// Decides on an action and does it: JSON, [`Decided`](crate::view::Decided).
-    pub fn act(&mut self) -> Thrown<String> {
-        json(&self.0.act().map_err(thrown)?)
-    }
-
-    /// Does the action of this name instead of one of the robot's own, as a log has it.
-    #[wasm_bindgen(js_name = actAs)]
-    pub fn act_as(&mut self, action: &str) -> Thrown<()> {
-        self.0.act_as(action).map_err(thrown)
+    /// Decides on an action and does it; or does the action of this name instead, as a log has it: JSON, [`Decided`](crate::view::Decided).
+    pub fn act(&mut self, named: Option<String>) -> Thrown<String> {
+        let decided = match named {
+            Some(action) => self.0.act_as(&action),
+            None => self.0.act(),
+        };
+        json(&decided.map_err(thrown)?)
     }
 
     /// Takes in what the trainer said to the last action, `reward`, `punish` or `neutral`: JSON, [`Evidence`](crate::view::Evidence).

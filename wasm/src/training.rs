@@ -152,22 +152,25 @@ impl World {
     /// Where no session is under way, the plan is not done, or the last action was not judged.
     pub fn act(&mut self) -> Result<Decided, Refusal> {
         let Self { lesson, random, .. } = self;
-        let acted = lesson.act(random).map_err(Refusal::from)?;
-        let (action, task, confidence) = (acted.action.clone(), acted.task, acted.confidence);
-        let agent = self.agent();
-        let plans = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task).name()).collect();
-        Ok(Decided { action, task, confidence, plans })
+        let acted = lesson.act(random).map_err(Refusal::from)?.clone();
+        Ok(self.decided(acted))
     }
 
-    /// Does the action of this name instead, as a log has it. The plan must be done; the action waits for [`judge`](Self::judge). The robot
-    /// decides all the same: the task that it follows stays among equals.
+    /// Does the action of this name instead, as a log has it. The robot decides all the same: the task that it follows stays among equals.
     ///
     /// # Errors
     /// As [`act`](Self::act), and where there is no such action.
-    pub fn act_as(&mut self, action: &str) -> Result<(), Refusal> {
+    pub fn act_as(&mut self, action: &str) -> Result<Decided, Refusal> {
         let (mind, rooms, state) = self.lesson.parts();
         mind.decide_by(rooms, state, &mut self.random).map_err(Refusal::from)?;
-        self.lesson.act_as(action).map(drop).map_err(Refusal::from)
+        let acted = self.lesson.act_as(action).map_err(Refusal::from)?.clone();
+        Ok(self.decided(acted))
+    }
+
+    fn decided(&self, Acted { action, task, confidence, .. }: Acted) -> Decided {
+        let agent = self.agent();
+        let plans = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task).name()).collect();
+        Decided { action, task, confidence, plans }
     }
 
     /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.

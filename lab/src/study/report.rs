@@ -63,7 +63,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &format!(
         "## Limitations\n\
          - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
-         with four commands only. A simulated trainer never tires and never changes its mind.\n\
+         with four commands only. A simulated trainer never tires and never changes its mind. \
+         A study with people needs a link to [the page](page.md#a-study-in-a-class), and no server.\n\
          - TAMER, COACH and policy shaping were made for other purposes. Here they choose among tasks, begin with what the language says, \
          and have goodbot's exact planner. That is more than they ask for; it makes them comparable.\n\
          - A lesson ends when the agent has rested three times at the goal, when the goal becomes unreachable, or after {MOST_STEPS} \

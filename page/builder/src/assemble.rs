@@ -9,7 +9,7 @@ use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
 
 /// So many bits of the byte before count for what a byte is, as in `page/src/begin.js`.
-const LC: u32 = 4;
+const LC: u32 = 5;
 
 /// The page, and the parts that stand in it.
 pub struct Page {

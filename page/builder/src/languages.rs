@@ -8,6 +8,8 @@ use serde_json::{Map, Value};
 
 /// The language that the others are compared with.
 const FIRST: &str = "en";
+/// What `page/src/begin.js` says in place of the page: it has that text itself.
+const IN_PLACE: &str = "noRobot";
 
 /// The texts of all languages, by code and key.
 pub struct Languages(BTreeMap<String, Map<String, Value>>);
@@ -33,7 +35,7 @@ impl Languages {
     /// scripts or its body becomes a number there. It is an error if no script and no element has a text's key.
     pub fn number(&self, scripts: &mut String, body: &mut String) -> Result<String> {
         let (mut named, mut numbered) = (Vec::new(), Vec::new());
-        for key in self.0[FIRST].keys() {
+        for key in self.0[FIRST].keys().filter(|key| *key != IN_PLACE) {
             let uses = [&*scripts, &*body].map(|text| quoted(key).iter().any(|quoted| text.contains(quoted)));
             // Scripts put some keys together: `'color.' + color`.
             let parts = key.match_indices('.').map(|(at, _)| &key[..=at]);
