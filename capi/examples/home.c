@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static _Alignas(8) unsigned char first_memory[GOODBOT_SMALL_BYTES];
-static _Alignas(8) unsigned char second_memory[GOODBOT_SMALL_BYTES];
+GOODBOT_ALIGNED static unsigned char first_memory[GOODBOT_SMALL_BYTES];
+GOODBOT_ALIGNED static unsigned char second_memory[GOODBOT_SMALL_BYTES];
 static unsigned char model[4096];
 
 #define TRY(call)                                                                                                                          \

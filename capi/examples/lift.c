@@ -6,7 +6,7 @@
 #define FLOORS 4
 enum { UP, DOWN };
 
-static _Alignas(8) unsigned char memory[GOODBOT_TINY_TABLE_BYTES];
+GOODBOT_ALIGNED static unsigned char memory[GOODBOT_TINY_TABLE_BYTES];
 
 #define TRY(call)                                                                                                                          \
     do {                                                                                                                                   \

@@ -111,42 +111,44 @@ static bool lift_step(void *context, uint32_t state, uint8_t action, uint32_t *n
     return fits;
 }
 
+/* In the order of the fields, as C++ wants it. */
 static const goodbot_table lift_table = {
-    .classes = lift_classes, .class_count = 2, .attributes = lift_attributes, .attribute_count = 1,
-    .propositions = lift_propositions, .proposition_count = 3, .objects = lift_objects, .object_count = 5,
-    .actions = lift_actions, .action_count = 4, .tasks = lift_tasks, .task_count = 1,
-    .state_count = 8, .start = 1, .step = lift_step, .holds = lift_holds,
+    lift_classes, 2, lift_attributes, 1, lift_propositions, 3, lift_objects, 5,
+    lift_actions, 4, lift_tasks, 1, 8 /* states */, 1 /* the first */, NULL /* next */, lift_step, lift_holds, NULL /* derived */, NULL
 };
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes LIFT_BYTES_32 bytes;
    goodbot_table_size(&lift_capacities) says how many it takes. */
 #define LIFT_BYTES_32 12888
+#if GOODBOT_CAPACITIES != 25
+#error "print these capacities with the goodbot that this library comes from"
+#endif
 static const goodbot_capacities lift_capacities = { {
-    [GOODBOT_CAPACITY_OBJECTS] = 5,
-    [GOODBOT_CAPACITY_NAMES] = 9,
-    [GOODBOT_CAPACITY_NAME_BYTES] = 49,
-    [GOODBOT_CAPACITY_CELLS] = 0,
-    [GOODBOT_CAPACITY_TASKS] = 4,
-    [GOODBOT_CAPACITY_STRATEGIES] = 1,
-    [GOODBOT_CAPACITY_BELIEFS] = 4,
-    [GOODBOT_CAPACITY_CANDIDATES] = 4,
-    [GOODBOT_CAPACITY_CANDIDATE_TOKENS] = 48,
-    [GOODBOT_CAPACITY_GROUND_PROPOSITIONS] = 4,
-    [GOODBOT_CAPACITY_GOAL_ENTRIES] = 0,
-    [GOODBOT_CAPACITY_STATES] = 8,
-    [GOODBOT_CAPACITY_HASHED_STATES] = 0,
-    [GOODBOT_CAPACITY_WORDS] = 54,
-    [GOODBOT_CAPACITY_WORD_BYTES] = 658,
-    [GOODBOT_CAPACITY_TOKENS] = 5,
-    [GOODBOT_CAPACITY_TOKEN_BYTES] = 53,
-    [GOODBOT_CAPACITY_COMMANDS] = 24,
-    [GOODBOT_CAPACITY_COMMAND_TOKENS] = 288,
-    [GOODBOT_CAPACITY_SESSIONS] = 6,
-    [GOODBOT_CAPACITY_SENTENCE_WORDS] = 48,
-    [GOODBOT_CAPACITY_PAIRS] = 24,
-    [GOODBOT_CAPACITY_TRANSLATIONS] = 288,
-    [GOODBOT_CAPACITY_ALIGNMENTS] = 545,
-    [GOODBOT_CAPACITY_LENGTH_PAIRS] = 0,
+    5, /* objects */
+    9, /* names */
+    49, /* name_bytes */
+    0, /* cells */
+    4, /* tasks */
+    1, /* strategies */
+    4, /* beliefs */
+    4, /* candidates */
+    48, /* candidate_tokens */
+    4, /* ground_propositions */
+    0, /* goal_entries */
+    8, /* states */
+    0, /* hashed_states */
+    54, /* words */
+    658, /* word_bytes */
+    5, /* tokens */
+    53, /* token_bytes */
+    24, /* commands */
+    288, /* command_tokens */
+    6, /* sessions */
+    48, /* sentence_words */
+    24, /* pairs */
+    288, /* translations */
+    545, /* alignments */
+    0, /* length_pairs */
 } };
 
 #endif

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static _Alignas(8) unsigned char memory[GOODBOT_SMALL_BYTES];
+GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];
 
 /* Words that speak about commands, in the language that is spoken: a part of what `goodbot example closed-words` prints. */
 static const char closed_words[] = "negation: not don't never\n"

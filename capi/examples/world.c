@@ -13,7 +13,7 @@
     } while (0)
 
 /* On a controller LIFT_BYTES_32 is enough: pointers are wider here. */
-static _Alignas(8) unsigned char memory[2 * LIFT_BYTES_32];
+GOODBOT_ALIGNED static unsigned char memory[2 * LIFT_BYTES_32];
 
 /* As lift_world.h says: the floor, and whether the door is open. */
 static uint32_t floor_of(uint32_t state) { return state % 4; }

@@ -187,6 +187,9 @@
 // `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 #define GOODBOT_FLASH_UNIT 256
 
+// Words of 32 bits that a `goodbot_drive` takes beside its first.
+#define GOODBOT_DRIVE_WORDS 24
+
 // What came of a call.
 typedef enum goodbot_status {
   // Done.
@@ -316,6 +319,24 @@ typedef enum goodbot_said_kind {
   // There is nothing to do.
   GOODBOT_SAID_KIND_NOTHING,
 } goodbot_said_kind;
+
+// What the robot is doing.
+typedef enum goodbot_motion {
+  // It has nothing to do.
+  GOODBOT_MOTION_RESTING = 0,
+  // It goes back to the middle of its cell.
+  GOODBOT_MOTION_CENTRING = 1,
+  // It turns on the spot.
+  GOODBOT_MOTION_TURNING = 2,
+  // It drives to the next cell.
+  GOODBOT_MOTION_DRIVING = 3,
+  // It has stopped in the middle of the cell.
+  GOODBOT_MOTION_ARRIVED = 4,
+  // It stops, since nothing was heard; it goes on once something is.
+  GOODBOT_MOTION_WAITING = 5,
+  // It has given the action up and stopped. Sense the cell and plan again.
+  GOODBOT_MOTION_STUCK = 6,
+} goodbot_motion;
 
 // The tables, by their positions in `goodbot_capacities`.
 enum goodbot_capacity
@@ -628,6 +649,88 @@ typedef struct goodbot_flash {
   // Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
   uint32_t slot_bytes;
 } goodbot_flash;
+
+// Drives from cell to cell. It is the caller's, and `goodbot_drive_init` makes it.
+typedef struct goodbot_drive {
+  uint32_t magic;
+  uint32_t state[GOODBOT_DRIVE_WORDS];
+} goodbot_drive;
+
+// What a robot with two wheels is and may do. Lengths are metres, angles radians, times seconds.
+typedef struct goodbot_limits {
+  // The distance between the wheels.
+  float track;
+  // The highest speed, metres a second.
+  float speed;
+  // The fastest turn, radians a second.
+  float turn;
+  // The most by which a wheel's speed may change, metres a second each second.
+  float acceleration;
+  // The share of the highest speed at which a robot drives that is not sure at all; from above 0 to 1.
+  float slowest;
+  // The robot stops when it has heard nothing for so long.
+  float silence;
+  // An action that takes longer has failed.
+  float patience;
+  // The side of a cell.
+  float cell;
+  // The share of a cell by which the robot must be beyond a border before the cell changes; from 0 to below 0.5.
+  float hysteresis;
+} goodbot_limits;
+
+// Where the robot is: metres to the east and to the north, and where it faces, radians; 0 is east, a quarter turn is north.
+typedef struct goodbot_pose {
+  // To the east.
+  float x;
+  // To the north.
+  float y;
+  // Where it faces.
+  float heading;
+} goodbot_pose;
+
+// One step of the control loop: the speeds to give the wheels, metres a second, and what the robot is doing.
+typedef struct goodbot_wheels {
+  // The left wheel.
+  float left;
+  // The right wheel.
+  float right;
+  // What it is doing.
+  enum goodbot_motion motion;
+} goodbot_wheels;
+
+// A wheel's encoder: a counter of so many bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
+// ahead, and 1 for distances in ticks. `last` is the counter at first.
+typedef struct goodbot_encoder {
+  // Ticks for each metre.
+  float ticks_per_metre;
+  // From 2 to 32.
+  uint32_t bits;
+  // What it read last.
+  uint32_t last;
+} goodbot_encoder;
+
+// What holds a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second, `proportional` that for
+// each metre a second that the wheel is too slow, `integral` the same for each second that it goes on.
+typedef struct goodbot_speed {
+  // 1 divided by the speed at full duty.
+  float ahead;
+  // By the error.
+  float proportional;
+  // By its sum.
+  float integral;
+  // What was summed up.
+  float sum;
+} goodbot_speed;
+
+// What two measured runs tell.
+typedef struct goodbot_calibration {
+  // The left wheel's ticks for each metre.
+  float left;
+  // The right wheel's.
+  float right;
+  // The distance between the wheels, metres.
+  float track;
+} goodbot_calibration;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1252,13 +1355,120 @@ enum goodbot_status goodbot_load(struct goodbot *robot,
                                  uint8_t *buffer,
                                  size_t bytes);
 
+// A robot at rest. `NUMBER` where a limit is not above 0, or out of its range.
+//
+// The caller sees to it:
+// `drive` and `limits` are null or point to what they say.
+enum goodbot_status goodbot_drive_init(struct goodbot_drive *drive,
+                                       const struct goodbot_limits *limits);
+
+// Begins an action, 0 to 3 for north, south, east and west, from the robot's cell. The speed grows with `certainty`, the probability of the task.
+// `NOT_APPLICABLE` for an action that leads to no neighbour.
+//
+// The caller sees to it:
+// `drive` is null or points to one.
+enum goodbot_status goodbot_drive_go(struct goodbot_drive *drive,
+                                     int32_t x,
+                                     int32_t y,
+                                     uint8_t action,
+                                     float certainty);
+
+// What to set the wheels to for the next `seconds`, where the robot is at `at`. A pose that is no number stops the robot.
+//
+// The caller sees to it:
+// Each pointer is null or points to what it says.
+enum goodbot_status goodbot_drive_step(struct goodbot_drive *drive,
+                                       const struct goodbot_pose *at,
+                                       float seconds,
+                                       struct goodbot_wheels *wheels);
+
+// The trainer, or whoever watches the robot, is still there.
+//
+// The caller sees to it:
+// `drive` is null or points to one.
+enum goodbot_status goodbot_drive_heard(struct goodbot_drive *drive);
+
+// A bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and the next step is `GOODBOT_MOTION_STUCK`; one that turns
+// or backs off goes on.
+//
+// The caller sees to it:
+// `drive` is null or points to one.
+enum goodbot_status goodbot_drive_bumped(struct goodbot_drive *drive);
+
+// Gives the action up; the robot stops.
+//
+// The caller sees to it:
+// `drive` is null or points to one.
+enum goodbot_status goodbot_drive_halt(struct goodbot_drive *drive);
+
+// The cell of a pose. `x` and `y` hold the cell before, and are given the new one.
+//
+// The caller sees to it:
+// Each pointer is null or points to what it says.
+enum goodbot_status goodbot_drive_cell(struct goodbot_drive *drive,
+                                       const struct goodbot_pose *at,
+                                       int32_t *x,
+                                       int32_t *y);
+
+// Moves a pose as the wheels have rolled, metres; `track` is the distance between them.
+//
+// The caller sees to it:
+// `at` is null or points to a pose.
+enum goodbot_status goodbot_pose_rolled(struct goodbot_pose *at,
+                                        float left,
+                                        float right,
+                                        float track);
+
+// Draws a pose towards one that was sensed otherwise: by a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
+//
+// The caller sees to it:
+// `at` and `sensed` are null or point to poses.
+enum goodbot_status goodbot_pose_corrected(struct goodbot_pose *at,
+                                           const struct goodbot_pose *sensed,
+                                           float trust);
+
+// Metres that a wheel has rolled since the last call: less than half of the counter's range. `NUMBER` for another number of bits, or 0 ticks.
+//
+// The caller sees to it:
+// `encoder` and `metres` are null or point to what they say.
+enum goodbot_status goodbot_encoder_rolled(struct goodbot_encoder *encoder,
+                                           uint32_t count,
+                                           float *metres);
+
+// The motor's duty for the next `seconds`, from -1 to 1. A wheel that shall stand, or whose speed is no number, gets 0. `NUMBER` for a wrong gain.
+//
+// The caller sees to it:
+// `speed` and `duty` are null or point to what they say.
+enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
+                                       float wanted,
+                                       float measured,
+                                       float seconds,
+                                       float *duty);
+
+// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of so many metres, `spun` while
+// it made so many turns on the spot, to the left. `NUMBER` where a run tells nothing.
+//
+// The caller sees to it:
+// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.
+enum goodbot_status goodbot_calibrate(const float *straight,
+                                      float metres,
+                                      const float *spun,
+                                      float turns,
+                                      struct goodbot_calibration *calibration);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
 
 #endif  /* GOODBOT_H */
 
-/** Bytes of a robot in a home, known when the program is compiled: `static _Alignas(8) unsigned char memory[GOODBOT_SMALL_BYTES];` */
+/** A robot's memory is aligned so, in C and in C++: `GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];` */
+#ifdef __cplusplus
+#define GOODBOT_ALIGNED alignas(8)
+#else
+#define GOODBOT_ALIGNED _Alignas(8)
+#endif
+/** Bytes of a robot in a home, known when the program is compiled. */
 #define GOODBOT_SMALL_BYTES (sizeof(void *) == 4 ? GOODBOT_SMALL_BYTES_32 : GOODBOT_SMALL_BYTES_64)
 #define GOODBOT_TINY_BYTES (sizeof(void *) == 4 ? GOODBOT_TINY_BYTES_32 : GOODBOT_TINY_BYTES_64)
 /** Bytes of a robot of the caller's own. */

@@ -19,7 +19,8 @@
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
-//! - [`storage`]: the same in a flash, where it outlives power cuts.
+//! - [`storage`]: the same in a flash, where it outlives power cuts;
+//! - [`drive`]: from wheels to cells and back.
 
 #![no_std]
 #![deny(missing_docs)]
@@ -34,6 +35,8 @@ pub mod arena;
 pub mod asking;
 pub mod beliefs;
 pub mod capacities;
+#[cfg(feature = "drive")]
+pub mod drive;
 #[cfg(feature = "home")]
 pub mod home;
 pub mod model;

@@ -97,6 +97,27 @@ pub enum DriveError {
     },
     /// The action leads to no neighbouring cell.
     NoNeighbour(Action),
+    /// A counter has not 2 to 32 bits, or its ticks for each metre are 0 or no number.
+    Encoder {
+        /// The ticks.
+        ticks_per_metre: f32,
+        /// The bits.
+        bits: u32,
+    },
+    /// A gain is below 0 or no number.
+    Gain {
+        /// Which one.
+        name: &'static str,
+        /// What it was.
+        value: f32,
+    },
+    /// A measured run tells nothing.
+    Run {
+        /// Which one.
+        name: &'static str,
+        /// The ticks of the left and the right wheel.
+        ticks: [f32; 2],
+    },
 }
 
 impl fmt::Display for DriveError {
@@ -107,6 +128,19 @@ impl fmt::Display for DriveError {
             Self::Limit { name: "slowest", value } => write!(out, "slowest is {value}: it must be above 0 and at most 1"),
             Self::Limit { name, value } => write!(out, "{name} is {value}: it must be above 0"),
             Self::NoNeighbour(action) => write!(out, "action {} leads to no neighbouring cell: only 0 to 3 do", action.index()),
+            Self::Encoder { ticks_per_metre, bits } => {
+                write!(
+                    out,
+                    "an encoder of {bits} bits with {ticks_per_metre} ticks a metre: take 2 to 32 bits, and a number of ticks other than 0"
+                )
+            }
+            Self::Gain { name, value } => write!(out, "the gain {name} is {value}: it must be at least 0"),
+            Self::Run { name: "straight", ticks: [left, right] } => {
+                write!(out, "the straight run has {left} and {right} ticks: both wheels must roll, and the metres must be above 0")
+            }
+            Self::Run { name, ticks: [left, right] } => {
+                write!(out, "the run {name} has {left} and {right} ticks: turn on the spot to the left, by a number of turns above 0")
+            }
         }
     }
 }
@@ -172,6 +206,12 @@ impl Drive {
         }
     }
 
+    /// What the robot's wheels can do.
+    #[must_use]
+    pub fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
     /// Begins an action from the robot's cell. `certainty` is the probability of its task, from 0 to 1: the speed grows with it, from the
     /// slowest to the highest.
     ///
@@ -201,6 +241,17 @@ impl Drive {
     /// The trainer, or whoever watches the robot, is still there.
     pub fn heard(&mut self) {
         self.unheard = 0.0;
+    }
+
+    /// A bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and its action has failed: the next step is
+    /// [`Motion::Stuck`]. One that turns or backs off goes on.
+    pub fn bumped(&mut self) {
+        if self.wheels.left + self.wheels.right > 0.0 {
+            self.wheels = Wheels::default();
+            if let Some(leg) = &mut self.leg {
+                leg.taken = f32::INFINITY;
+            }
+        }
     }
 
     /// What to set the wheels to for the next `seconds`, where the robot is at `pose`. A pose that is not finite stops the robot.

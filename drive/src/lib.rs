@@ -3,6 +3,8 @@
 //! - [`pose`]: where the robot is, from how far each wheel has rolled;
 //! - [`grid`]: the cell of a pose, and the cell that an action leads to;
 //! - [`drive`]: the wheel speeds that carry out an action;
+//! - [`wheel`]: encoders that wrap around, calibration, and the motor's duty for a speed;
+//! - `hal`, with the feature `embedded-hal`: all of it on a board's pins, in one call for each turn of the control loop;
 //! - `simulation`, with the feature of that name: a robot whose wheels slip, to try all of it with.
 //!
 //! Lengths are metres, angles radians, times seconds. East is along x, north along y, and headings turn from east to north. Sines and
@@ -37,10 +39,14 @@
 
 pub mod drive;
 pub mod grid;
+#[cfg(feature = "embedded-hal")]
+pub mod hal;
 pub mod pose;
 #[cfg(feature = "simulation")]
 pub mod simulation;
+pub mod wheel;
 
 pub use drive::{Drive, DriveError, Limits, Motion, Step, Wheels};
 pub use grid::{EAST, Grid, NORTH, SOUTH, WEST};
 pub use pose::Pose;
+pub use wheel::{Calibration, Encoder, Gains, SpeedControl};

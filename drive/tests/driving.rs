@@ -152,3 +152,40 @@ fn what_is_wrong_with_a_setting_is_said() {
     assert_eq!(drive.go(HERE, Action::new(4), 1.0), Err(DriveError::NoNeighbour(Action::new(4))));
     assert_eq!(drive.go(HERE, Action::NOOP, 1.0), Err(DriveError::NoNeighbour(Action::NOOP)));
 }
+
+#[test]
+fn a_robot_that_runs_into_something_stops_at_once_and_gives_the_action_up() {
+    let mut drive = Drive::new(LIMITS).unwrap();
+    drive.go(HERE, EAST, 1.0).unwrap();
+    let pose = grid().centre(HERE);
+    for _ in 0..20 {
+        assert_eq!(drive.step(&grid(), pose, TURN).motion, Motion::Driving);
+    }
+    drive.bumped();
+    let step = drive.step(&grid(), pose, TURN);
+    assert_eq!((step.motion, step.wheels), (Motion::Stuck, Wheels::default()));
+    assert_eq!(drive.step(&grid(), pose, TURN).motion, Motion::Resting);
+}
+
+#[test]
+fn a_robot_at_a_wall_turns_away_and_backs_off_although_its_bumper_is_pressed() {
+    let mut drive = Drive::new(LIMITS).unwrap();
+    drive.go(HERE, NORTH, 1.0).unwrap();
+    // It faces the wall east of its cell.
+    let (middle, mut motions) = (grid().centre(HERE), Vec::new());
+    let mut pose = Pose { x: middle.x + 0.06, ..middle };
+    for _ in 0..2000 {
+        drive.heard();
+        if pose.x > middle.x + 0.05 {
+            drive.bumped();
+        }
+        let step = drive.step(&grid(), pose, TURN);
+        motions.push(step.motion);
+        if step.motion == Motion::Arrived {
+            break;
+        }
+        pose = pose.rolled(step.wheels.left * TURN, step.wheels.right * TURN, LIMITS.track);
+    }
+    motions.dedup();
+    assert_eq!(motions, [Motion::Centring, Motion::Turning, Motion::Driving, Motion::Arrived]);
+}

@@ -16,9 +16,9 @@ const HEADER: &str = "capi/include/goodbot.h";
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features of a library that nobody chose for.
-pub const FEATURES: [&str; 7] = ["asking", "derived", "forgetting", "home", "table", "unicode", "ways"];
+pub const FEATURES: [&str; 8] = ["asking", "derived", "drive", "forgetting", "home", "table", "unicode", "ways"];
 /// Those that are chosen from, as `capi/Cargo.toml` has them. Talk costs flash even where it is not called.
-pub const ALL_FEATURES: [&str; 8] = ["asking", "derived", "forgetting", "home", "table", "talk", "unicode", "ways"];
+pub const ALL_FEATURES: [&str; 9] = ["asking", "derived", "drive", "forgetting", "home", "table", "talk", "unicode", "ways"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 

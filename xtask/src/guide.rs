@@ -1,13 +1,14 @@
-//! `docs/robot.md`, done as it says: its programs are built in an empty folder and run. So is the recipe for C of `docs/cookbook.md`.
+//! `docs/robot.md`, done as it says: its programs are built in an empty folder, those in C from the packed library alone, and run. So is the recipe for C
+//! of `docs/cookbook.md`.
 
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use xshell::{Shell, cmd};
 
-use crate::capi::{ALL_FEATURES, FEATURES, library};
 use crate::process::{root, shell, target_dir};
 use crate::programs::{ARM_GCC, GCC, QEMU};
+use crate::release::unpacked_c;
 use crate::toolchain::CORTEX_M4F;
 
 const PAGE: &str = "docs/robot.md";
@@ -75,8 +76,7 @@ pub fn follow() -> Result<()> {
     let folder = folder.path();
 
     let in_c = Part::of(&page, "\n## In C\n", "\n### A robot of your own\n", folder)?;
-    sh.copy_file(library(None, &ALL_FEATURES)?, folder.join("libgoodbot.a"))?;
-    sh.copy_file("capi/include/goodbot.h", folder)?;
+    unpacked_c(&sh, None, &folder.join("goodbot"))?;
     in_c.write(&sh, "c", "robot.c")?;
     in_c.try_out(&sh, "gcc")?;
 
@@ -84,7 +84,7 @@ pub fn follow() -> Result<()> {
     recipe.write(&sh, "c", "recipe.c")?;
     sh.copy_file("capi/tests/cookbook.c", folder)?;
     let built = folder.join("cookbook");
-    cmd!(sh, "{gcc} -std=c11 -Wall -Wextra -Werror -I {folder} {folder}/cookbook.c {folder}/libgoodbot.a -o {built}").run()?;
+    cmd!(sh, "{gcc} -std=c11 -Wall -Wextra -Werror -I {folder} -I {folder}/goodbot/include {folder}/cookbook.c {folder}/goodbot/lib/libgoodbot.a -o {built}").run()?;
     let said = cmd!(sh, "{built}").read()?;
     ensure!(said == "1 session came back", "{COOKBOOK} keeps no session in flash: {said}");
 
@@ -92,11 +92,7 @@ pub fn follow() -> Result<()> {
     let own_robot = Part::of(&page, "\n### A robot of your own\n", "\n## In Rust\n", folder)?;
     own_robot.write(&sh, "c", "trolley.c")?;
     own_robot.try_out(&sh, "gcc")?;
-    let board = sh.create_dir(folder.join("board"))?;
-    sh.copy_file(library(Some(CORTEX_M4F), &FEATURES)?, board.join("libgoodbot.a"))?;
-    for file in ["capi/include/goodbot.h", "capi/examples/board/start.c", "capi/examples/board/link.ld"] {
-        sh.copy_file(file, &board)?;
-    }
+    unpacked_c(&sh, Some(CORTEX_M4F), &folder.join("board"))?;
     let (arm_gcc, qemu, path) = (ARM_GCC.path()?, QEMU.path()?, std::env::var_os("PATH").unwrap_or_default());
     let found = [&arm_gcc, &qemu].into_iter().filter_map(|program| program.parent()).map(Path::to_owned);
     sh.set_var("PATH", std::env::join_paths(found.chain(std::env::split_paths(&path)))?);

@@ -9,7 +9,7 @@ use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit,
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
-use crate::toolchain::{self, WASM, WINDOWS};
+use crate::toolchain::{self, CORTEX_M0, CORTEX_M4F, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
 /// tests it.
@@ -89,9 +89,13 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks another system's build, without a linker.
+/// Checks the builds of another system and of a robot on a board's pins, without a linker.
 pub fn portable() -> Result<()> {
     let sh = shell()?;
+    for target in [CORTEX_M0, CORTEX_M4F] {
+        let check = toolchain::cargo(&sh, target, "check")?.arg("--locked");
+        check.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
+    }
     toolchain::add_windows()?;
     let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
     Ok(check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?)

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 16] = [
+const SOURCES: [&str; 17] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 16] = [
     "talk.rs",
     "model.rs",
     "storage.rs",
+    "drive.rs",
 ];
 
 fn capi() -> &'static Path {

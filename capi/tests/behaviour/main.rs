@@ -4,6 +4,7 @@
 
 mod robots;
 
+mod drive;
 mod explained;
 mod hypotheses;
 mod memory;

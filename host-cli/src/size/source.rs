@@ -11,11 +11,10 @@ pub fn rust(capacities: &Capacities) -> String {
 
 /// As C, with `bytes` bytes for a robot in homes, or for one of a table.
 pub fn c(capacities: &Capacities, bytes: usize, is_table: bool) -> String {
-    let (entries, size) = (c_entries(capacities), if is_table { "goodbot_table_size" } else { "goodbot_size" });
+    let (table, size) = (c_table("capacities", capacities), if is_table { "goodbot_table_size" } else { "goodbot_size" });
     format!(
-        "static const goodbot_capacities capacities = {{ {{\n{entries}}} }};\n\
-         /* Where a pointer has four bytes; {size}(&capacities) says how many are needed. */\n\
-         static _Alignas(8) unsigned char memory[{bytes}];\n"
+        "{table}/* Where a pointer has four bytes; {size}(&capacities) says how many are needed. */\n\
+         GOODBOT_ALIGNED static unsigned char memory[{bytes}];\n"
     )
 }
 
@@ -24,12 +23,13 @@ pub fn rust_fields(capacities: &Capacities) -> String {
     Capacity::ALL.iter().map(|&capacity| format!("        {}: {},\n", capacity.name(), capacities.get(capacity))).collect()
 }
 
-/// A line for each entry of capacities in C.
-pub fn c_entries(capacities: &Capacities) -> String {
-    Capacity::ALL.iter().map(|&capacity| format!("    [{}] = {},\n", c_name(capacity), capacities.get(capacity))).collect()
-}
-
-/// The constant of C for a capacity.
-fn c_name(capacity: Capacity) -> String {
-    format!("GOODBOT_CAPACITY_{}", capacity.name().to_uppercase())
+/// Capacities of this name in C, which are C++ too: it has no names for the entries of an array.
+pub fn c_table(name: &str, capacities: &Capacities) -> String {
+    let entries: String =
+        Capacity::ALL.iter().map(|&capacity| format!("    {}, /* {} */\n", capacities.get(capacity), capacity.name())).collect();
+    format!(
+        "#if GOODBOT_CAPACITIES != {}\n#error \"print these capacities with the goodbot that this library comes from\"\n#endif\n\
+         static const goodbot_capacities {name} = {{ {{\n{entries}}} }};\n",
+        Capacity::ALL.len()
+    )
 }

@@ -1,7 +1,7 @@
 //! A robot as C.
 
 use super::source::{Part, Source};
-use crate::size::source::c_entries;
+use crate::size::source::c_table;
 use goodbot_capi::capacities::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, Flaw};
 use std::fmt::Write;
@@ -141,19 +141,16 @@ static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t 
     return fits;
 }}
 
+/* In the order of the fields, as C++ wants it. */
 static const goodbot_table {word}_table = {{
-    .classes = {word}_classes, .class_count = {}, .attributes = {attributes}, .attribute_count = {},
-    .propositions = {word}_propositions, .proposition_count = {}, .objects = {word}_objects, .object_count = {},
-    .actions = {word}_actions, .action_count = {}, .tasks = {word}_tasks, .task_count = {},
-    .state_count = {}, .start = {}, .step = {word}_step, .holds = {word}_holds,
+    {word}_classes, {}, {attributes}, {}, {word}_propositions, {}, {word}_objects, {},
+    {word}_actions, {}, {word}_tasks, {}, {} /* states */, {} /* the first */, NULL /* next */, {word}_step, {word}_holds, NULL /* derived */, NULL
 }};
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes {word_bytes};
    goodbot_table_size(&{word}_capacities) says how many it takes. */
 #define {guard}_BYTES_32 {bytes}
-static const goodbot_capacities {word}_capacities = {{ {{
-{entries}}} }};
-
+{table}
 #endif",
         counts[0],
         counts[1],
@@ -165,7 +162,7 @@ static const goodbot_capacities {word}_capacities = {{ {{
         source.start,
         word_bytes = format_args!("{guard}_BYTES_32 bytes"),
         bytes = bytes_32(&source.capacities, true),
-        entries = c_entries(&source.capacities),
+        table = c_table(&format!("{word}_capacities"), &source.capacities),
     )?;
     Ok(out)
 }

@@ -1,16 +1,16 @@
 //! The tests. The trainer knows what is right by a robot of its own, which is told what a command means.
 
-use super::board::{A, B, Board, Looks, Setup};
+use super::board::{A, B, Board, Looks, SLOTS_BYTES, Setup};
 use goodbot::feedback::Strategy;
 use goodbot::home::{Area, Cell, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::OptimalSet;
+use goodbot::storage::SLOT_HEADER_BYTES;
 use goodbot::{Agent, Capacities, Options, home};
 use goodbot_course::exercise::{Exercise, Intention, LESSONS, TESTS};
 use goodbot_course::{CourseTrainer, Homes, Layout, generator, run_course};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
-use std::collections::BTreeSet;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -243,7 +243,9 @@ pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
     }
 }
 
-pub fn a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both(setup: &Setup) {
+pub fn a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before(setup: &Setup) {
+    const SLOT: usize = SLOTS_BYTES / 2;
+    const PAGE: usize = 1_024;
     let mut board = Board::on(setup, None);
     board.lines_to("nothing is stored");
     board.must("pace 0");
@@ -255,20 +257,38 @@ pub fn a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both(setup: &Set
         board.must("finish");
         board.slots()
     };
-    let before = lesson("go to the green room");
-    let after = lesson("go to the blue room");
-    // What differs was written; the power goes after a part of it.
-    let written: Vec<usize> = (0..before.len()).filter(|&at| before[at] != after[at]).collect();
-    assert!(written.len() > 50, "only {} bytes were written", written.len());
-    let mut known = BTreeSet::new();
-    for part in [0, written.len() / 3, written.len() - 1, written.len()] {
-        let mut torn = before.clone();
-        written.iter().take(part).for_each(|&at| torn[at] = after[at]);
-        let mut board = Board::on(setup, Some(&torn));
-        assert!(board.line().starts_with("stored: "), "after {part} of {} bytes", written.len());
-        known.insert(board.line());
+    lesson("go to the green room");
+    let before = lesson("go to the blue room");
+    let after = lesson("go to the red room");
+    // The older slot is erased page by page; then its model is written word by word, and at last its header.
+    let slot = if before[..SLOT] == after[..SLOT] { SLOT } else { 0 };
+    let length = u32::from_le_bytes(*after[slot + 8..].first_chunk().unwrap()) as usize;
+    let model = slot + SLOT_HEADER_BYTES..slot + SLOT_HEADER_BYTES + length;
+    let mut cuts = vec![before];
+    for page in (slot..model.end).step_by(PAGE) {
+        let mut next = cuts.last().unwrap().clone();
+        next[page..page + PAGE].fill(0xff);
+        cuts.push(next);
     }
-    assert_eq!(known.into_iter().collect::<Vec<_>>(), ["lessons 1", "lessons 2"]);
+    for word in model.clone().step_by(4).chain((slot..model.start).step_by(4)) {
+        let mut next = cuts.last().unwrap().clone();
+        next[word..word + 4].copy_from_slice(&after[word..word + 4]);
+        cuts.push(next);
+    }
+    let last = cuts.len() - 1;
+    assert!(cuts[last] == after && last > 50, "the store was not what is cut here: {last} writes of {length} bytes");
+    let restored = |(number, flash): (usize, &Vec<u8>)| {
+        let mut board = Board::on(setup, Some(flash));
+        assert!(board.line().starts_with("stored: "), "after {number} of {last} writes");
+        assert_eq!(board.line(), if number == last { "lessons 3" } else { "lessons 2" }, "after {number} of {last} writes");
+    };
+    std::thread::scope(|scope| {
+        for part in 0..2 {
+            let cuts = &cuts;
+            scope.spawn(move || cuts.iter().enumerate().skip(part).step_by(2).for_each(restored));
+        }
+    });
+    println!("the power was cut at each of {last} writes");
 }
 
 pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {

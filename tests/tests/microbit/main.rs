@@ -31,8 +31,8 @@ fn main() -> ExitCode {
         test("a_lesson_is_given_with_the_buttons_alone", lessons::a_lesson_is_given_with_the_buttons_alone),
         test("the_lights_show_the_rooms_the_robot_and_the_block", lessons::the_lights_show_the_rooms_the_robot_and_the_block),
         test(
-            "a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both",
-            lessons::a_store_that_was_torn_in_the_middle_leaves_one_lesson_or_both,
+            "a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before",
+            lessons::a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before,
         ),
         test(
             "what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too",

@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use xshell::Shell;
+use zip::read::root_dir_common_filter;
 use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 /// All files of a folder and of those below it, in order.
 pub fn files(sh: &Shell, folder: &Path) -> Result<Vec<PathBuf>> {
@@ -34,4 +35,9 @@ pub fn pack(sh: &Shell, folder: &Path, to: &Path) -> Result<()> {
     }
     archive.finish()?;
     Ok(())
+}
+
+/// Unpacks what [`pack`] packed, under another name of the folder.
+pub fn unpack(from: &Path, folder: &Path) -> Result<()> {
+    Ok(ZipArchive::new(File::open(from)?)?.extract_unwrapped_root_dir(folder, root_dir_common_filter)?)
 }

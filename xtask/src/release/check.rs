@@ -6,8 +6,8 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use super::texts::Texts;
-use super::{boards, c_archive};
-use crate::process::{root, shell};
+use super::{boards, unpacked_c};
+use crate::process::shell;
 use crate::programs::{GCC, GXX, python_with};
 
 const TESTS: &str = "capi/tests/packages";
@@ -17,24 +17,16 @@ const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
 pub fn check() -> Result<()> {
     let (sh, gcc, gxx, programs) =
         (shell()?, GCC.path()?, GXX.path()?, python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")?);
-    let texts = Texts::new(&sh)?;
-    let (above, package) = c_archive(&sh, &texts, None)?;
-    let examples = root().join("capi/examples");
-
-    // As if it were anywhere else.
-    let place = above.path().join("elsewhere");
-    sh.create_dir(&place)?;
-    let package = {
-        let moved = place.join("goodbot");
-        cmd!(sh, "mv {package} {moved}").run()?;
-        moved
-    };
+    let (above, texts) = (sh.create_temp_dir()?, Texts::new(&sh)?);
+    let package = above.path().join("goodbot");
+    unpacked_c(&sh, None, &package)?;
+    let examples = package.join("examples");
     let (project, built) = (sh.create_dir(above.path().join("project"))?, above.path().join("built"));
     texts.copy(&sh, &Path::new(TESTS).join("CMakeLists.txt"), &project.join("CMakeLists.txt"))?;
     let compilers = [format!("-DCMAKE_C_COMPILER={}", gcc.display()), format!("-DCMAKE_CXX_COMPILER={}", gxx.display())];
     cmd!(sh, "{programs}/cmake -S {project} -B {built} -DCMAKE_PREFIX_PATH={package} -DEXAMPLES={examples} {compilers...}").run()?;
     cmd!(sh, "{programs}/cmake --build {built}").run()?;
-    for program in ["in_c", "in_cpp"] {
+    for program in ["in_c", "in_cpp", "in_both"] {
         let program = built.join(program);
         cmd!(sh, "{program}").run()?;
     }

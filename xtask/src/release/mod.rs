@@ -14,13 +14,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
-use xshell::{Shell, TempDir, cmd};
+use xshell::{Shell, cmd};
 
 use crate::capi::{ALL_FEATURES, FEATURES, HEADERS, library};
 use crate::process::{folder_named_by, root, shell, target_dir};
 use crate::programs::{built_by_cargo, on_path, programs, python_with};
 use crate::toolchain::{TARGETS, WASM};
-use archive::{files, pack};
+use archive::{files, pack, unpack};
 use texts::Texts;
 
 pub use check::check;
@@ -180,15 +180,18 @@ fn program(sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result
 }
 
 fn c(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
-    for target in std::iter::once(None).chain(TARGETS.into_iter().filter(|target| *target != WASM).map(Some)) {
-        let (_above, folder) = c_archive(sh, texts, target)?;
-        pack(sh, &folder, &to.join(name_of(&folder)?))?;
-    }
-    Ok(())
+    let mut targets = std::iter::once(None).chain(TARGETS.into_iter().filter(|target| *target != WASM).map(Some));
+    targets.try_for_each(|target| c_archive(sh, texts, target, to).map(drop))
 }
 
-/// The C library for one target as a folder, which CMake and pkg-config find. The temporary folder that it is in comes with it.
-fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>) -> Result<(TempDir, PathBuf)> {
+/// The C library for one target, in the folder where its user has unpacked the package.
+pub fn unpacked_c(sh: &Shell, target: Option<&str>, folder: &Path) -> Result<()> {
+    let to = sh.create_temp_dir()?;
+    unpack(&c_archive(sh, &Texts::new(sh)?, target, to.path())?, folder)
+}
+
+/// The C library for one target, packed: CMake and pkg-config find it.
+fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>, to: &Path) -> Result<PathBuf> {
     let above = sh.create_temp_dir()?;
     let machine = target.map_or_else(|| this_machine(sh), |target| Ok(target.to_owned()))?;
     let folder = above.path().join(format!("goodbot-c-{}-{machine}", texts.text("@VERSION@")));
@@ -204,8 +207,11 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>) -> Result<(TempDir
         texts.copy(sh, &sources.join(file), &lib.join("cmake/goodbot").join(file))?;
     }
     texts.copy(sh, &sources.join("goodbot.pc"), &lib.join("pkgconfig/goodbot.pc"))?;
+    texts.copy_all(sh, Path::new("capi/examples"), &folder.join("examples"))?;
     licences(sh, &folder)?;
-    Ok((above, folder))
+    let packed = to.join(name_of(&folder)?);
+    pack(sh, &folder, &packed)?;
+    Ok(packed)
 }
 
 /// The oldest Linux that the wheel runs on, by its C library: that of 2014. Zig links with it.

@@ -4,7 +4,7 @@
 
 enum { FLOORS = 4, UP = 0, DOWN = 1 };
 
-alignas(8) static unsigned char memory[GOODBOT_TINY_TABLE_BYTES];
+GOODBOT_ALIGNED static unsigned char memory[GOODBOT_TINY_TABLE_BYTES];
 static goodbot *robot;
 
 static const char *const classes[] = {"lift", "floor"};
