@@ -3,8 +3,9 @@
 //! 1. *The lower bound.* The pieces that a task does not ask for are taken away. Each plan of the floor is also one without them, so the
 //!    distance without them is never longer. One backward search finds it for all cells of the robot and one piece (see `relaxation`). Tasks
 //!    with the same goal cells share it. A task that is impossible without the other pieces is impossible with them.
-//! 2. *The upper bound.* A* with that lower bound as heuristic moves all pieces (see `a_star`). The plan that it finds is as short as the bound
-//!    that it reached, so the two bounds agree, and the optimal set is exact.
+//! 2. *The upper bound.* A* with that lower bound as heuristic looks for a plan as short (see `a_star`). Of the pieces taken away, it brings
+//!    back those that are in the way. A plan that enters no cell of a piece taken away is one of the floor as well, so the two bounds agree,
+//!    and the optimal set is exact.
 //!
 //! The work grows with the square of the cells, and with how often other pieces are in the way, not with the number of pieces. What A* leaves
 //! open in its memory and work stays open.
@@ -20,7 +21,7 @@ use crate::oomdp::{PushGrid, own_actions};
 use crate::task::TaskSet;
 
 /// Expansions of A* for one task at most.
-const MOST_EXPANSIONS: u32 = 1 << 15;
+const MOST_EXPANSIONS: u32 = 1 << 14;
 /// The same for a task that is hardly likely, where there are more tasks than one word tells apart: 200 of them together get fewer than their
 /// lower bounds take in ten rooms.
 const FEW_EXPANSIONS: u32 = 1 << 8;
@@ -74,8 +75,8 @@ impl Bounds {
             if !relaxation.search(marks, grid, left) {
                 continue;
             }
+            let scene = Scene { grid, goals, relaxation, start: state };
             if let Some(search) = &mut self.search {
-                let scene = Scene { grid, goals, relaxation, start: state };
                 if search.advance(marks, results, &scene, left) == Outcome::Working {
                     continue;
                 }
@@ -97,7 +98,7 @@ impl Bounds {
                 }
                 Bound::AtLeast(distance) => {
                     let most = if self.likely.contains(task) { MOST_EXPANSIONS } else { FEW_EXPANSIONS };
-                    self.search = AStar::new(relaxation, marks.len(), task, piece, distance, most);
+                    self.search = AStar::new(&scene, marks.len(), (task, piece), distance, most);
                 }
                 Bound::Unknown => {}
             }

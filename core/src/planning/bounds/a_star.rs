@@ -1,15 +1,22 @@
-//! A* with the lower bound as heuristic, over the real states of all pieces. It finds every shortest plan's first action.
+//! A* with the lower bound as heuristic. It finds every shortest plan's first action.
 //!
-//! It goes breadth first, from one distance g to the next, and leaves out states whose g and lower bound h together exceed a threshold: first
-//! the start's own bound, then the least sum that was left out before (breadth-first iterative-deepening A*: Zhou and Hansen, 2004). So a goal
-//! is met first at its true distance. Until then, equal states need to be told only within one distance, and only two distances are in memory.
+//! Only the pieces that are in the way move beside the robot and the task's piece: at first those that the task asks for. The others are
+//! taken away, so each plan of the floor is also one here. If a shortest plan never enters a cell where a piece was taken away, it is a plan of
+//! the floor as well, and its distance and first action are exact. If it does, one such piece comes back, and the search goes on from the same
+//! distance (counterexample-guided refinement). So a piece that is not in the way multiplies no states.
 //!
-//! A state is one word: the robot's cell, that of the task's piece, the arrangement of the others, and the first actions of the plans that lead
-//! to it. An arrangement is a chain of the pieces that have moved, in order, each with its new cell. It needs no number of the joint state, so
-//! homes may have more states than can be numbered.
+//! It goes breadth first, from one distance g to the next, and leaves out states whose g and lower bound h together exceed a threshold
+//! (breadth-first iterative-deepening A*: Zhou and Hansen, 2004). So a goal is met first at its true distance, even if the threshold is
+//! greater. The first threshold is the start's own bound. Then it grows to the least sum that was left out, or more where it has grown before.
+//! If nothing was left out, no goal can be reached.
+//!
+//! A state is two words: the robot's cell, that of the task's piece, the arrangement of the others and the distance g; and what is known of the
+//! plans that lead to it. An arrangement is a chain of the pieces that have moved, in order, each with its new cell. It needs no number of the
+//! joint state, so homes may have more states than can be numbered.
 
 use super::relaxation::{Relaxation, others};
-use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
+use crate::oomdp::{Action, ActionSet, CellId, Piece, PushGrid, own_actions};
+use crate::planning::bits::{entry, set_entry};
 use crate::planning::goals::Goals;
 use crate::planning::plan::Results;
 use crate::task::TaskSet;
@@ -20,14 +27,15 @@ pub(super) enum Outcome {
     Working,
     /// All goals at the least distance are met.
     Met,
+    /// No goal can be reached.
+    Unreachable,
     /// The memory or the work does not suffice.
     GivenUp,
 }
 
-/// The most arrangements of other pieces.
-const MOST_ARRANGEMENTS: usize = 1 << 12;
-/// Places of a table for each state at the distance before.
-const BRANCHES: usize = 8;
+/// The most arrangements of other pieces, and the most states; 16 bits tell them apart.
+const MOST_ARRANGEMENTS: usize = 1 << 14;
+const MOST_STATES: usize = u16::MAX as usize - 1;
 /// Where so many places in a row are taken, a table counts as full.
 const PROBES: usize = 32;
 
@@ -36,27 +44,88 @@ const PROBES: usize = 32;
 pub(super) struct AStar {
     task: usize,
     piece: Piece,
-    /// Where its memory begins in the marks: the arrangements, and behind them two tables of states.
+    /// Where its memory begins in the marks: the arrangements, the states in the order in which they were met, and an index of them.
     at: usize,
     arrangements: usize,
-    /// Words of a table of states, and how many of them are in use at the distance under way and at the next.
-    table: usize,
-    here: usize,
-    next: usize,
-    /// Which of the two tables is the next.
-    flipped: bool,
-    /// States at the next distance.
-    ahead: usize,
-    /// The place in the table that is looked at.
-    cursor: usize,
-    level: u32,
+    /// States that there is room for, that were met, and that were expanded.
+    room: usize,
+    met: usize,
+    expanded: usize,
+    /// The start's own bound.
+    lower: u32,
     threshold: u32,
     /// The least sum above the threshold.
     beyond: u32,
     /// Expansions that are left.
     left: u32,
-    /// The first actions of the plans whose goals are met at the next distance.
+    /// The distance of the nearest goals; the greatest number before they are met.
+    distance: u32,
+    /// The plans that lead to them.
+    reached: Reached,
+    /// The pieces that are on the floor beside the task's own, one bit each.
+    present: u32,
+}
+
+/// A state that is expanded, with the cells of the pieces present.
+struct Here {
+    key: u64,
+    reached: Reached,
+    cells: [CellId; 32],
+}
+
+impl Here {
+    /// The piece on a cell, apart from the robot and the task's own.
+    fn at(&self, cell: CellId) -> Option<Piece> {
+        self.cells.iter().position(|&other| other == cell).map(|other| Piece(other as u8))
+    }
+}
+
+/// What an action leads to.
+struct Ahead {
+    action: Action,
+    robot: CellId,
+    piece: CellId,
+    /// Another piece, and its new cell.
+    moved: Option<(Piece, CellId)>,
+    bound: Option<u32>,
+    /// The pieces that were taken away from the cells that are entered.
+    hit: u32,
+}
+
+/// What is known of the plans that lead to a state.
+#[derive(Clone, Copy, Debug)]
+struct Reached {
+    /// Their first actions.
     first: ActionSet,
+    /// The first actions of those that are plans of the floor with all pieces.
+    sure: ActionSet,
+    /// Pieces that one of the others passes through, one bit each.
+    blockers: u32,
+}
+
+impl Reached {
+    const NOT: Self = Self::of(0);
+
+    const fn of(word: u64) -> Self {
+        Self { first: ActionSet(word as u16), sure: ActionSet((word >> 16) as u16), blockers: (word >> 32) as u32 }
+    }
+
+    const fn word(self) -> u64 {
+        self.first.0 as u64 | (self.sure.0 as u64) << 16 | (self.blockers as u64) << 32
+    }
+
+    /// The same plans, gone on into cells where these pieces were taken away.
+    fn through(self, hit: u32) -> Self {
+        if hit == 0 { self } else { Self { sure: ActionSet::EMPTY, blockers: self.blockers | hit, ..self } }
+    }
+
+    /// These plans and others to the same state. Of the pieces in the way, the fewer are kept.
+    fn or(self, other: Self) -> Self {
+        let (first, sure) = (self.first.union(other.first), self.sure.union(other.sure));
+        let is_other = other.blockers != 0 && (self.blockers == 0 || other.blockers.count_ones() < self.blockers.count_ones());
+        let blockers = if is_other { other.blockers } else { self.blockers };
+        Self { first, sure, blockers: if first == sure { 0 } else { blockers } }
+    }
 }
 
 /// What is searched.
@@ -68,86 +137,99 @@ pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
     pub(super) start: &'d G::State,
 }
 
-impl<G: PushGrid + ?Sized> Scene<'_, G> {
-    /// The cells of the robot and of a piece.
-    fn cells(&self, state: &G::State, piece: Piece) -> (CellId, CellId) {
-        (self.grid.cell(state, Piece::ROBOT), self.grid.cell(state, piece))
-    }
-}
-
 /// The memory apart.
 struct Parts<'m> {
     relaxed: &'m [u64],
     arrangements: &'m mut [u64],
-    here: &'m mut [u64],
-    next: &'m mut [u64],
+    states: &'m mut [[u64; 2]],
+    /// For each place the number of a state, or 0.
+    index: &'m mut [u64],
 }
 
-/// The key of a state: all but its first actions.
+/// The key of a state, without its distance.
 const fn key(arrangement: u16, robot: CellId, piece: CellId) -> u64 {
     (arrangement as u64) << 48 | (robot.0 as u64) << 32 | (piece.0 as u64) << 16
 }
 
-const FIRST_ACTIONS: u64 = 0xffff;
+/// The bits of a key that hold the distance.
+const DISTANCE: u64 = 0xffff;
 
-/// The place of a key in the first `used` places of a table: that where it is, or a free one. `None` if the table is full.
-fn place(table: &mut [u64], used: usize, key: u64, is_key: impl Fn(u64) -> bool) -> Option<(usize, &mut u64)> {
-    let mut spread = key ^ key >> 32;
-    spread = spread.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    let mut at = ((spread >> 32).wrapping_mul(used as u64) >> 32) as usize;
-    for _ in 0..PROBES {
-        if table.get(..used)?.get(at).is_some_and(|&word| word == 0 || is_key(word)) {
-            return Some((at, table.get_mut(at)?));
-        }
-        at = at.wrapping_add(1);
-        if at >= used {
-            at = 0;
-        }
-    }
-    None
+/// The places in a table of so many where a key may be.
+fn places(key: u64, size: usize) -> impl Iterator<Item = usize> {
+    let spread = (key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let first = ((spread >> 32).wrapping_mul(size as u64) >> 32) as usize;
+    (first..size).chain(0..first).take(PROBES)
+}
+
+/// The pieces of a set of bits.
+fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
+    core::iter::from_fn(move || {
+        let piece = Piece(bits.trailing_zeros() as u8);
+        bits &= bits.wrapping_sub(1);
+        (piece.0 < 32).then_some(piece)
+    })
 }
 
 impl AStar {
     /// The search for a task whose distance is at least this, with at most so many expansions; `None` where there is no memory for one.
-    pub(super) fn new(relaxation: &Relaxation, words: usize, task: usize, piece: Piece, distance: u32, most: u32) -> Option<Self> {
-        let at = relaxation.words();
-        let room = words.checked_sub(at)?;
-        let arrangements = (room / 8).min(MOST_ARRANGEMENTS);
-        let table = room.saturating_sub(arrangements) / 2;
-        (table > 0).then_some(Self {
+    pub(super) fn new<G: PushGrid + ?Sized>(
+        scene: &Scene<'_, G>,
+        words: usize,
+        (task, piece): (usize, Piece),
+        distance: u32,
+        most: u32,
+    ) -> Option<Self> {
+        let at = scene.relaxation.words();
+        let words = words.checked_sub(at)?;
+        let arrangements = (words / 8).min(MOST_ARRANGEMENTS);
+        // Two words a state, and half a word for its two places in the index.
+        let room = (words.saturating_sub(arrangements).saturating_mul(2) / 5).min(MOST_STATES);
+        // Where a piece can be pulled, another behind it may be needed.
+        let is_asked = |other: &Piece| scene.grid.swaps() || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
+        let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
+        (room > 0).then_some(Self {
             task,
             piece,
             at,
             arrangements,
-            table,
-            here: 0,
-            next: 0,
-            flipped: false,
-            ahead: 0,
-            cursor: 0,
-            level: 0,
+            room,
+            met: 0,
+            expanded: 0,
+            lower: distance,
             threshold: distance,
             beyond: u32::MAX,
             left: most,
-            first: ActionSet::EMPTY,
+            distance: u32::MAX,
+            reached: Reached::NOT,
+            present,
         })
     }
 
     fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
         let (relaxed, rest) = marks.split_at_mut_checked(self.at)?;
         let (arrangements, rest) = rest.split_at_mut_checked(self.arrangements)?;
-        let (even, rest) = rest.split_at_mut_checked(self.table)?;
-        let odd = rest.get_mut(..self.table)?;
-        let (here, next) = if self.flipped { (odd, even) } else { (even, odd) };
-        Some(Parts { relaxed, arrangements, here, next })
+        let (states, rest) = rest.split_at_mut_checked(self.room.saturating_mul(2))?;
+        let index = rest.get_mut(..self.room / 2)?;
+        Some(Parts { relaxed, arrangements, states: states.as_chunks_mut().0, index })
     }
 
     /// Leaves zeros in its memory.
     pub(super) fn clear(&self, marks: &mut [u64]) {
-        let Some(Parts { arrangements, here, next, .. }) = self.parts(marks) else { return };
-        arrangements.fill(0);
-        here.get_mut(..self.here).unwrap_or(&mut []).fill(0);
-        next.get_mut(..self.next).unwrap_or(&mut []).fill(0);
+        let Some(Parts { arrangements, states, index, .. }) = self.parts(marks) else { return };
+        for (at, state) in states.iter_mut().take(self.met).enumerate() {
+            let number = at.wrapping_add(1) as u16;
+            let place = places(state[0] & !DISTANCE, self.places()).find(|&place| entry(index, place) == number);
+            place.into_iter().for_each(|place| set_entry(index, place, 0));
+            *state = [0; 2];
+        }
+        if self.present != 0 {
+            arrangements.fill(0);
+        }
+    }
+
+    /// Places in the index.
+    const fn places(&self) -> usize {
+        (self.room / 2).saturating_mul(4)
     }
 
     /// Goes on, with at most `left` expansions. `start` is the state that is planned for. It leaves zeros in its memory at its end.
@@ -160,121 +242,196 @@ impl AStar {
     ) -> Outcome {
         while *left > 0 {
             let outcome = match self.take(marks) {
-                Some(word) => {
+                Some(state) => {
                     *left = left.saturating_sub(1);
                     self.left = self.left.saturating_sub(1);
-                    self.expand(marks, scene, word).map_or(Outcome::GivenUp, |()| Outcome::Working)
+                    self.expand(marks, scene, state).map_or(Outcome::GivenUp, |()| Outcome::Working)
                 }
-                None => self.next_level(marks, scene),
+                None => self.next_round(marks, scene),
             };
-            if outcome == Outcome::Met {
-                results.found.level = self.threshold;
-                results.meet(self.task, self.first);
-                results.end_level();
+            match outcome {
+                Outcome::Working if self.left > 0 => continue,
+                Outcome::Met => {
+                    results.found.level = self.distance;
+                    results.meet(self.task, self.reached.first);
+                    results.end_level();
+                }
+                Outcome::Unreachable => results.found.rule_out(TaskSet::of(self.task)),
+                Outcome::Working | Outcome::GivenUp => {}
             }
-            if outcome != Outcome::Working || self.left == 0 {
-                self.clear(marks);
-                return if outcome == Outcome::Met { outcome } else { Outcome::GivenUp };
-            }
+            self.clear(marks);
+            return if outcome == Outcome::Working { Outcome::GivenUp } else { outcome };
         }
         Outcome::Working
     }
 
-    /// Takes the next state at the distance under way.
+    /// Takes the next state, unless the nearest goals are met.
     #[inline]
-    fn take(&mut self, marks: &mut [u64]) -> Option<u64> {
-        let Parts { here, .. } = self.parts(marks)?;
-        let (skipped, word) = here.get_mut(self.cursor..self.here)?.iter_mut().enumerate().find(|(_, word)| **word != 0)?;
-        self.cursor = self.cursor.wrapping_add(skipped).wrapping_add(1);
-        Some(core::mem::take(word))
+    fn take(&mut self, marks: &mut [u64]) -> Option<[u64; 2]> {
+        let state = *self.parts(marks)?.states.get(self.expanded..self.met)?.first()?;
+        if (state[0] & DISTANCE) as u32 >= self.distance {
+            return None;
+        }
+        self.expanded = self.expanded.wrapping_add(1);
+        Some(state)
     }
 
-    /// Goes on to the next distance, or to the next threshold from the start.
-    fn next_level<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) -> Outcome {
-        if !self.first.is_empty() {
-            return Outcome::Met;
-        }
-        self.flipped = !self.flipped;
-        (self.level, self.here, self.cursor) = (self.level.saturating_add(1), self.next, 0);
-        if self.ahead == 0 {
-            // The first threshold is the start's own bound.
-            if self.here > 0 {
-                self.threshold = self.beyond;
+    /// Begins at the start: for the first time, with pieces that were in the way, or with the next threshold.
+    fn next_round<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) -> Outcome {
+        if self.met > 0 {
+            self.clear(marks);
+            if self.distance != u32::MAX {
+                if self.reached.first == self.reached.sure {
+                    return Outcome::Met;
+                }
+                self.present |= self.reached.blockers;
+                self.threshold = self.distance;
+            } else if self.beyond == u32::MAX {
+                return Outcome::Unreachable;
+            } else {
+                self.threshold = self.beyond.max(self.threshold.saturating_add(self.threshold.saturating_sub(self.lower) / 2));
             }
-            if self.threshold == u32::MAX {
-                return Outcome::GivenUp;
-            }
-            (self.level, self.beyond, self.here, self.ahead) = (0, u32::MAX, 1, 1);
-            let (robot, piece) = scene.cells(scene.start, self.piece);
-            let Some(word) = self.parts(marks).and_then(|parts| parts.here.first_mut()) else { return Outcome::GivenUp };
-            // Its first actions are not read.
-            *word = key(0, robot, piece) | FIRST_ACTIONS;
         }
-        // At most half of a table is taken, where there is room.
-        self.next = self.ahead.saturating_mul(BRANCHES).min(self.table);
-        self.ahead = 0;
+        (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
+        let (robot, piece) = (scene.grid.cell(scene.start, Piece::ROBOT), self.cell_of_piece(scene.grid, scene.start));
+        let (key, places) = (key(0, robot, piece), self.places());
+        let Some(Parts { states, index, .. }) = self.parts(marks) else { return Outcome::GivenUp };
+        let (Some(first), Some(place)) = (states.first_mut(), self::places(key, places).next()) else { return Outcome::GivenUp };
+        *first = [key, 0];
+        set_entry(index, place, 1);
         Outcome::Working
+    }
+
+    /// The cell of the task's piece; none where that is the robot.
+    fn cell_of_piece<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State) -> CellId {
+        if self.piece == Piece::ROBOT { CellId::NONE } else { grid.cell(state, self.piece) }
     }
 
     /// Opens what the actions lead to from a state; `None` if there is no room for it.
-    fn expand<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, word: u64) -> Option<()> {
-        let Scene { grid, goals, relaxation, start } = *scene;
-        let parts = self.parts(marks)?;
-        let (arrangement, robot, piece) = ((word >> 48) as u16, CellId((word >> 32) as u16), CellId((word >> 16) as u16));
-        let mut state = *start;
+    fn expand<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, [key, word]: [u64; 2]) -> Option<()> {
+        let Scene { grid, relaxation, start, .. } = *scene;
+        let Parts { arrangements, .. } = self.parts(marks)?;
+        let (arrangement, robot, piece) = ((key >> 48) as u16, CellId((key >> 32) as u16), CellId((key >> 16) as u16));
+        let mut cells = [CellId::NONE; 32];
+        for other in pieces(self.present) {
+            *cells.get_mut(other.index())? = grid.cell(start, other);
+        }
         let mut link = usize::from(arrangement);
-        while let Some(&moved) = link.checked_sub(1).and_then(|at| parts.arrangements.get(at)) {
-            state = grid.put(&state, Piece((moved >> 16) as u8), CellId(moved as u16));
+        while let Some(&moved) = link.checked_sub(1).and_then(|at| arrangements.get(at)) {
+            *cells.get_mut((moved >> 16 & 0x1f) as usize)? = CellId(moved as u16);
             link = (moved >> 32) as usize;
         }
-        state = grid.put(&grid.put(&state, self.piece, piece), Piece::ROBOT, robot);
+        let from = Here { key, reached: Reached::of(word), cells };
+        let distance = ((key & DISTANCE) as u32).saturating_add(1);
         let floor = grid.floor();
-        for action in own_actions(grid) {
-            if let Some(direction) = floor.directions.iter().position(|&direction| direction == action) {
-                // Most actions are left out without a look at the other pieces.
-                let ahead = floor.neighbour(robot, direction);
-                let pushed = if ahead == piece { floor.neighbour(piece, direction) } else { piece };
-                if ahead == CellId::NONE || ahead == piece && pushed == CellId::NONE {
-                    continue;
-                }
-                if !self.is_within(relaxation.distance(parts.relaxed, ahead, pushed)) {
-                    continue;
-                }
-            }
-            let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
-            let (robot, piece) = scene.cells(&next, self.piece);
-            let bound = relaxation.distance(parts.relaxed, robot, piece);
-            if !self.is_within(bound) {
+        for (direction, &action) in floor.directions.iter().enumerate() {
+            // Most actions are left out without a look at the other pieces.
+            let ahead = floor.neighbour(robot, direction);
+            let beyond = floor.neighbour(ahead, direction);
+            let pushed = if ahead == piece { beyond } else { piece };
+            if ahead == CellId::NONE || ahead == piece && pushed == CellId::NONE {
                 continue;
             }
-            let first = if self.level == 0 { ActionSet::of(action) } else { ActionSet(word as u16) };
-            if bound == Some(0) && !goals.satisfied(grid, &next, TaskSet::of(self.task)).is_empty() {
-                self.first = self.first.union(first);
+            let Parts { relaxed, .. } = self.parts(marks)?;
+            let bound = relaxation.distance(relaxed, ahead, pushed);
+            if !self.is_within(distance, bound) {
                 continue;
             }
-            let mut arrangement = 0_u16;
-            for other in others(grid, self.piece) {
-                let cell = grid.cell(&next, other);
-                if cell != grid.cell(start, other) {
-                    let moved = u64::from(arrangement) << 32 | u64::from(other.0) << 16 | u64::from(cell.0);
-                    let (at, entry) = place(parts.arrangements, self.arrangements, moved, |entry| entry == moved)?;
-                    *entry = moved;
-                    arrangement = at.wrapping_add(1) as u16;
+            let other = from.at(ahead);
+            let is_push = ahead == piece || other.is_some();
+            if is_push && (beyond == CellId::NONE || beyond == piece || from.at(beyond).is_some() || relaxation.is_wall(relaxed, beyond)) {
+                continue;
+            }
+            let entered = |cell: CellId| if relaxation.has_piece(relaxed, cell) { self.absent(grid, start, cell) } else { 0 };
+            let hit = entered(ahead) | if is_push { entered(beyond) } else { 0 };
+            let next = Ahead { action, robot: ahead, piece: pushed, moved: other.map(|other| (other, beyond)), bound, hit };
+            self.open(marks, scene, &from, &next)?;
+        }
+        if grid.swaps() {
+            let state = self.state(scene, &from.cells, robot, piece);
+            for action in own_actions(grid).filter(|action| !floor.directions.contains(action)) {
+                let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
+                let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
+                let bound = relaxation.distance(self.parts(marks)?.relaxed, robot, piece);
+                if self.is_within(distance, bound) {
+                    let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
+                    let moved = moved.into_iter().find(|(other, cell)| from.cells.get(other.index()) != Some(cell));
+                    self.open(marks, scene, &from, &Ahead { action, robot, piece, moved, bound, hit: 0 })?;
                 }
             }
-            let key = key(arrangement, robot, piece);
-            let (_, entry) = place(parts.next, self.next, key, |entry| entry & !FIRST_ACTIONS == key)?;
-            self.ahead = self.ahead.wrapping_add(usize::from(*entry == 0));
-            *entry |= key | u64::from(first.0);
         }
         Some(())
     }
 
-    /// Whether a state at the next distance with this lower bound can be on a plan as short as the threshold. If not, takes note of the sum.
+    /// The piece that was taken away from a cell, as a bit.
+    fn absent<G: PushGrid + ?Sized>(&self, grid: &G, start: &G::State, cell: CellId) -> u32 {
+        let absent = others(grid, self.piece).filter(|other| self.present & other.bit() == 0);
+        absent.filter(|&other| grid.cell(start, other) == cell).fold(0, |bits, other| bits | other.bit())
+    }
+
+    /// The state with the pieces on these cells, and those that were taken away where they were.
+    fn state<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>, cells: &[CellId; 32], robot: CellId, piece: CellId) -> G::State {
+        let put = |state: G::State, piece: Piece, cell: Option<CellId>| cell.map_or(state, |cell| scene.grid.put(&state, piece, cell));
+        let state = pieces(self.present).fold(*scene.start, |state, other| put(state, other, cells.get(other.index()).copied()));
+        let state = put(state, self.piece, Some(piece).filter(|_| self.piece != Piece::ROBOT));
+        put(state, Piece::ROBOT, Some(robot))
+    }
+
+    /// Opens the state that an action leads to, or takes note of its goal; `None` if there is no room for it.
+    fn open<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
+        let (first, distance) = (ActionSet::of(to.action), (from.key & DISTANCE).wrapping_add(1));
+        let reached = if distance == 1 { Reached { first, sure: first, blockers: 0 } } else { from.reached }.through(to.hit);
+        let mut cells = from.cells;
+        if let Some((other, cell)) = to.moved {
+            *cells.get_mut(other.index())? = cell;
+        }
+        if to.bound == Some(0)
+            && !scene.goals.satisfied(scene.grid, &self.state(scene, &cells, to.robot, to.piece), TaskSet::of(self.task)).is_empty()
+        {
+            (self.distance, self.reached) = (distance as u32, self.reached.or(reached));
+            return Some(());
+        }
+        let places = self.places();
+        let Parts { arrangements, states, index, .. } = self.parts(marks)?;
+        let mut arrangement = (from.key >> 48) as u16;
+        if to.moved.is_some() {
+            arrangement = 0;
+            for other in pieces(self.present) {
+                let cell = *cells.get(other.index())?;
+                if cell != scene.grid.cell(scene.start, other) {
+                    let moved = u64::from(arrangement) << 32 | u64::from(other.0) << 16 | u64::from(cell.0);
+                    let is_it = |&at: &usize| arrangements.get(at).is_some_and(|&entry| entry == 0 || entry == moved);
+                    let at = self::places(moved, arrangements.len()).find(is_it)?;
+                    *arrangements.get_mut(at)? = moved;
+                    arrangement = at.wrapping_add(1) as u16;
+                }
+            }
+        }
+        let key = key(arrangement, to.robot, to.piece);
+        for place in self::places(key, places) {
+            let number = usize::from(entry(index, place));
+            let Some(at) = number.checked_sub(1) else {
+                *states.get_mut(self.met)? = [key | distance, reached.word()];
+                self.met = self.met.wrapping_add(1);
+                set_entry(index, place, self.met as u16);
+                return Some(());
+            };
+            let [known, word] = states.get_mut(at)?;
+            if *known & !DISTANCE == key {
+                // Longer plans to a state are none of the shortest.
+                if *known & DISTANCE == distance {
+                    *word = Reached::of(*word).or(reached).word();
+                }
+                return Some(());
+            }
+        }
+        None
+    }
+
+    /// Whether a state at this distance with this lower bound can be on a plan as short as the threshold. If not, takes note of the sum.
     #[inline]
-    fn is_within(&mut self, bound: Option<u32>) -> bool {
-        let Some(bound) = bound else { return false };
-        let sum = self.level.saturating_add(1).saturating_add(bound);
+    fn is_within(&mut self, distance: u32, bound: Option<u32>) -> bool {
+        let Some(sum) = bound.map(|bound| distance.saturating_add(bound)) else { return false };
         if sum > self.threshold {
             self.beyond = self.beyond.min(sum);
         }

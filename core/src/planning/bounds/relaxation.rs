@@ -83,6 +83,9 @@ fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
 
 /// The parts of the marks.
 struct Parts<'m> {
+    /// The cells of pieces.
+    pieces: &'m mut [u64],
+    /// The cells of those that never move again.
     walls: &'m mut [u64],
     closed: &'m mut [u64],
     here: &'m mut [u64],
@@ -122,13 +125,19 @@ impl Relaxation {
             return None;
         }
         let mut parts = it.parts(marks)?;
+        for other in others(grid, Piece::ROBOT) {
+            insert(parts.pieces, grid.cell(state, other).index());
+        }
         freeze(parts.walls, grid, state);
         if piece != Piece::ROBOT {
             remove(parts.walls, grid.cell(state, piece).index());
         }
         let rows = if piece == Piece::ROBOT { 1 } else { cells };
         let asked = |piece, cell| goals.allowed(grid, state, piece, cell).contains(task);
-        for row in (0..rows).map(|row| CellId(row as u16)).filter(|&row| piece == Piece::ROBOT || asked(piece, row)) {
+        for row in (0..rows).map(|row| CellId(row as u16)) {
+            if piece != Piece::ROBOT && (!asked(piece, row) || has(parts.walls, row.index())) {
+                continue;
+            }
             for robot in grid.floor().ids().filter(|&robot| piece == Piece::ROBOT || robot != row) {
                 if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) {
                     it.open(&mut parts, it.number(robot, row), 0);
@@ -156,14 +165,31 @@ impl Relaxation {
         self.tabled
             && blocks(task).is_some_and(|count| count <= 1)
             && blocks(task) == blocks(self.task)
-            && (piece == Piece::ROBOT || !has(marks, grid.cell(state, piece).index()))
+            && (piece == Piece::ROBOT || !self.is_wall(marks, grid.cell(state, piece)))
             && grid.floor().ids().all(|cell| is_alike(Piece::ROBOT, Piece::ROBOT, cell) && is_alike(self.piece, piece, cell))
     }
 
     /// Words of the marks that it takes.
     pub(super) fn words(&self) -> usize {
         let distances = if self.tabled { entry_words(self.states) } else { 0 };
-        self.set().saturating_mul(3).saturating_add(self.cells.div_ceil(64)).saturating_add(distances)
+        self.set().saturating_mul(3).saturating_add(self.floor().saturating_mul(2)).saturating_add(distances)
+    }
+
+    /// Words of a set of cells.
+    const fn floor(&self) -> usize {
+        self.cells.div_ceil(64)
+    }
+
+    /// Whether a piece, and not the robot, is on this cell in the state that is planned for.
+    #[inline]
+    pub(super) fn has_piece(&self, marks: &[u64], cell: CellId) -> bool {
+        has(marks, cell.index())
+    }
+
+    /// Whether a piece is on this cell that never moves again.
+    #[inline]
+    pub(super) fn is_wall(&self, marks: &[u64], cell: CellId) -> bool {
+        marks.get(self.floor()..).is_some_and(|walls| has(walls, cell.index()))
     }
 
     /// Words of a set of states.
@@ -178,13 +204,14 @@ impl Relaxation {
     }
 
     fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
-        let (walls, rest) = marks.split_at_mut_checked(self.cells.div_ceil(64))?;
+        let (pieces, rest) = marks.split_at_mut_checked(self.floor())?;
+        let (walls, rest) = rest.split_at_mut_checked(self.floor())?;
         let (closed, rest) = rest.split_at_mut_checked(self.set())?;
         let (even, rest) = rest.split_at_mut_checked(self.set())?;
         let (odd, rest) = rest.split_at_mut_checked(self.set())?;
         let distances = rest.get_mut(..if self.tabled { entry_words(self.states) } else { 0 })?;
         let (here, next) = if self.flipped { (odd, even) } else { (even, odd) };
-        Some(Parts { walls, closed, here, next, distances })
+        Some(Parts { pieces, walls, closed, here, next, distances })
     }
 
     /// Opens a state at the next distance, unless it is known.
