@@ -35,8 +35,8 @@ fn lessons(tasks: usize) -> Vec<Lesson> {
         json!({ "type": "command", "world": "house", "command": command, "intended": [format!("{meant}(lamp{lamp})")] })
     };
     let lines: Vec<String> = std::iter::once(world).chain((0..COMMANDS).map(command)).map(|line| line.to_string()).collect();
-    let mut lessons = Vec::new();
-    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, false, |lesson| {
+    let (mut lessons, mut left) = (Vec::new(), COMMANDS);
+    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, false, &mut left, |lesson| {
         lesson.map(|lesson| lessons.extend(lesson))
     });
     read.expect("a log of a world");
