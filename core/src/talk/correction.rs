@@ -25,8 +25,8 @@ use heapless::Vec;
 const WRONG: f32 = 1e-4;
 
 /// How probable it is that the place is corrected where the thing may be, and that more is than one of them.
-const PLACE_CHANGED: f32 = 0.5;
-const MORE_CHANGED: f32 = 0.1;
+const PLACE_CHANGED: f32 = 0.05;
+const MORE_CHANGED: f32 = 0.01;
 
 /// So much of the belief in the next task is left to the one that a correction turns the robot from.
 const LEFT: f32 = 0.05;
