@@ -126,13 +126,16 @@ impl<M: AgentMemory> Agent<M> {
         let mut evidence = Evidence::SaysNothing;
         for (words, is_meant) in [(meant, true), (other, false)] {
             let Some(fits) = self.fits(domain, &words, closed)? else { continue };
-            let fit = |task: usize| (1.0 - WRONG) * fits.get(task).copied().unwrap_or(0.0);
             let mut kept: Vec<f32, { TaskSet::MOST }> = Vec::new();
             for task in 0..self.tasks().len() {
                 let _ = kept.push(if is_meant { self.kept(domain, task, turned) } else { 1.0 });
             }
-            let fit = |task: usize| fit(task) * kept.get(task).copied().unwrap_or(1.0);
-            let possible = self.belief_mut().observe_beside(|task| if is_meant { WRONG + fit(task) } else { 1.0 - fit(task) });
+            // The words are to fit what keeps the rest, though something else may fit better.
+            let most = fits.iter().zip(&kept).filter(|&(_, &kept)| kept > MORE_CHANGED).map(|(&fit, _)| fit).fold(WRONG, f32::max);
+            let fit = |task: usize| (1.0 - WRONG) * (fits.get(task).copied().unwrap_or(0.0) / most).min(1.0);
+            let kept = |task: usize| kept.get(task).copied().unwrap_or(1.0);
+            let possible =
+                self.belief_mut().observe_beside(|task| if is_meant { kept(task) * (WRONG + fit(task)) } else { 1.0 - fit(task) });
             evidence = if possible { Evidence::Used } else { Evidence::Impossible };
         }
         Ok(evidence)
