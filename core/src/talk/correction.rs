@@ -126,12 +126,13 @@ impl<M: AgentMemory> Agent<M> {
         let mut evidence = Evidence::SaysNothing;
         for (words, is_meant) in [(meant, true), (other, false)] {
             let Some(fits) = self.fits(domain, &words, closed)? else { continue };
-            let mut kept: Vec<f32, { TaskSet::MOST }> = Vec::new();
-            for task in 0..self.tasks().len() {
-                let _ = kept.push(if is_meant { self.kept(domain, task, turned) } else { 1.0 });
-            }
             // The words are to fit what keeps the rest, though something else may fit better.
-            let most = fits.iter().zip(&kept).filter(|&(_, &kept)| kept > MORE_CHANGED).map(|(&fit, _)| fit).fold(WRONG, f32::max);
+            let (mut kept, mut most): (Vec<f32, { TaskSet::MOST }>, f32) = (Vec::new(), WRONG);
+            for (task, &fit) in fits.iter().enumerate() {
+                let share = if is_meant { self.kept(domain, task, turned) } else { 1.0 };
+                most = if share > MORE_CHANGED { most.max(fit) } else { most };
+                let _ = kept.push(share);
+            }
             let fit = |task: usize| (1.0 - WRONG) * (fits.get(task).copied().unwrap_or(0.0) / most).min(1.0);
             let kept = |task: usize| kept.get(task).copied().unwrap_or(1.0);
             let possible =
