@@ -144,17 +144,14 @@ impl<M: AgentMemory> Agent<M> {
 
     /// How probable a task is where one of these is corrected, by what it has in common with that one.
     fn kept<D: Domain + ?Sized>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
-        let common = |other: usize| {
-            let (one, another) = (self.task(task), self.task(other));
-            let is_like = one.lifted == another.lifted;
-            let differ = one.bindings.iter().zip(&another.bindings).filter(|(one, another)| one != another).count();
-            match () {
-                () if !is_like || differ > 1 => MORE_CHANGED,
-                () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
-                () => PLACE_CHANGED,
-            }
-        };
-        turned.iter().map(common).fold(MORE_CHANGED, f32::max)
+        let Some(other) = turned.iter().next() else { return 1.0 };
+        let (one, another) = (self.task(task), self.task(other));
+        match () {
+            () if one.lifted != another.lifted => MORE_CHANGED,
+            () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
+            () if one.bindings.first() == another.bindings.first() => PLACE_CHANGED,
+            () => MORE_CHANGED,
+        }
     }
 
     /// How well each task fits words that name something, against the one that fits best; `None` where all fit alike.

@@ -128,7 +128,7 @@ impl<M: AgentMemory> Agent<M> {
         let (task, of_command) = explained.best();
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
-        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0 || word.is_forgetting);
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
