@@ -75,7 +75,7 @@ impl<D: Place> Lesson<D> {
         for_each_piece(words, |piece| {
             let classes = self.closed.of(piece);
             is_no |= open == 0 && classes.contains(Class::No);
-            points |= classes.contains_any(&[Class::Back, Class::Forget, Class::Other]);
+            points |= classes.forgets() || classes.contains_any(&[Class::Back, Class::Other]);
             // A sign of Chinese is half a word.
             open = open.saturating_add(if classes == Classes::NONE { piece.chars().take(2).count() } else { 0 });
             Ok(())

@@ -69,17 +69,15 @@ pub enum Class {
     /// "meant": whoever says it corrects the robot.
     Meant,
     /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like. One that is of the class `out` as well,
-    /// such as "leave", leaves a thing in the place that is named.
+    /// such as "leave", leaves a thing in the place that is named. A negation beside one that is of the class `if`, such as "forget", asks for what follows.
     Act,
-    /// "forget": a negation beside it asks for what follows.
-    Forget,
     /// "here", "stay": what is meant holds already, and its place needs no name.
     Here,
 }
 
 impl Class {
     /// All classes, in order.
-    pub const ALL: [Self; 33] = [
+    pub const ALL: [Self; 32] = [
         Self::Negation,
         Self::Out,
         Self::From,
@@ -111,7 +109,6 @@ impl Class {
         Self::Wish,
         Self::Meant,
         Self::Act,
-        Self::Forget,
         Self::Here,
     ];
 
@@ -149,7 +146,6 @@ impl Class {
             Self::Wish => "wish",
             Self::Meant => "meant",
             Self::Act => "act",
-            Self::Forget => "forget",
             Self::Here => "here",
         }
     }
@@ -162,7 +158,7 @@ impl Class {
 
 /// The classes that a word is in, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Classes(u64);
+pub struct Classes(u32);
 
 impl Classes {
     /// In no class.
@@ -178,6 +174,11 @@ impl Classes {
         classes.iter().any(|&class| self.contains(class))
     }
 
+    /// Whether it is a word such as "forget".
+    pub const fn forgets(self) -> bool {
+        self.contains(Class::Act) && self.contains(Class::If)
+    }
+
     /// In one class alone.
     pub const fn of(class: Class) -> Self {
         Self::NONE.with(class)
@@ -185,7 +186,7 @@ impl Classes {
 
     /// The classes of words that speak about commands, without those of words that commands have themselves.
     pub const fn about_commands(self) -> Self {
-        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Act).with(Class::Forget);
+        let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Act);
         Self(self.0 & !of_commands.0)
     }
 

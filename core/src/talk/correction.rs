@@ -25,8 +25,8 @@ use heapless::Vec;
 const WRONG: f32 = 1e-4;
 
 /// How probable it is that the place is corrected where the thing may be, and that more is corrected than one of them.
-const PLACE_CHANGED: f32 = 0.5;
-const MORE_CHANGED: f32 = 0.1;
+const PLACE_CHANGED: f32 = 0.05;
+const MORE_CHANGED: f32 = 0.01;
 
 /// The share of the belief in the next task that is left to the task that is corrected.
 const LEFT: f32 = 0.05;
@@ -126,13 +126,17 @@ impl<M: AgentMemory> Agent<M> {
         let mut evidence = Evidence::SaysNothing;
         for (words, is_meant) in [(meant, true), (other, false)] {
             let Some(fits) = self.fits(domain, &words, closed)? else { continue };
-            let fit = |task: usize| (1.0 - WRONG) * fits.get(task).copied().unwrap_or(0.0);
-            let mut kept: Vec<f32, { TaskSet::MOST }> = Vec::new();
-            for task in 0..self.tasks().len() {
-                let _ = kept.push(if is_meant { self.kept(domain, task, turned) } else { 1.0 });
+            // The words are to fit what keeps the rest, though something else may fit better.
+            let (mut kept, mut most): (Vec<f32, { TaskSet::MOST }>, f32) = (Vec::new(), WRONG);
+            for (task, &fit) in fits.iter().enumerate() {
+                let share = if is_meant { self.kept(domain, task, turned) } else { 1.0 };
+                most = if share > MORE_CHANGED { most.max(fit) } else { most };
+                let _ = kept.push(share);
             }
-            let fit = |task: usize| fit(task) * kept.get(task).copied().unwrap_or(1.0);
-            let possible = self.belief_mut().observe_beside(|task| if is_meant { WRONG + fit(task) } else { 1.0 - fit(task) });
+            let fit = |task: usize| (1.0 - WRONG) * (fits.get(task).copied().unwrap_or(0.0) / most).min(1.0);
+            let kept = |task: usize| kept.get(task).copied().unwrap_or(1.0);
+            let possible =
+                self.belief_mut().observe_beside(|task| if is_meant { kept(task) * (WRONG + fit(task)) } else { 1.0 - fit(task) });
             evidence = if possible { Evidence::Used } else { Evidence::Impossible };
         }
         Ok(evidence)
@@ -140,17 +144,14 @@ impl<M: AgentMemory> Agent<M> {
 
     /// How probable a task is where one of these is corrected, by what it has in common with that one.
     fn kept<D: Domain + ?Sized>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
-        let common = |other: usize| {
-            let (one, another) = (self.task(task), self.task(other));
-            let is_like = one.lifted == another.lifted;
-            let differ = one.bindings.iter().zip(&another.bindings).filter(|(one, another)| one != another).count();
-            match () {
-                () if !is_like || differ > 1 => MORE_CHANGED,
-                () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
-                () => PLACE_CHANGED,
-            }
-        };
-        turned.iter().map(common).fold(MORE_CHANGED, f32::max)
+        let Some(other) = turned.iter().next() else { return 1.0 };
+        let (one, another) = (self.task(task), self.task(other));
+        match () {
+            () if one.lifted != another.lifted => MORE_CHANGED,
+            () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
+            () if one.bindings.first() == another.bindings.first() => PLACE_CHANGED,
+            () => MORE_CHANGED,
+        }
     }
 
     /// How well each task fits words that name something, against the one that fits best; `None` where all fit alike.

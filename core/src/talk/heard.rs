@@ -43,7 +43,7 @@ pub(super) struct Heard {
     /// Whether it tells where a way leads, as "to" does.
     pub is_toward: bool,
     /// Whether it is "forget".
-    pub is_forgetting: bool,
+    is_forgetting: bool,
     /// Whether it is an article: "el".
     pub is_article: bool,
     /// Whether it leaves a thing in its place, as "leave" does.
@@ -177,7 +177,7 @@ impl<'w> Iterator for Iter<'w> {
 
 impl Heard {
     pub fn new(language: LanguageRef<'_>, symbol: Option<Symbol>, classes: Classes) -> Self {
-        let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.contains(Class::Forget));
+        let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.forgets());
         let is_article = classes.contains(Class::Clitic);
         let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let classes = classes.about_commands();
@@ -337,7 +337,7 @@ impl<M: AgentMemory> Agent<M> {
             // A German adjective ends as a plural does: "grünen".
             let may_be_plural = heard.is_name && piece.ends_with(['s', 'x']);
             heard.is_plural = may_be_plural && symbol.is_some_and(|symbol| is_plural(piece, language.words().text(symbol)));
-            let is_cue = heard.is_new && !of_word.1.contains_any(&[Class::Act, Class::Forget]) && slip_for(language, piece, SLIP).is_none();
+            let is_cue = heard.is_new && !of_word.1.contains(Class::Act) && slip_for(language, piece, SLIP).is_none();
             let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
             let left = signs.len().saturating_sub(position);
             let is_sign = signs.get(position).is_some_and(Option::is_some);

@@ -32,8 +32,6 @@ const CLAUSES_PER_COMMAND: usize = 2;
 const SHARED: f32 = 0.3;
 /// The words of that place are said once, but each command is explained with them: so probable is one of them in a command that has the place.
 const SAID_ONCE: f32 = 0.2;
-/// Words name two tasks alike if neither fits this many times better than the other.
-const NAMED_ALIKE: f32 = 5.0;
 /// The words after "all" that may name what is meant.
 const NAME_OF_ALL: usize = 2;
 
@@ -51,8 +49,6 @@ pub(super) struct Rest<'w> {
     pub is_act_for_things: bool,
     /// Whether it may say that a thing stays: "leave the chair in the red room".
     pub stays: bool,
-    /// The words for what is left out: "everything but the bag".
-    pub except: Option<Words<'w>>,
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
@@ -113,25 +109,14 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let is_clear =
         !(is_question || words.has(Class::If) || is_not && is_out || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
-    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays, except: None })
+    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays })
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let is_exception =
         |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But, Class::Out]) && !word.classes.contains(Class::All);
-    // "Everything but the red bag": up to what to do, or where to. "All chairs out of the red room" is not followed.
-    let all = words.at(Class::All);
-    let but = words.iter().position(is_exception).filter(|&but| all.is_some_and(|all| all < but));
-    let but = but.filter(|&but| words.get(but).is_some_and(|word| word.classes.contains(Class::But)));
-    let (words, except) = match but {
-        Some(but) => {
-            let behind = words.part(but.saturating_add(1), words.len());
-            let more = behind.iter().position(|word| word.is_toward || word.may_act()).unwrap_or(behind.len());
-            (words.part(0, but).with(behind.part(more, behind.len())), Some(behind.part(0, more).only(|word| !is_exception(word))))
-        }
-        None => (words, None),
-    };
+    // "Everything but the red bag" is not followed, nor "all chairs out of the red room".
     let has_exception = words.iter().any(is_exception);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
@@ -142,7 +127,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     };
     let view = View { done: EITHER, ..View::PLAIN };
     let is_clear = is_clear && !has_exception;
-    Some(Rest { words: rest, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false, except })
+    Some(Rest { words: rest, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
 }
 
 /// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.
@@ -300,29 +285,6 @@ impl<M: AgentMemory> Agent<M> {
         let last = world.schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
         let is_thing = is_thing(&world, part.arguments.first().copied()?);
         part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
-    }
-
-    /// The tasks that some words name.
-    pub(super) fn named<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        words: Words<'_>,
-        wording: &Wording<'_>,
-        explained: &mut Explained,
-    ) -> Result<TaskSet, AgentError> {
-        let view = View { done: EITHER, has_act: true, ..View::PLAIN };
-        self.explain_all(domain, words, wording, view, explained)?;
-        let mut most = Scaled::ZERO;
-        let mut named = TaskSet::EMPTY;
-        for (task, &likelihood) in explained.likelihoods.iter().enumerate().filter(|&(task, _)| self.place_of_thing(domain, task).is_some())
-        {
-            if likelihood.exceeds(most.scaled_by(NAMED_ALIKE)) {
-                named = TaskSet::EMPTY;
-            }
-            most = if likelihood.exceeds(most) { likelihood } else { most };
-            named = if most.exceeds(likelihood.scaled_by(NAMED_ALIKE)) { named } else { named.with(task) };
-        }
-        Ok(named)
     }
 
     /// The tasks that bring all fitting things to one place, and how probable that place is.

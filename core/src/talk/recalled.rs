@@ -14,7 +14,7 @@ use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
-use crate::task::{GroundedTask, LiftedTask, TaskSet};
+use crate::task::{GroundedTask, LiftedTask};
 
 /// How probable it is that an utterance in a conversation points back, and each word by which it does.
 const POINTS_BACK: f32 = 0.4;
@@ -238,14 +238,8 @@ impl Explained {
 
     /// One task alone.
     pub(super) fn keep_only(&mut self, task: usize) {
-        self.leave(TaskSet::first(self.weights.len()).without(TaskSet::of(task)));
-        self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ONE);
-    }
-
-    /// Leaves some tasks out.
-    pub(super) fn leave(&mut self, tasks: TaskSet) {
-        for task in tasks.iter() {
-            self.weights.iter_mut().skip(task).take(1).for_each(|weight| *weight = Scaled::ZERO);
+        for (position, weight) in self.weights.iter_mut().enumerate() {
+            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
         }
     }
 }

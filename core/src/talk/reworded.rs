@@ -56,7 +56,10 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
     let has_verb = behind.iter().any(is_verb);
     // "With no chairs", "do not touch the bag".
-    if behind.iter().next().is_none_or(|word| word.is_name) || !behind.iter().any(|word| word.is_name) || !is_no && has_verb {
+    if behind.iter().next().is_none_or(|word| word.is_name && !word.is_toward)
+        || !behind.iter().any(|word| word.is_name)
+        || !is_no && has_verb
+    {
         return None;
     }
     // "To the red room, no, to the green one".

@@ -111,18 +111,12 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
-            let left = rest.except.map(|words| self.named(domain, words, wording, explained)).transpose()?.unwrap_or(TaskSet::EMPTY);
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
-            // Who leaves out what nobody meant is not understood.
-            let (rest_of_all, is_left) = (tasks.without(left), rest.except.is_none());
-            let is_understood = is_left || rest_of_all != tasks;
-            let tasks = rest_of_all;
-            explained.leave(left);
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
             let (words, is_clear, probability) =
-                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && is_understood && !is_only_told, share * of_place);
+                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if hypothesis == Hypothesis::Talk(Class::Again)
@@ -134,7 +128,7 @@ impl<M: AgentMemory> Agent<M> {
         let (task, of_command) = explained.best();
         let (tasks, probability) = (TaskSet::of(task), command * of_command);
         // "This or that" leaves the choice to the robot.
-        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0 || word.is_forgetting);
+        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
@@ -224,10 +218,10 @@ fn tells(words: Words<'_>) -> bool {
 fn has_condition(words: Words<'_>) -> bool {
     let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
     let Some(at) = words.iter().position(is_if) else { return false };
-    let mut case = words.iter().skip(at).take(NAMES_A_CASE).skip(1);
-    let is_polite = case.clone().next().is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
-    let is_glad = at > 0 && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
-    !is_polite || !(is_glad && words.has(Class::You)) && case.any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
+    let case = words.part(at.saturating_add(1), at.saturating_add(NAMES_A_CASE));
+    let is_polite = case.get(0).is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
+    let is_glad = at > 0 && words.has(Class::You) && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
+    !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
 /// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.

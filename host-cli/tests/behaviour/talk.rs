@@ -378,7 +378,15 @@ fn what_shall_not_be_is_a_task_of_its_own_and_planned_for() {
 #[test]
 fn what_is_left_in_its_place_is_done_already() {
     let (_folder, model) = taught(120, &ENGLISH);
-    check(&model, &three_rooms(), &[("leave the green chair in the blue room", "done", &*take(2, 1))]);
+    let cases = [
+        ("leave the green chair in the blue room", "done", &*take(2, 1)),
+        ("leave the yellow bag where it is", "done", &take(0, 2)),
+        ("keep the yellow bag here", "done", &take(0, 2)),
+        ("stay where you are", "done", &go(0)),
+        ("get out of here", "sure", &not(&go(0))),
+        ("stay out of the blue room", "done", &not(&go(1))),
+    ];
+    check(&model, &three_rooms(), &cases);
 }
 
 #[test]
@@ -414,7 +422,14 @@ fn a_command_needs_no_verb_and_other_sentences_with_one_are_no_command() {
         ("I'd like the yellow bag in the blue room", "sure", "blockInRoom(block0,room1)"),
         ("the red chair next to the blue room", "unsure", ""),
         ("she brought the yellow bag to the blue room", "unsure", ""),
+        ("off with you to the blue room", "sure", "agentInRoom(agent0,room1)"),
+        ("it would be nice if you took the yellow bag to the blue room", "sure", "blockInRoom(block0,room1)"),
         ("if it rains, go to the blue room", "unsure", ""),
+        ("if I don't come, go to the blue room", "unsure", ""),
+        ("should anyone knock, go to the blue room", "unsure", ""),
+        ("go to the blue room as soon as the bell rings", "unsure", ""),
+        ("go to the blue room tomorrow", "unsure", ""),
+        ("go to the blue room, no, forget it", "unsure", ""),
         ("I go to the blue room", "unsure", ""),
         ("go to the green room ... no, stop", "unsure", ""),
     ];
@@ -450,6 +465,9 @@ fn who_tells_or_asks_something_commands_nothing() {
         ("I want the red chair in the blue room", "sure", "blockInRoom(block1,room1)"),
         ("I'll take the red chair to the blue room myself", "unsure", ""),
         ("you went to the blue room", "unsure", ""),
+        ("I saw you go to the blue room", "unsure", ""),
+        ("I never said you should go to the blue room", "unsure", ""),
+        ("no need to go to the blue room", "unsure", ""),
         ("sorry, but could you go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("first go to the blue room", "sure", "agentInRoom(agent0,room1)"),
         ("you aren't allowed in the blue room", "done", "!agentInRoom(agent0,room1)"),
@@ -485,6 +503,7 @@ fn a_plural_means_all_things_of_its_kind() {
         ("take one of the bags to the blue room", "unsure", ""),
         ("take any bags to the blue room", "unsure", ""),
         ("take three bags to the blue room", "unsure", ""),
+        ("take everything except the yellow bag to the blue room", "unsure", ""),
     ];
     let blocks = vec![("yellow", "bag", 2), ("red", "bag", 0), ("green", "chair", 1)];
     check(&model, &Home { blocks, ..three_rooms() }, &cases);
@@ -736,6 +755,17 @@ fn a_new_word_may_turn_a_command_round_where_a_robot_knows_no_closed_words() {
         let taken_for = if *verdict == "sure" { "a command" } else { "perhaps the opposite of a command" };
         assert_eq!(answer["taken_for"], taken_for, "{words}");
     }
+}
+
+#[test]
+fn a_table_with_few_words_that_negate_may_lack_another() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let few = folder.path().join("few.txt").to_str().expect("a name").to_owned();
+    std::fs::write(&few, "negation: not no\n").expect("a file");
+    let sentences = ["don't go to the blue room", "go to the blue room"].map(str::to_owned);
+    let verdicts: Vec<Value> =
+        asked_with(&["--closed-words", &few], &model, &three_rooms(), &sentences).iter().map(|answer| answer["verdict"].clone()).collect();
+    assert_eq!(verdicts, ["unsure", "sure"]);
 }
 
 #[test]
