@@ -8,8 +8,8 @@
 //! ```
 //!
 //! Words may say what the trainer's acts leave open, and one session of some shows another task than was meant: what no act speaks for keeps
-//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps of each pass are shorter than those
-//! of the pass before.
+//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. Each pass has shorter steps
+//! than the one before, but where tasks are told.
 //!
 //! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
 //! there were none of them.
