@@ -18,6 +18,9 @@
 //! was learned, and they keep the probability that the role model gives them together. Where tasks have ways, a new scene is an exception
 //! (`unmet`): a command that names no way means none.
 //!
+//! In a scene that was taught often (`scenes`), each task that was meant there is also a part of itself: U of it is a weight for each word
+//! in each stretch of the command, and for each word that is said several times. These weights only share out what such tasks have together.
+//!
 //! It is trained to give each session's tasks the shares that the session has shown (`training`), with
 //! - p from a model that has not seen the session: two models are trained, each without half of the sessions, and with 30
 //!   batches for the kind of task;

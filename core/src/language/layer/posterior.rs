@@ -126,3 +126,22 @@ impl LayerRef<'_> {
         self.weights.get(cell).copied().unwrap_or(0.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tasks_that_were_meant_in_a_scene_share_out_what_they_have_together() {
+        let task = |understood, itself| Weighed { met: true, understood, itself, ..Weighed::default() };
+        let believed = |itself: [Option<f32>; 3]| {
+            let mut tasks = [task(0.5, itself[0]), task(0.3, itself[1]), task(0.2, itself[2])];
+            weigh(&mut tasks, 1.0);
+            tasks.map(|task| task.believed)
+        };
+        let (before, after) = (believed([None; 3]), believed([Some(-1.0), Some(1.0), None]));
+        assert_eq!(before[2], after[2]);
+        assert!((before[0] + before[1] - after[0] - after[1]).abs() < 1e-6);
+        assert!(before[0] > before[1] && after[0] < after[1]);
+    }
+}

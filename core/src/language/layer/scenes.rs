@@ -2,7 +2,6 @@
 //! it, with what they speak of: the same home, with all things where they were.
 
 use super::known::hash;
-use super::tables::MET;
 use crate::language::bitext::BitextRef;
 use crate::symbols::Symbol;
 use alloc::collections::BTreeMap;
@@ -10,6 +9,9 @@ use alloc::vec::Vec;
 
 /// A scene was taught often after so many sessions.
 const OFTEN: usize = 64;
+/// A task was meant in a scene if so many sessions show it more than all others together.
+const MEANT: usize = 8;
+const MOSTLY: f32 = 0.5;
 
 /// The scene of tasks of these descriptions, in any order: a hash.
 pub(super) fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> u32 {
@@ -24,20 +26,21 @@ pub(super) fn task(scene: u32, description: &[Symbol]) -> u32 {
 /// The tasks that were meant in scenes that were taught often, in order. `possible` has the tasks of all sessions, and `shares` what the
 /// sessions showed of each.
 pub(super) fn taught(possible: BitextRef<'_>, shares: &[f32]) -> Vec<u32> {
-    let (mut sessions, mut meant): (BTreeMap<u32, usize>, BTreeMap<(u32, u32), f32>) = (BTreeMap::new(), BTreeMap::new());
+    let (mut sessions, mut meant): (BTreeMap<u32, usize>, BTreeMap<(u32, u32), usize>) = (BTreeMap::new(), BTreeMap::new());
     let mut shares = shares.iter();
     for session in 0..possible.sessions() as u16 {
         let descriptions = || possible.pairs_of(session).iter().map(|pair| possible.command(pair.command));
         let scene = of(descriptions());
         let count = sessions.entry(scene).or_default();
         *count = count.saturating_add(1);
-        for (description, share) in descriptions().zip(&mut shares) {
-            *meant.entry((scene, task(scene, description))).or_default() += share;
+        for (description, &share) in descriptions().zip(&mut shares) {
+            let count = meant.entry((scene, task(scene, description))).or_default();
+            *count = count.saturating_add(usize::from(share > MOSTLY));
         }
     }
     let is_often = |scene: &u32| sessions.get(scene).is_some_and(|&count| count >= OFTEN);
     let mut taught: Vec<u32> =
-        meant.into_iter().filter(|((scene, _), meant)| *meant >= MET && is_often(scene)).map(|((_, task), _)| task).collect();
+        meant.into_iter().filter(|((scene, _), meant)| *meant >= MEANT && is_often(scene)).map(|((_, task), _)| task).collect();
     taught.sort_unstable();
     taught
 }

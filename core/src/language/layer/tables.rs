@@ -112,7 +112,7 @@ const LEAST_SESSIONS: usize = 8;
 
 /// A kind of task was meant if the sessions show it so often, all together.
 #[cfg(feature = "layer")]
-pub(super) const MET: f32 = 0.5;
+const MET: f32 = 0.5;
 
 /// What a training left.
 #[cfg(feature = "layer")]
