@@ -28,7 +28,7 @@ export const firefoxPath = process.env.GOODBOT_FIREFOX || ['/usr/bin/firefox-esr
 let downloads = '';
 // One Firefox for all tests of a file.
 /** @type {Promise<import('playwright-core').Browser> | null} */
-let second = null;
+export let second = null;
 
 /** From now on this file's tests run in Firefox. */
 export function takeFirefox() {
@@ -41,7 +41,9 @@ export function takeFirefox() {
 // A page of its own, with a storage of its own. `complaints` is what went wrong in it. Nothing moves in it by itself, which takes a tenth of a
 // core for each page, but where a test is about what moves.
 export async function open(browser, options = {}, hash = '') {
-  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...options }), hash);
+  // Firefox has no phone's way to lay out a page, only its size.
+  const { isMobile, ...others } = options;
+  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...others, ...(second ? {} : { isMobile }) }), hash);
 }
 
 // Questions come in the middle of what most tests are about: those that are about questions switch them on. The storage itself must not be
@@ -64,7 +66,8 @@ export async function openIn(context, hash = '', prepare = null) {
   page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) page.complaints.push('asked for ' + request.url()); });
   // Who looks for something that stands in a tab chooses the tab first.
   for (const name of ['click', 'tap', 'check', 'uncheck', 'fill', 'selectOption']) {
-    const plain = page[name].bind(page);
+    // Firefox is driven without fingers.
+    const plain = page[name === 'tap' && second ? 'click' : name].bind(page);
     page[name] = async (selector, ...others) => {
       const tab = await page.evaluate(wanted => {
         const panel = /^[#[.\w]/.test(wanted) && !/[>=]{2}|:has-text|:visible/.test(wanted) && document.querySelector(wanted)?.closest('[role=tabpanel][hidden]');

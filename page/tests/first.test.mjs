@@ -7,28 +7,26 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-test('in at most fifteen seconds after the first tap the robot understands what is meant', async () => {
+test('in at most fifteen seconds after the first tap the robot has gone where it was meant to go', async () => {
   const page = await open(browser, { viewport: { width: 390, height: 844 }, hasTouch: true });
   await stopTime(page);
   await page.tap('#lesson');
   let passed = 0;
-  const understood = () => page.evaluate(() => /^(I am in the green room|You mean: go to the green room)/.test(document.getElementById('say').textContent));
-  for (let steps = 0; passed < 15000 && !await understood();) {
-    await pass(page, 100);
-    passed += 100;
+  const isThere = () => page.evaluate(() => document.getElementById('say').textContent.startsWith('I am in the green room'));
+  for (let steps = 0; passed < 15000 && !await isThere();) {
+    await pass(page, 200);
+    passed += 200;
     const now = await page.evaluate(() => [document.querySelectorAll('#steps tr').length, document.body.dataset.phase, document.querySelector('#bars .best .label')?.textContent]);
     if (now[1] !== 'waiting' || now[0] < steps) continue;
     // Who sees it go somewhere says so, once for each step.
     await page.tap(/green/.test(now[2]) ? '#good' : '#bad');
     steps = now[0] + 1;
   }
-  assert.ok(await understood(), await page.textContent('#say'));
-  assert.ok(passed <= 15000, passed + ' ms');
-  console.log('understood after ' + passed + ' ms');
+  assert.ok(await isThere(), await page.textContent('#say'));
   await close(page);
 });
 
-test('a step measures no element, reads no robot, and lays the page out a few times', async () => {
+test('a step measures no element, reads no robot, and lays the page out six times at most', async () => {
   const page = await open(browser, { reducedMotion: 'no-preference' });
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
@@ -51,9 +49,8 @@ test('a step measures no element, reads no robot, and lays the page out a few ti
   }
   const { measured, read } = await page.evaluate(() => ({ measured: window.measured, read: window.read }));
   const layouts = (await metric('LayoutCount')) - before;
-  console.log(measured + ' measured, ' + read + ' read, ' + layouts + ' layouts');
   assert.ok(measured <= STEPS, measured + ' elements measured');
   assert.equal(read, 0);
-  assert.ok(layouts <= 40 * STEPS, layouts + ' layouts');
+  assert.ok(layouts <= 6 * STEPS, layouts + ' layouts');
   await close(page);
 });
