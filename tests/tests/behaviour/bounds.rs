@@ -2,8 +2,8 @@
 
 use goodbot::home::{self, Cell, Home, HomeState, Moves};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Action, Domain, apply};
-use goodbot::planning::OptimalSet;
+use goodbot::oomdp::{Action, ActionKind, Domain, apply};
+use goodbot::planning::{Judgement, OptimalSet, Plan};
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::own_planner::OwnPlanner;
@@ -17,6 +17,9 @@ struct Seen {
     sets: u32,
     exact: u32,
     dead: u32,
+    /// Judgements of one action for one task, and those that are certain.
+    judgements: u32,
+    certain: u32,
 }
 
 impl Seen {
@@ -24,6 +27,15 @@ impl Seen {
         self.sets += u32::from(found != OptimalSet::Goal);
         self.exact += u32::from(matches!(found, OptimalSet::Toward(_)));
         self.dead += u32::from(matches!(found, OptimalSet::DeadEnd(_)));
+    }
+
+    /// Counts the judgements of each action for a task.
+    fn judge(&mut self, plan: &Plan<'_>, task: usize, actions: &[ActionKind<'_>]) {
+        let actions = (0..actions.len()).map(|action| Action::new(action as u8));
+        let judged = actions.chain([Action::NOOP]).map(|action| plan.judge(task, action));
+        let (certain, open): (Vec<_>, Vec<_>) = judged.partition(|&judgement| judgement != Judgement::Unknown);
+        self.judgements += (certain.len() + open.len()) as u32;
+        self.certain += certain.len() as u32;
     }
 
     /// The share of sets that are known exactly.
@@ -110,7 +122,10 @@ fn plan_in(homes: u64, size: Size, states: usize) -> Seen {
             let likely: TaskSet = (0..drawn).map(|_| below(&mut random, count as i32) as usize).collect();
             let likely = if drawn == 0 { TaskSet::first(count) } else { likely };
             let plan = planner.plan_expecting(&home, &state, likely);
-            likely.iter().for_each(|task| seen.take(plan.optimal(task)));
+            for task in likely.iter() {
+                seen.take(plan.optimal(task));
+                seen.judge(&plan, task, home.actions());
+            }
             state = apply(&home, &state, Action::new(below(&mut random, 4) as u8)).unwrap();
         }
     }
@@ -129,14 +144,15 @@ fn most_sets_are_exact_in_homes_whose_joint_states_do_not_fit() {
         // More states than can be numbered.
         (3, 3, 4, 8, 1 << 20, 6, 0.9),
         (5, 2, 4, 10, 1 << 20, 6, 0.85),
-        (5, 2, 4, 20, 1 << 20, 6, 0.75),
+        (5, 2, 4, 20, 1 << 20, 6, 0.85),
     ] {
         let seen = plan_in(homes, Size { columns, rows, side, blocks }, states);
         let without_dead_ends = f64::from(seen.exact) / f64::from(seen.sets - seen.dead);
         println!(
-            "{columns} x {rows} rooms of side {side}, {blocks} blocks, room for {states} states: {seen:?}, {:.1} % exact, {:.1} % of those that are no dead ends",
+            "{columns} x {rows} rooms of side {side}, {blocks} blocks, room for {states} states: {seen:?}, {:.1} % exact, {:.1} % of those that are no dead ends, {:.1} % of the judgements are certain",
             100.0 * seen.share(),
-            100.0 * without_dead_ends
+            100.0 * without_dead_ends,
+            100.0 * f64::from(seen.certain) / f64::from(seen.judgements)
         );
         assert!(seen.share() >= least, "{seen:?}");
     }
