@@ -2,6 +2,8 @@
 //!
 //! Each takes any bytes. None may panic, and what comes out must be sound: no NaN, no probability outside [0, 1].
 
+mod belief;
+mod bounds;
 mod budgets;
 mod bytes;
 mod calls;
@@ -11,6 +13,8 @@ mod model;
 mod session;
 mod tokenizer;
 
+pub use belief::belief;
+pub use bounds::{Seen, bounds, compare};
 pub use budgets::budgets;
 pub use bytes::Bytes;
 pub use calls::calls;
@@ -27,7 +31,7 @@ use goodbot::memory::AgentMemory;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All fuzz targets.
-pub const TARGETS: [Target; 7] = [
+pub const TARGETS: [Target; 9] = [
     ("environment", environment),
     ("session", session),
     ("model", model),
@@ -35,6 +39,8 @@ pub const TARGETS: [Target; 7] = [
     ("calls", calls),
     ("capi", capi),
     ("budgets", budgets),
+    ("belief", belief),
+    ("bounds", bounds),
 ];
 
 /// Every belief and parameter of an agent that can be looked at is a probability, and the posterior sums to 1.

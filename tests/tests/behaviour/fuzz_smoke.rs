@@ -112,3 +112,13 @@ fn calls_of_the_c_interface_in_any_order_give_a_status() {
 fn calls_with_budgets_do_what_calls_to_the_end_do() {
     run(target("budgets"));
 }
+
+#[test]
+fn beliefs_are_those_of_double_precision() {
+    run(target("belief"));
+}
+
+#[test]
+fn plans_by_bounds_are_those_of_exact_search() {
+    run(target("bounds"));
+}
