@@ -1,5 +1,6 @@
 //! The firmware: built for each board and preset, and run in the emulator; programs for one board alone; the file for a micro:bit.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Duration;
@@ -12,7 +13,7 @@ use object::{Endianness, Object, ObjectSection, ObjectSymbol};
 use xshell::cmd;
 
 use crate::process::{once, root, shell, within};
-use crate::programs::{QEMU, QEMU_RISCV};
+use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
 use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV};
 
 /// No run should come near this; a binary for another processor would hang.
@@ -235,19 +236,57 @@ fn is_panic(symbol: &str) -> bool {
     PANIC.iter().any(|word| symbol.contains(word))
 }
 
-/// Builds a program for the micro:bit: its own, `microbit`, or the robot among embassy's tasks, `embassy`. Returns where it is.
-pub fn for_microbit(name: &str) -> Result<PathBuf> {
+/// Builds a program that has a package of its own: the micro:bit's, `microbit`; the robot among embassy's tasks, `embassy`; the Raspberry Pi Pico's,
+/// `pico`. Returns where it is.
+pub fn for_cortex_m0(name: &str) -> Result<PathBuf> {
     Ok(build(CORTEX_M0, &["--package", &format!("goodbot-{name}")])?.join(name))
 }
 
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns where that is.
 pub fn deliver() -> Result<PathBuf> {
-    let program = std::fs::read(for_microbit("microbit")?)?;
+    let program = std::fs::read(for_cortex_m0("microbit")?)?;
     let file = MicrobitFile::of_program(in_flash(&program)?)?;
     let path = root().join("dist/goodbot.hex");
     shell()?.write_file(&path, file.to_text())?;
     println!("{}: {} bytes of flash; drag it onto a micro:bit (first version)", path.display(), file.len());
     Ok(path)
+}
+
+/// Builds the Raspberry Pi Pico's program and writes `dist/goodbot.uf2`. Returns where that is.
+pub fn deliver_pico() -> Result<PathBuf> {
+    let program = std::fs::read(for_cortex_m0("pico")?)?;
+    let path = root().join("dist/goodbot.uf2");
+    shell()?.write_file(&path, uf2(&in_flash(&program)?))?;
+    println!("{}: hold the Raspberry Pi Pico's button while you connect it, and drag the file onto it", path.display());
+    Ok(path)
+}
+
+/// Runs the Raspberry Pi Pico's file in npm's emulator.
+pub fn run_pico() -> Result<Report> {
+    let (sh, node, file) = (shell()?, NODE.path()?, deliver_pico()?);
+    npm_packages()?;
+    sh.change_dir("page");
+    let script = include_str!("pico.cjs");
+    let (ended, said) = within(LIMIT, cmd!(sh, "{node} --eval {script} {file}"))?;
+    ensure!(ended == 0, "the Raspberry Pi Pico ended with {ended}; it said:\n{said}");
+    Ok(Report(said))
+}
+
+/// A file that the chip's first loader takes: blocks of 512 bytes, each for 256 bytes of the flash.
+fn uf2(parts: &[(u32, &[u8])]) -> Vec<u8> {
+    let mut pages = BTreeMap::<u32, [u8; 256]>::new();
+    for (byte, at) in parts.iter().flat_map(|(from, bytes)| bytes.iter().zip(*from..)) {
+        pages.entry(at / 256 * 256).or_insert([0xff; 256])[at as usize % 256] = *byte;
+    }
+    let mut file = Vec::with_capacity(512 * pages.len());
+    for (number, (at, page)) in pages.iter().enumerate() {
+        // The flag says that the last of these numbers is the chip's family.
+        let head = [0x0A32_4655, 0x9E5D_5157, 0x2000, *at, 256, number as u32, pages.len() as u32, 0xE48B_FF56];
+        file.extend(head.iter().flat_map(|word: &u32| word.to_le_bytes()).chain(*page));
+        file.resize(512 * number + 508, 0);
+        file.extend(0x0AB1_6F30_u32.to_le_bytes());
+    }
+    file
 }
 
 /// The addresses in the flash, and the bytes there. Initial values of the RAM are in the flash too, at their physical address.
@@ -265,6 +304,18 @@ fn in_flash(program: &[u8]) -> Result<Vec<(u32, &[u8])>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_uf2_file_has_a_block_for_each_page_that_holds_something() {
+        let file = uf2(&[(0x1000_0000, &[1; 256]), (0x1000_01ff, &[2, 3])]);
+        let block = |number: usize| &file[512 * number..512 * (number + 1)];
+        let word = |number: usize, at: usize| u32::from_le_bytes(*block(number)[at..].first_chunk().unwrap());
+        assert_eq!(file.len(), 3 * 512);
+        assert_eq!([0, 1, 2].map(|number| word(number, 12)), [0x1000_0000, 0x1000_0100, 0x1000_0200]);
+        assert_eq!([0, 1, 2].map(|number| (word(number, 20), word(number, 24))), [(0, 3), (1, 3), (2, 3)]);
+        assert_eq!((block(1)[32..34].to_vec(), block(1)[287], block(2)[32]), (vec![0xff, 0xff], 2, 3));
+        assert!(file.chunks(512).all(|block| block.starts_with(b"UF2\n") && block.ends_with(&[0x30, 0x6f, 0xb1, 0x0a])));
+    }
 
     #[test]
     fn a_report_is_names_and_numbers() {

@@ -51,6 +51,8 @@ enum Task {
     Capi,
     /// Writes the file to drag onto a BBC micro:bit, `dist/goodbot.hex`.
     Microbit,
+    /// Writes the file to drag onto a Raspberry Pi Pico, `dist/goodbot.uf2`.
+    Pico,
     /// Builds the C library, and puts it with its header into dist/c.
     Library(capi::Library),
     /// Lists the core's public interface in core/public-api.txt.
@@ -79,6 +81,7 @@ fn run(task: Task) -> Result<()> {
         Task::Footprint(options) => footprint::run(&options),
         Task::Capi => capi::header(),
         Task::Microbit => firmware::deliver().map(drop),
+        Task::Pico => firmware::deliver_pico().map(drop),
         Task::Library(options) => capi::deliver(&options),
         Task::Api(options) => api::run(&options),
         Task::Release(options) => release::run(&options),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
-use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_microbit, images, nothing_panics, run_alone, trials};
+use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, images, nothing_panics, run_alone, run_pico, trials};
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
@@ -213,12 +213,12 @@ pub fn tick() -> Result<()> {
 pub fn microbit(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
-    sh.set_var("GOODBOT_EMBASSY", for_microbit("embassy")?);
+    sh.set_var("GOODBOT_EMBASSY", for_cortex_m0("embassy")?);
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
     sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     // A stack that runs over must stop at its end, and is never to come near.
-    nothing_panics(&[for_microbit("microbit")?])
+    nothing_panics(&[for_cortex_m0("microbit")?])
 }
 
 /// Equal digests of the same drill.
@@ -236,6 +236,7 @@ pub fn same_bits() -> Result<()> {
         all.push((trial.image.name(), trial.course.number("digest")?));
         all.push((format!("{}, in parts", trial.image.name()), trial.tick.number("digest")?));
     }
+    all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
     all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
     let other = all.iter().find(|(_, digest)| *digest != host);
     ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));

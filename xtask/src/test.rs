@@ -50,7 +50,7 @@ pub enum Step {
     Tick,
     /// the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store; so among embassy's tasks
     Microbit,
-    /// this machine, WebAssembly and every board come to the same posteriors, bit for bit
+    /// this machine, WebAssembly, every board and the Raspberry Pi Pico's file come to the same posteriors, bit for bit
     SameBits,
     /// the linked firmware contains no panic
     NoPanic,
