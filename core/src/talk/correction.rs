@@ -24,9 +24,9 @@ use heapless::Vec;
 /// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
 const WRONG: f32 = 1e-4;
 
-/// How probable it is that the place is corrected where the thing may be, and that more is corrected than one of them.
+/// How probable it is that the place is corrected where the thing may be, and that the act is corrected.
 const PLACE_CHANGED: f32 = 0.05;
-const MORE_CHANGED: f32 = 0.01;
+const ACT_CHANGED: f32 = 0.01;
 
 /// The share of the belief in the next task that is left to the task that is corrected.
 const LEFT: f32 = 0.05;
@@ -130,7 +130,7 @@ impl<M: AgentMemory> Agent<M> {
             let (mut kept, mut most): (Vec<f32, { TaskSet::MOST }>, f32) = (Vec::new(), WRONG);
             for (task, &fit) in fits.iter().enumerate() {
                 let share = if is_meant { self.kept(domain, task, turned) } else { 1.0 };
-                most = if share > MORE_CHANGED { most.max(fit) } else { most };
+                most = if share > ACT_CHANGED { most.max(fit) } else { most };
                 let _ = kept.push(share);
             }
             let fit = |task: usize| (1.0 - WRONG) * (fits.get(task).copied().unwrap_or(0.0) / most).min(1.0);
@@ -147,10 +147,9 @@ impl<M: AgentMemory> Agent<M> {
         let Some(other) = turned.iter().next() else { return 1.0 };
         let (one, another) = (self.task(task), self.task(other));
         match () {
-            () if one.lifted != another.lifted => MORE_CHANGED,
+            () if one.lifted != another.lifted => ACT_CHANGED,
             () if self.place_of_thing(domain, task) == self.place_of_thing(domain, other) => 1.0,
-            () if one.bindings.first() == another.bindings.first() => PLACE_CHANGED,
-            () => MORE_CHANGED,
+            () => PLACE_CHANGED,
         }
     }
 

@@ -380,11 +380,11 @@ fn what_is_left_in_its_place_is_done_already() {
     let (_folder, model) = taught(120, &ENGLISH);
     let cases = [
         ("leave the green chair in the blue room", "done", &*take(2, 1)),
-        ("leave the yellow bag where it is", "done", &take(0, 2)),
-        ("keep the yellow bag here", "done", &take(0, 2)),
-        ("stay where you are", "done", &go(0)),
-        ("get out of here", "sure", &not(&go(0))),
-        ("stay out of the blue room", "done", &not(&go(1))),
+        ("leave the yellow bag where it is", "done", &*take(0, 2)),
+        ("keep the yellow bag here", "done", &*take(0, 2)),
+        ("stay where you are", "done", &*go(0)),
+        ("get out of here", "sure", &*not(&go(0))),
+        ("stay out of the blue room", "done", &*not(&go(1))),
     ];
     check(&model, &three_rooms(), &cases);
 }
