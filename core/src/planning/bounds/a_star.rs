@@ -217,14 +217,19 @@ impl AStar {
     pub(super) fn clear(&self, marks: &mut [u64]) {
         let Some(Parts { arrangements, states, index, .. }) = self.parts(marks) else { return };
         for (at, state) in states.iter_mut().take(self.met).enumerate() {
-            let number = at.wrapping_add(1) as u16;
-            let place = places(state[0] & !DISTANCE, self.places()).find(|&place| entry(index, place) == number);
-            place.into_iter().for_each(|place| set_entry(index, place, 0));
+            self.forget(index, at, state[0]);
             *state = [0; 2];
         }
         if self.present != 0 {
             arrangements.fill(0);
         }
+    }
+
+    /// Takes a state with this key out of the index. A state that is met again later may then be told twice, which takes work but no plan.
+    fn forget(&self, index: &mut [u64], at: usize, key: u64) {
+        let number = at.wrapping_add(1) as u16;
+        let place = places(key & !DISTANCE, self.places()).find(|&place| entry(index, place) == number);
+        place.into_iter().for_each(|place| set_entry(index, place, 0));
     }
 
     /// Places in the index.
@@ -268,7 +273,8 @@ impl AStar {
     /// Takes the next state, unless the nearest goals are met.
     #[inline]
     fn take(&mut self, marks: &mut [u64]) -> Option<[u64; 2]> {
-        let state = *self.parts(marks)?.states.get(self.expanded..self.met)?.first()?;
+        let at = self.expanded.checked_rem(self.room).filter(|_| self.expanded < self.met)?;
+        let state = *self.parts(marks)?.states.get(at)?;
         if (state[0] & DISTANCE) as u32 >= self.distance {
             return None;
         }
@@ -411,9 +417,15 @@ impl AStar {
         for place in self::places(key, places) {
             let number = usize::from(entry(index, place));
             let Some(at) = number.checked_sub(1) else {
-                *states.get_mut(self.met)? = [key | distance, reached.word()];
+                // Where there is no room left, it takes the place of the first that was expanded.
+                let at = self.met.checked_rem(self.room).filter(|_| self.met.wrapping_sub(self.expanded) < self.room)?;
+                let state = states.get_mut(at)?;
+                if self.met >= self.room {
+                    self.forget(index, at, state[0]);
+                }
+                *state = [key | distance, reached.word()];
                 self.met = self.met.wrapping_add(1);
-                set_entry(index, place, self.met as u16);
+                set_entry(index, place, at.wrapping_add(1) as u16);
                 return Some(());
             };
             let [known, word] = states.get_mut(at)?;
