@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
-use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, images, nothing_panics, run_alone, run_pico, trials};
+use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, run_alone, run_pico, trials};
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
@@ -32,6 +32,8 @@ const FORBIDDEN: [(&str, &str, &str); 2] = [
 const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
 /// Calls that fit into a tick of 10 ms, whichever they are.
 const CALLS_IN_A_TICK: u64 = 4;
+/// Instructions of a tick of 10 ms at 25 MHz, for the calls with full tables.
+const TICK_WITH_FULL_TABLES: u64 = 250_000;
 
 pub fn format() -> Result<()> {
     let sh = shell()?;
@@ -205,6 +207,13 @@ pub fn tick() -> Result<()> {
             ensure!(longest <= most, "{name}: one call to {call} took more than {most} instructions");
         }
         ensure!(missed == 0, "{name}: {missed} ticks were missed");
+    }
+    let with_full_tables = run_alone(&full()?)?;
+    println!("with full tables, the longest calls:");
+    for (call, in_a_tick) in [("build", 4), ("begin-hearing", 4), ("hear", 4), ("plan", 1), ("finish", 2), ("learn", 4)] {
+        let (longest, most) = (with_full_tables.number(call)?, TICK_WITH_FULL_TABLES / in_a_tick);
+        println!("  {longest} to {call}");
+        ensure!(longest <= most, "with full tables, one call to {call} took {longest} instructions, and {most} are the most");
     }
     Ok(())
 }

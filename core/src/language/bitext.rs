@@ -6,6 +6,7 @@ use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, W
 use crate::memory::{BitextTables, BitextTablesRef};
 use crate::probability::square_root;
 use crate::symbols::{Symbol, close_gap};
+use core::cell::Cell;
 
 /// Where a run of symbols lies in its pool: the start above a byte of the length and, for a session, a bit that says whether its command
 /// was heard more than once.
@@ -344,21 +345,16 @@ impl<'t> Bitext<'t> {
             self.set_heard_again(heir);
         }
         remove_span(self.memory.sessions, &mut self.used.sessions, self.memory.sentence_words, &mut self.used.sentence_words, position);
-        let mut kept = 0_usize;
-        for from in 0..self.used.pairs {
-            let Some(mut pair) = self.memory.pairs.get(from).copied() else { continue };
-            if pair.session == session {
-                continue;
-            }
-            if pair.session > session {
-                pair.session = pair.session.saturating_sub(1);
-            }
-            if let Some(slot) = self.memory.pairs.get_mut(kept) {
-                *slot = pair;
-            }
-            kept = kept.saturating_add(1);
+        let pairs = self.memory.pairs.get_mut(..self.used.pairs).unwrap_or(&mut []);
+        let first = pairs.partition_point(|pair| pair.session < session);
+        let behind = pairs.get_mut(first..).unwrap_or(&mut []);
+        let count = behind.partition_point(|pair| pair.session == session);
+        let cells = Cell::from_mut(behind).as_slice_of_cells();
+        for (to, from) in cells.iter().zip(cells.iter().skip(count)) {
+            let pair = from.get();
+            to.set(Pair { session: pair.session.wrapping_sub(1), ..pair });
         }
-        self.used.pairs = kept;
+        self.used.pairs = self.used.pairs.saturating_sub(count);
         self.remove_unused_commands();
     }
 

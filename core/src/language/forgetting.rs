@@ -53,9 +53,43 @@ pub(super) const LEAST_KEPT: f32 = 0.5;
 pub(crate) enum Room {
     /// It has room.
     Found,
+    /// That is not known yet.
+    Sought,
     /// This session gave way, because this table was full; whether that is enough is not known yet.
     Made(u16, Capacity),
 }
+
+/// What comes next where a session is kept, or the vocabulary gets room. Each takes a call.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Step {
+    /// A look at whether there is room.
+    Look,
+    /// The session is added, or the vocabulary is taken as it is.
+    Take,
+    /// The session that gives way is chosen.
+    Choose(Choice),
+    /// One gave way, and the parameters that the data want are found anew.
+    Renew,
+}
+
+/// The choice of the session that gives way. One session after another is looked at.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Choice {
+    want: Want,
+    /// The table that is full.
+    full: Capacity,
+    /// Sessions that may give way, and those of them that were looked at.
+    among: u16,
+    looked: u16,
+    /// The strange ones of them, and the oldest of those.
+    strange: u16,
+    oldest_strange: Option<u16>,
+    /// The oldest of the highest rank.
+    best: Option<(u16, Rank)>,
+}
+
+/// How little is lost with a session: of two ranks, the first number that differs tells.
+type Rank = [usize; 3];
 
 /// A session by itself.
 pub(crate) struct Alone {
@@ -78,9 +112,17 @@ enum Want {
     Vocabulary,
 }
 
+impl Choice {
+    /// Begins among the first so many sessions; `None` where there is none, or none may give way.
+    fn among(sessions: usize, want: Want, full: Capacity) -> Option<Self> {
+        let begun = Self { want, full, among: sessions as u16, looked: 0, strange: 0, oldest_strange: None, best: None };
+        (cfg!(feature = "forgetting") && sessions > 0).then_some(begun)
+    }
+}
+
 impl LanguageMut<'_> {
     /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full lets one other session
-    /// give way: call again until room is found. Words that found no room when they were heard are left out.
+    /// give way: call again, with the same `step`, until room is found. Words that found no room when they were heard are left out.
     /// [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
     ///
     /// `session_tokens` are the machine tokens that must stay.
@@ -92,13 +134,33 @@ impl LanguageMut<'_> {
         sentence: &[Option<Symbol>],
         session_tokens: &[Symbol],
         pairs: impl Fn() -> I,
+        step: &mut Step,
     ) -> Result<Room, CapacityError> {
+        match step {
+            Step::Choose(choice) => {
+                let room = self.choose_on(choice);
+                if let Room::Made(..) = room {
+                    *step = Step::Renew;
+                }
+                return Ok(room);
+            }
+            Step::Renew => {
+                self.rebuild_wanted()?;
+                *step = Step::Take;
+                return Ok(Room::Sought);
+            }
+            Step::Look | Step::Take => {}
+        }
         let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in sentence.iter().flatten() {
             let too_long = CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, sentence.len());
             words.push(word).map_err(|_| too_long)?;
         }
-        self.check_alone(&words, session_tokens, pairs())?;
+        if let Step::Look = step {
+            self.check_alone(&words, session_tokens, pairs())?;
+            *step = Step::Take;
+            return Ok(Room::Sought);
+        }
         let (extent, wanted) = (self.bitext.extent(), self.tables.trained.wanted);
         let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
         self.bitext.rewind(extent);
@@ -107,11 +169,8 @@ impl LanguageMut<'_> {
             Capacity::Alignments | Capacity::LengthPairs => Want::Lengths(words.len()),
             _ => Want::Session,
         };
-        let others = if cfg!(feature = "forgetting") { self.bitext.sessions() } else { 0 };
-        let Some(session) = self.least(want, others) else { return Err(error) };
-        self.remove_session(session);
-        self.rebuild_wanted()?;
-        Ok(Room::Made(session, error.capacity))
+        *step = Step::Choose(Choice::among(self.bitext.sessions(), want, error.capacity).ok_or(error)?);
+        Ok(Room::Sought)
     }
 
     fn add_to_data<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
@@ -147,8 +206,8 @@ impl LanguageMut<'_> {
     }
 
     /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
-    /// way for that: call again until room is found. Symbols may change: those of the session, in `sentence` and `session_tokens`, are
-    /// renamed with the rest. A training must follow.
+    /// way for that: call again, with the same `step`, until room is found. Symbols may change: those of the session, in `sentence` and
+    /// `session_tokens`, are renamed with the rest. A training must follow.
     ///
     /// # Errors
     /// A [`CapacityError`] that [`add_session_or_make_room`](Self::add_session_or_make_room) would have given.
@@ -156,20 +215,31 @@ impl LanguageMut<'_> {
         &mut self,
         sentence: &mut [Option<Symbol>],
         session_tokens: &mut [Symbol],
+        step: &mut Step,
     ) -> Result<Room, CapacityError> {
-        self.remove_unused_words(sentence);
-        if self.full_of_vocabulary().is_some() {
-            self.remove_unused_tokens(session_tokens);
-        }
-        if let Some(full) = self.full_of_vocabulary() {
-            let others = if cfg!(feature = "forgetting") { self.bitext.sessions().saturating_sub(1) } else { 0 };
-            if let Some(session) = self.least(Want::Vocabulary, others) {
-                self.remove_session(session);
-                return Ok(Room::Made(session, full));
+        match step {
+            Step::Choose(choice) => {
+                let room = self.choose_on(choice);
+                if let Room::Made(..) = room {
+                    *step = Step::Look;
+                }
+                return Ok(room);
             }
+            Step::Take => {
+                self.data_replaced()?;
+                return Ok(Room::Found);
+            }
+            Step::Look | Step::Renew => {}
         }
-        self.data_replaced()?;
-        Ok(Room::Found)
+        self.remove_unused_words(sentence);
+        let mut full = self.full_of_vocabulary();
+        if full.is_some() {
+            self.remove_unused_tokens(session_tokens);
+            full = self.full_of_vocabulary();
+        }
+        let choice = full.and_then(|full| Choice::among(self.bitext.sessions().saturating_sub(1), Want::Vocabulary, full));
+        *step = choice.map_or(Step::Take, Step::Choose);
+        Ok(Room::Sought)
     }
 
     /// Forgets the words and machine tokens that no session has any more. Training begins.
@@ -199,34 +269,51 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// The session to give way among the first.
-    fn least(&self, want: Want, among: usize) -> Option<u16> {
-        let sessions = || (0..among).map(|session| session as u16);
-        let strange = || sessions().filter(|&session| self.is_strange(session));
-        match want {
-            Want::Lengths(new) => {
-                let length = |session| self.bitext.read().sentence(session).len();
-                let others = || sessions().filter(|&session| length(session) != new);
-                let as_long = |wanted| sessions().filter(|&session| length(session) == wanted).count();
-                let rarest = || oldest_with_most(others(), |session| usize::MAX.saturating_sub(as_long(length(session))));
-                others().find(|&session| self.is_strange(session)).or_else(rarest)
+    /// Looks at one more session, or lets the chosen one give way.
+    fn choose_on(&mut self, choice: &mut Choice) -> Room {
+        if choice.looked < choice.among {
+            let (session, is_strange) = (choice.looked, self.is_strange(choice.looked));
+            choice.looked = session.saturating_add(1);
+            if is_strange {
+                choice.strange = choice.strange.saturating_add(1);
+                choice.oldest_strange = choice.oldest_strange.or(Some(session));
             }
-            Want::Vocabulary => strange().next().or_else(|| oldest_with_most(sessions(), |session| self.own_words(session))),
-            Want::Session => strange().next().filter(|_| strange().nth(STRANGE.max(among / STRANGE_PART)).is_some()),
+            let rank = self.rank(session, choice.want, is_strange);
+            if choice.best.is_none_or(|(_, best)| rank > best) {
+                choice.best = Some((session, rank));
+            }
+            return Room::Sought;
         }
-        .or_else(|| oldest_with_most(sessions(), |session| self.repeated(session)))
+        let too_many = STRANGE.max(usize::from(choice.among) / STRANGE_PART);
+        let strange = choice.oldest_strange.filter(|_| choice.want == Want::Session && usize::from(choice.strange) > too_many);
+        let chosen = strange.or(choice.best.map(|(session, _)| session)).unwrap_or(0);
+        self.remove_session(chosen);
+        Room::Made(chosen, choice.full)
+    }
+
+    /// How little is lost with a session.
+    fn rank(&self, session: u16, want: Want, is_strange: bool) -> Rank {
+        let data = self.bitext.read();
+        let length = |session| data.sentence(session).len();
+        match want {
+            Want::Lengths(new) if length(session) != new && is_strange => [3, 0, 0],
+            Want::Lengths(new) if length(session) != new => {
+                let as_long = (0..data.sessions() as u16).filter(|&other| length(other) == length(session)).count();
+                [2, usize::MAX.saturating_sub(as_long), 0]
+            }
+            Want::Vocabulary if is_strange => [3, 0, 0],
+            Want::Vocabulary => [2, self.own_words(session), 0],
+            Want::Lengths(_) | Want::Session => {
+                let times = self.times_kept(session);
+                [usize::from(times > 1), times.saturating_add(self.rarest(session)), data.pairs_of(session).len()]
+            }
+        }
     }
 
     /// Whether the command was heard once, and has a word that no other session has.
     fn is_strange(&self, session: u16) -> bool {
         let data = self.bitext.read();
         !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
-    }
-
-    /// How little is lost with a session.
-    fn repeated(&self, session: u16) -> (bool, usize, usize) {
-        let times = self.times_kept(session);
-        (times > 1, times.saturating_add(self.rarest(session)), self.bitext.read().pairs_of(session).len())
     }
 
     /// How many sessions have the same command, itself included.
@@ -283,18 +370,6 @@ impl LanguageMut<'_> {
             self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }
     }
-}
-
-/// The first session of the highest rank.
-fn oldest_with_most<K: PartialOrd>(sessions: impl Iterator<Item = u16>, rank: impl Fn(u16) -> K) -> Option<u16> {
-    let mut best: Option<(u16, K)> = None;
-    for session in sessions {
-        let rank = rank(session);
-        if best.as_ref().is_none_or(|(_, other)| rank > *other) {
-            best = Some((session, rank));
-        }
-    }
-    best.map(|(session, _)| session)
 }
 
 /// Moves a symbol up where one before it was removed.

@@ -10,7 +10,7 @@
 mod trail;
 mod window;
 
-use self::window::Errand;
+use self::window::{Errand, Scene};
 use super::bitboard::{RowSearch, Subgoal, View};
 use super::goals::Goals;
 use crate::oomdp::{Piece, PushGrid};
@@ -25,9 +25,14 @@ pub(super) struct Approximation {
     too_large: TaskSet,
     /// 0: each task's own pieces; then each piece in turn may move too; then windows of regions.
     pass: usize,
+    /// The search in a window that is being found.
+    errand: Option<Errand>,
     /// The search in a window that is under way, if another way to do the same is left.
     retry: Option<Subgoal>,
 }
+
+/// What a call comes to: no search is left, the next is not found yet, or it is this one, for these tasks.
+pub(super) type Next = Option<Option<(TaskSet, RowSearch)>>;
 
 impl Approximation {
     /// Begins for the tasks left open.
@@ -35,7 +40,13 @@ impl Approximation {
         Self { waiting: unknown, ..Self::default() }
     }
 
-    /// The next search and its tasks, of the open tasks `unknown`; `None` once all is tried. `marks` holds zeros, before and afterwards.
+    /// Whether something is under way that can be cut anywhere. The marks are not to be changed meanwhile.
+    pub(super) const fn is_on_errand(&self) -> bool {
+        self.errand.is_some()
+    }
+
+    /// Goes on to the next search, of the open tasks `unknown`, with about so many expansions at most. `marks` holds zeros where nothing is
+    /// under way.
     #[inline(never)]
     pub(super) fn next<G: PushGrid + ?Sized>(
         &mut self,
@@ -44,44 +55,48 @@ impl Approximation {
         state: &G::State,
         unknown: TaskSet,
         marks: &mut [u64],
-    ) -> Option<(TaskSet, RowSearch)> {
+        left: &mut u32,
+    ) -> Next {
+        if let Some(errand) = &mut self.errand {
+            let (found, is_retry) = (errand.advance(&Scene { grid, goals, state }, marks, left), errand.is_retry);
+            let Some((search, subgoal)) = found.flatten() else {
+                self.errand = self.errand.filter(|_| found.is_some());
+                return Some(None);
+            };
+            (self.errand, self.retry) = (None, Some(subgoal).filter(|subgoal| !is_retry && subgoal.piece != Piece::ROBOT));
+            return Some(Some((TaskSet::of(subgoal.task), search)));
+        }
         let pieces = grid.pieces();
         if let Some(failed) = self.retry.take().filter(|failed| unknown.contains(failed.task)) {
-            let search = Errand { grid, goals, state, task: failed.task }.one_step(marks, failed.piece);
-            if let Some(search) = search {
-                return Some((TaskSet::of(failed.task), search));
-            }
+            self.errand = Some(Errand::after(failed));
+            return Some(None);
         }
-        loop {
-            let Some(first) = self.waiting.iter().next() else {
-                if unknown.is_empty() || self.pass >= pieces {
-                    return None;
-                }
-                self.pass = self.pass.saturating_add(1);
-                self.waiting = if self.pass < pieces { unknown } else { unknown.common(self.too_large) };
-                continue;
-            };
-            if self.pass >= pieces {
-                self.waiting = self.waiting.without(TaskSet::of(first));
-                let search = Errand { grid, goals, state, task: first }.begin(marks);
-                if let Some((search, subgoal)) = search {
-                    self.retry = Some(subgoal).filter(|subgoal| subgoal.piece != Piece::ROBOT);
-                    return Some((TaskSet::of(first), search));
-                }
-                continue;
+        let Some(first) = self.waiting.iter().next() else {
+            if unknown.is_empty() || self.pass >= pieces {
+                return None;
             }
-            let own = goals.pieces_of(first);
-            let alike = |&task: &usize| goals.pieces_of(task) == own;
-            let group = self.waiting.iter().filter(alike).fold(TaskSet::EMPTY, TaskSet::with);
-            self.waiting = self.waiting.without(group);
-            let extra = if self.pass == 0 { 0 } else { Piece(self.pass as u8).bit() };
-            let Some(own) = own.filter(|own| own & extra == 0) else { continue };
-            let view = View { moving: own | extra | Piece::ROBOT.bit(), ..View::WHOLE };
-            match RowSearch::layout(grid, goals, group, view, None, marks.len()) {
-                Some(search) => return Some((group, search)),
-                None if self.pass == 0 => self.too_large = self.too_large.union(group),
-                None => {}
-            }
+            self.pass = self.pass.saturating_add(1);
+            self.waiting = if self.pass < pieces { unknown } else { unknown.common(self.too_large) };
+            return Some(None);
+        };
+        if self.pass >= pieces {
+            self.waiting = self.waiting.without(TaskSet::of(first));
+            self.errand = Some(Errand::of(first));
+            return Some(None);
         }
+        *left = left.saturating_sub(grid.floor().cells.len() as u32);
+        let own = goals.pieces_of(first);
+        let alike = |&task: &usize| goals.pieces_of(task) == own;
+        let group = self.waiting.iter().filter(alike).fold(TaskSet::EMPTY, TaskSet::with);
+        self.waiting = self.waiting.without(group);
+        let extra = if self.pass == 0 { 0 } else { Piece(self.pass as u8).bit() };
+        let Some(own) = own.filter(|own| own & extra == 0) else { return Some(None) };
+        let view = View { moving: own | extra | Piece::ROBOT.bit(), ..View::WHOLE };
+        match RowSearch::layout(grid, goals, group, view, None, marks.len()) {
+            Some(search) => return Some(Some((group, search))),
+            None if self.pass == 0 => self.too_large = self.too_large.union(group),
+            None => {}
+        }
+        Some(None)
     }
 }

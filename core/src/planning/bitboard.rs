@@ -14,7 +14,7 @@
 
 mod expand;
 
-use super::bits::{entry, entry_words, set_entry};
+use super::bits::{entry, entry_words, set_entry, take_from};
 use super::goals::Goals;
 use super::one_by_one::StateSearch;
 use crate::oomdp::{Action, ActionSet, CellId, Divider, Floor, FloorCell, Piece, PushGrid, own_actions};
@@ -273,6 +273,8 @@ pub(super) struct RowSearch {
     cursor: usize,
     /// Whether any row has a state at the next distance.
     ahead: bool,
+    /// Cells of the floor that the planes have; `None` once all is laid out.
+    laid: Option<u16>,
 }
 
 /// From this ratio of box cells to view cells on, expanding states one by one is faster.
@@ -361,6 +363,7 @@ impl RowSearch {
             next: actions.wrapping_add(1),
             cursor: 0,
             ahead: false,
+            laid: Some(0),
         })
     }
 
@@ -451,24 +454,35 @@ impl RowSearch {
         self.rows_at.wrapping_add(row.wrapping_mul(self.stride))
     }
 
-    /// Lays out the marks, which hold zeros, and opens the successors of `state`. `way` is the one of the layout, and how far it has come.
+    /// Whether the search can begin.
+    #[inline]
+    pub(super) const fn is_laid_out(&self) -> bool {
+        self.laid.is_none()
+    }
+
+    /// Goes on to lay out the marks, which held zeros, with so many cells at most. `way` is the one of the layout, and how far it has come.
+    /// Returns how many cells that took. [`open_first`](Self::open_first) follows.
     #[inline(never)]
-    pub(super) fn begin<G: PushGrid + ?Sized>(
+    pub(super) fn lay_out<G: PushGrid + ?Sized>(
         &mut self,
         grid: &G,
         goals: &Goals<'_>,
         state: &G::State,
         way: Option<(&Way<'_>, WayState)>,
         marks: &mut [u64],
-        applicable: ActionSet,
-    ) {
+        most: usize,
+    ) -> usize {
         let floor = grid.floor();
         let frozen = |cell: CellId| {
             let mut pieces = (1..grid.pieces()).map(|piece| Piece(piece as u8));
             !self.view.moves_all() && pieces.any(|piece| !self.view.moves(piece) && grid.cell(state, piece) == cell)
         };
-        let mut rank = 0;
-        for (id, cell) in floor.ids().zip(floor.cells).filter(|(_, cell)| self.view.has(cell)) {
+        let from = usize::from(self.laid.unwrap_or(0));
+        let to = from.saturating_add(most).min(floor.cells.len());
+        let has = |cell: &FloorCell| self.view.has(cell);
+        let mut rank = if self.floor_at > 0 { floor.cells.iter().take(from).filter(|cell| has(cell)).count() } else { 0 };
+        let cells = floor.ids().zip(floor.cells).take(to).skip(from);
+        for (id, cell) in cells.filter(|(_, cell)| has(cell)) {
             if self.floor_at > 0 {
                 set_entry(marks, rank, id.0);
             }
@@ -494,6 +508,20 @@ impl RowSearch {
                 (0..planes.stages).map(Part::Before).filter(all_hold).for_each(|stage| mark(planes.plane(stage)));
             }
         }
+        self.laid = Some(to as u16).filter(|_| to < floor.cells.len());
+        to.saturating_sub(from)
+    }
+
+    /// Opens the successors of `state`, once all is laid out.
+    #[inline(never)]
+    pub(super) fn open_first<G: PushGrid + ?Sized>(
+        &mut self,
+        grid: &G,
+        state: &G::State,
+        way: Option<(&Way<'_>, WayState)>,
+        marks: &mut [u64],
+        applicable: ActionSet,
+    ) {
         let candidates = self.set_at(CANDIDATES);
         marks.get_mut(candidates..candidates.wrapping_add(self.set)).unwrap_or(&mut []).fill(u64::MAX);
         let layer = way.map_or(0, |(way, now)| usize::from(way.layer(now)));
@@ -627,17 +655,20 @@ impl RowSearch {
         core::mem::take(&mut self.ahead)
     }
 
-    /// Leaves zeros in the marks.
-    pub(super) fn clear(&self, marks: &mut [u64]) {
-        for word in 0..self.set {
-            let mut touched = marks.get(self.set_at(TOUCHED).wrapping_add(word)).copied().unwrap_or(0);
-            while touched != 0 {
-                let start = self.row_at(word.wrapping_mul(64).wrapping_add(touched.trailing_zeros() as usize));
-                touched &= touched.wrapping_sub(1);
-                marks.get_mut(start..start.wrapping_add(self.stride)).unwrap_or(&mut []).fill(0);
-            }
+    /// Goes on to leave zeros in the marks, with about so many words at most. Returns whether there is nothing else.
+    pub(super) fn clear_on(&self, marks: &mut [u64], left: &mut usize) -> bool {
+        let (touched_at, mut cursor) = (self.set_at(TOUCHED), 0);
+        while *left > 0 {
+            let touched = marks.get_mut(touched_at..touched_at.wrapping_add(self.set)).unwrap_or(&mut []);
+            let Some(row) = take_from(touched, &mut cursor) else {
+                marks.get_mut(..self.rows_at).unwrap_or(&mut []).fill(0);
+                return true;
+            };
+            let start = self.row_at(row);
+            marks.get_mut(start..start.wrapping_add(self.stride)).unwrap_or(&mut []).fill(0);
+            *left = left.saturating_sub(self.stride);
         }
-        marks.get_mut(..self.rows_at).unwrap_or(&mut []).fill(0);
+        false
     }
 }
 

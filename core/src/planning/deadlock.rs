@@ -20,38 +20,65 @@ pub(super) fn moves<G: PushGrid + ?Sized>(grid: &G, piece: Piece, cell: CellId) 
         .map(move |direction| floor.neighbour(cell, direction))
 }
 
-/// The tasks that no piece rules out for ever. `scratch` holds zeros, before and afterwards; if it is too small, fewer tasks are ruled out.
-#[inline(never)]
-pub(super) fn possible<G: PushGrid + ?Sized>(
-    grid: &G,
-    goals: &Goals<'_>,
-    state: &G::State,
-    tasks: TaskSet,
-    scratch: &mut [u64],
-) -> TaskSet {
-    let mut possible = tasks;
-    for piece in (1..grid.pieces()).map(|piece| Piece(piece as u8)) {
+/// Which tasks no piece rules out for ever, as far as is known.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Deadlocks {
+    possible: TaskSet,
+    /// The piece that is followed, and whether it has left its cell.
+    piece: u8,
+    has_left: bool,
+    /// The tasks that it does not rule out, and the word of the cells to go on from.
+    reached: TaskSet,
+    cursor: usize,
+}
+
+impl Deadlocks {
+    /// Begins for these tasks.
+    pub(super) const fn of(tasks: TaskSet) -> Self {
+        Self { possible: tasks, piece: 1, has_left: false, reached: TaskSet::EMPTY, cursor: 0 }
+    }
+
+    /// Goes on, with so many cells at most. Returns the tasks that are possible once that is known. `scratch` holds zeros before and
+    /// afterwards; if it is too small, fewer tasks are ruled out.
+    #[inline(never)]
+    pub(super) fn advance<G: PushGrid + ?Sized>(
+        &mut self,
+        grid: &G,
+        goals: &Goals<'_>,
+        state: &G::State,
+        scratch: &mut [u64],
+        left: &mut u32,
+    ) -> Option<TaskSet> {
         let words = grid.floor().cells.len().div_ceil(64);
-        let Some((seen, rest)) = scratch.split_at_mut_checked(words) else { return possible };
-        let Some(open) = rest.get_mut(..words) else { return possible };
-        let start = grid.cell(state, piece).index();
-        insert(seen, start);
-        insert(open, start);
-        let (mut reached, mut cursor) = (TaskSet::EMPTY, 0);
-        while let Some(cell) = take_from(open, &mut cursor).map(|cell| CellId(cell as u16)) {
-            reached = reached.union(goals.allowed(grid, state, piece, cell));
-            if possible.without(reached).is_empty() {
-                break;
+        let Some((seen, open)) = scratch.get_mut(..words.saturating_mul(2)).and_then(|both| both.split_at_mut_checked(words)) else {
+            return Some(self.possible);
+        };
+        while usize::from(self.piece) < grid.pieces() {
+            let piece = Piece(self.piece);
+            if !self.has_left {
+                let start = grid.cell(state, piece).index();
+                insert(seen, start);
+                insert(open, start);
+                (self.has_left, self.reached, self.cursor) = (true, TaskSet::EMPTY, 0);
             }
-            for next in moves(grid, piece, cell).map(CellId::index) {
-                if insert(seen, next) && insert(open, next) {
-                    cursor = cursor.min(next / 64);
+            while !self.possible.without(self.reached).is_empty() {
+                if *left == 0 {
+                    return None;
+                }
+                let Some(cell) = take_from(open, &mut self.cursor).map(|cell| CellId(cell as u16)) else { break };
+                *left = left.saturating_sub(1);
+                self.reached = self.reached.union(goals.allowed(grid, state, piece, cell));
+                for next in moves(grid, piece, cell).map(CellId::index) {
+                    if insert(seen, next) && insert(open, next) {
+                        self.cursor = self.cursor.min(next / 64);
+                    }
                 }
             }
+            seen.fill(0);
+            open.fill(0);
+            self.possible = self.possible.common(self.reached);
+            (self.piece, self.has_left) = (self.piece.saturating_add(1), false);
         }
-        seen.fill(0);
-        open.fill(0);
-        possible = possible.common(reached);
+        Some(self.possible)
     }
-    possible
 }

@@ -16,7 +16,7 @@ use super::approximate::Approximation;
 use super::bitboard::{RowSearch, View};
 #[cfg(feature = "bounds")]
 use super::bounds::Bounds;
-use super::deadlock;
+use super::deadlock::Deadlocks;
 use super::goals::{GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
@@ -73,14 +73,16 @@ impl<'t> PlanTables<'t> {
     }
 }
 
-/// Tabulating this many goal cells costs about one expansion.
+/// A look at this many cells costs about one expansion.
 const CELLS_AN_EXPANSION: usize = 4;
+/// Clearing this many words costs about one expansion.
+const WORDS_AN_EXPANSION: usize = 64;
 
 /// The current search, or the contents that it left in the marks.
 #[derive(Clone, Copy, Debug)]
 enum Marked {
-    /// Something else: the marks were in other hands.
-    Anything,
+    /// Something else, but for so many words at the front: the marks were in other hands.
+    Anything(usize),
     /// Zeros.
     Nothing,
     /// By rows of bits; for the tasks that go the way of this one, if they have ways.
@@ -95,14 +97,38 @@ enum Marked {
 impl Marked {
     /// Leaves zeros in the marks.
     fn clear(&mut self, marks: &mut [u64]) {
-        match core::mem::replace(self, Self::Nothing) {
-            Self::Anything => marks.fill(0),
-            Self::Nothing => {}
-            Self::Rows(rows, _) => rows.clear(marks),
-            Self::States(states, _) => states.clear(marks),
+        while !self.clear_on(marks, &mut { u32::MAX }) {}
+    }
+
+    /// Goes on to leave zeros in the marks, with about so many expansions at most. Returns whether there is nothing else.
+    #[inline(never)]
+    fn clear_on(&mut self, marks: &mut [u64], left: &mut u32) -> bool {
+        let mut words = (*left as usize).saturating_mul(WORDS_AN_EXPANSION);
+        let is_clear = match self {
+            Self::Anything(from) => {
+                let rest = marks.get_mut(*from..).unwrap_or(&mut []);
+                let part = rest.len().min(words);
+                rest.get_mut(..part).unwrap_or(&mut []).fill(0);
+                (*from, words) = (from.saturating_add(part), words.saturating_sub(part));
+                *from >= marks.len()
+            }
+            Self::Nothing => return true,
+            Self::Rows(rows, _) => rows.clear_on(marks, &mut words),
+            Self::States(states, _) => {
+                states.clear(marks);
+                true
+            }
             #[cfg(feature = "bounds")]
-            Self::Bounds(bounds) => bounds.clear(marks),
+            Self::Bounds(bounds) => {
+                bounds.clear(marks);
+                true
+            }
+        };
+        if is_clear {
+            *self = Self::Nothing;
         }
+        *left = (words / WORDS_AN_EXPANSION) as u32;
+        is_clear
     }
 }
 
@@ -117,7 +143,7 @@ enum Stage {
     /// The table of goals is filled next.
     Tabulate,
     /// Deadlocks are told next.
-    RuleOut,
+    RuleOut(Option<Deadlocks>),
     /// The distances of tasks are bounded next; these tasks have ways to go.
     #[cfg(feature = "bounds")]
     Bound {
@@ -163,7 +189,7 @@ impl Planner {
             #[cfg(feature = "bounds")]
             likely: TaskSet::EMPTY,
             stage: Stage::Done,
-            marked: Marked::Anything,
+            marked: Marked::Anything(0),
         }
     }
 
@@ -214,7 +240,7 @@ impl Planner {
 
     /// Ends the current search, because the marks are lent to something else. They may then hold anything.
     pub fn release_marks(&mut self) {
-        (self.stage, self.marked) = (Stage::Done, Marked::Anything);
+        (self.stage, self.marked) = (Stage::Done, Marked::Anything(0));
     }
 
     /// Begins, for the tasks in `wanted`; those in `dead` are known to be dead ends.
@@ -247,7 +273,12 @@ impl Planner {
                 self.bound(tables, domain, state, &mut left);
                 continue;
             }
-            let is_part = is_search || matches!(self.stage, Stage::Tabulate);
+            let is_part = match &self.stage {
+                Stage::Tabulate | Stage::RuleOut(_) => true,
+                #[cfg(feature = "approximate")]
+                Stage::Approximate(approximation) => is_search || approximation.is_on_errand(),
+                _ => is_search,
+            };
             // What cannot be cut is left to the next call, unless nothing was done in this one.
             if left == 0 || (!is_part && left < of_floor.min(budget)) {
                 return Progress::Working;
@@ -257,12 +288,21 @@ impl Planner {
                 continue;
             }
             match self.stage {
+                Stage::Begin { .. } if !self.marked.clear_on(tables.marks, &mut left) => continue,
                 Stage::Begin { wanted, dead } => self.look(tables, domain, state, wanted, dead),
                 Stage::Tabulate => {
                     left = left.saturating_sub(self.tabulate(tables, domain, state, left));
                     continue;
                 }
-                Stage::RuleOut => self.rule_out(tables, domain, state),
+                Stage::RuleOut(deadlocks) => {
+                    self.rule_out(tables, domain, state, deadlocks, &mut left);
+                    continue;
+                }
+                #[cfg(feature = "approximate")]
+                Stage::Approximate(_) => {
+                    self.next_approximate(tables, domain, state, &mut left);
+                    continue;
+                }
                 #[cfg(feature = "bounds")]
                 Stage::Bound { .. } => {}
                 _ => self.next_search(tables, domain, state),
@@ -275,7 +315,6 @@ impl Planner {
     /// Says what needs no search.
     #[inline(never)]
     fn look<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        self.marked.clear(tables.marks);
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
         let ways = tables.ways;
@@ -291,7 +330,7 @@ impl Planner {
     fn tabulate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
         let entries = tables.goal_entries.len();
         let Some(grid) = D::Search::grid(domain).filter(|grid| self.goals.is_to_tabulate(entries, *grid)) else {
-            self.stage = Stage::RuleOut;
+            self.stage = Stage::RuleOut(None);
             return 0;
         };
         let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
@@ -299,13 +338,28 @@ impl Planner {
         cells.div_ceil(CELLS_AN_EXPANSION) as u32
     }
 
-    /// Tells the deadlocks. All tasks that are left wait for an exact search.
+    /// Goes on to tell the deadlocks. All tasks that are left wait for an exact search.
     #[inline(never)]
-    fn rule_out<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) {
+    fn rule_out<D: Domain + ?Sized>(
+        &mut self,
+        tables: &mut PlanTables<'_>,
+        domain: &D,
+        state: &D::State,
+        deadlocks: Option<Deadlocks>,
+        left: &mut u32,
+    ) {
         let ways = tables.ways;
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
         if let Some(grid) = D::Search::grid(domain) {
-            let possible = deadlock::possible(grid, &goals, state, results.found.unknown, marks);
+            let mut deadlocks = deadlocks.unwrap_or(Deadlocks::of(results.found.unknown));
+            let mut cells = left.saturating_mul(CELLS_AN_EXPANSION as u32);
+            let possible = deadlocks.advance(grid, &goals, state, marks, &mut cells);
+            *left = cells / CELLS_AN_EXPANSION as u32;
+            let Some(possible) = possible else {
+                (self.stage, self.marked) = (Stage::RuleOut(Some(deadlocks)), Marked::Anything(0));
+                return;
+            };
+            self.marked = Marked::Nothing;
             results.found.rule_out(results.found.unknown.without(possible));
         }
         let waiting = results.found.unknown;
@@ -343,6 +397,18 @@ impl Planner {
         let ways = tables.ways;
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
+            if let (Marked::Rows(rows, task), Some(grid)) = (&mut self.marked, D::Search::grid(domain))
+                && !rows.is_laid_out()
+            {
+                let product = task.and_then(|task| ways.product(domain, usize::from(task)));
+                let way = product.as_ref().map(|(product, now)| (product.way(), *now));
+                let cells = rows.lay_out(grid, &goals, state, way, marks, (*left as usize).saturating_mul(CELLS_AN_EXPANSION));
+                *left = left.saturating_sub(cells.div_ceil(CELLS_AN_EXPANSION) as u32);
+                if rows.is_laid_out() {
+                    rows.open_first(grid, state, way, marks, results.found.applicable);
+                }
+                continue;
+            }
             let expansions = match &mut self.marked {
                 Marked::Rows(rows, _) => D::Search::grid(domain).and_then(|grid| rows.expand(marks, &mut results, grid, &goals, state)),
                 Marked::States(states, None) => states.expand(marks, hashed, &mut results, domain, &goals),
@@ -394,29 +460,34 @@ impl Planner {
             {
                 // What is left of those with ways stays unknown.
                 self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
+                return;
             }
-        }
-        #[cfg(feature = "approximate")]
-        if self.next_approximate(tables, domain, state).is_some() {
-            return;
         }
         self.stage = Stage::Done;
     }
 
-    /// Begins the next approximate search; `None` where none is left.
+    /// Goes on to the next approximate search; planning is done where none is left.
     #[cfg(feature = "approximate")]
-    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) -> Option<()> {
+    #[inline(never)]
+    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
-        let (Stage::Approximate(approximation), grid, false) = (&mut self.stage, D::Search::grid(domain)?, open.is_empty()) else {
-            return None;
+        let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
+            self.stage = Stage::Done;
+            return;
         };
-        self.marked.clear(tables.marks);
+        if !approximation.is_on_errand() && !matches!(self.marked, Marked::Nothing) {
+            self.marked.clear_on(tables.marks, left);
+            return;
+        }
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
-        let (tasks, mut rows) = approximation.next(grid, &goals, state, open, marks)?;
-        (results.found.level, results.found.sought) = (0, tasks);
-        rows.begin(grid, &goals, state, None, marks, results.found.applicable);
-        self.marked = Marked::Rows(rows, None);
-        Some(())
+        match approximation.next(grid, &goals, state, open, marks, left) {
+            None => self.stage = Stage::Done,
+            Some(None) => self.marked = if approximation.is_on_errand() { Marked::Anything(0) } else { Marked::Nothing },
+            Some(Some((tasks, rows))) => {
+                (results.found.level, results.found.sought) = (0, tasks);
+                self.marked = Marked::Rows(rows, None);
+            }
+        }
     }
 
     /// Begins the exact search for the tasks without a way, or else for those that go the way of the first; `None` where none is left.
@@ -439,10 +510,7 @@ impl Planner {
         (results.found.level, results.found.sought) = (0, group);
         let applicable = results.found.applicable;
         let rows = D::Search::grid(domain).and_then(|grid| {
-            let way = way.as_ref().map(|(product, now)| (product.way(), *now));
-            let mut rows = RowSearch::layout(grid, &goals, group, View::WHOLE, way.map(|(way, _)| way), marks.len())?;
-            rows.begin(grid, &goals, state, way, marks, applicable);
-            Some(rows)
+            RowSearch::layout(grid, &goals, group, View::WHOLE, way.as_ref().map(|(product, _)| product.way()), marks.len())
         });
         let task = way.as_ref().map(|_| first as u8);
         self.marked = match (rows, &way) {

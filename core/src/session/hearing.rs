@@ -33,11 +33,7 @@ impl<M: AgentMemory> Agent<M> {
     /// As [`hear`](Self::hear).
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.open(domain, state, command, 0.0)?;
-        let result = self.begin_to_understand(domain);
-        if result.is_err() {
-            (self.start, self.progressed) = (None, Progressed::Idle);
-        }
-        result
+        self.begin_to_understand()
     }
 
     /// Goes on hearing the command, with at most about `budget` table cells of work (at least one machine command). The belief is the same
@@ -47,7 +43,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::NotNow`] where no command was begun, [`AgentError::OtherDomain`] where it was begun in another domain, and
     /// [`AgentError::Capacity`]; in the last case no session is under way any more.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
-        if let Progressed::Hearing(..) = self.progressed {
+        if let Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
             }
@@ -117,7 +113,7 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     pub(crate) fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, done: f32) -> Result<(), AgentError> {
         let phase = self.phase();
-        if matches!(self.progressed, Progressed::Tidying) || matches!(phase, Phase::Learning | Phase::Restoring) {
+        if matches!(self.progressed, Progressed::Tidying(_)) || matches!(phase, Phase::Learning | Phase::Restoring) {
             return Err(AgentError::NotNow(phase));
         }
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
@@ -144,7 +140,6 @@ impl<M: AgentMemory> Agent<M> {
             return Err(AgentError::NoTask);
         }
         self.expect_change(domain, state, count);
-        self.plan_for(domain, count)?;
         self.task_count = count;
         self.domain = digest(domain);
         self.start = Some(domain.key(state));
@@ -158,11 +153,23 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Begins the belief with each task's Pr(l|s) Pr(t|s,l).
     #[inline(never)]
-    pub(crate) fn begin_to_understand<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub(crate) fn begin_to_understand(&mut self) -> Result<(), AgentError> {
         self.candidates = CandidateCount::NONE;
         let session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift)?;
+        let restarted =
+            Belief::new(session.belief, &mut self.belief).restart(tasks.iter().map(|task| Scaled::new(task.prior)), self.options.drift);
+        if restarted.is_err() {
+            self.start = None;
+        }
+        self.progressed = if restarted.is_err() { Progressed::Idle } else { Progressed::Opened };
+        Ok(restarted?)
+    }
+
+    /// Gets ready to plan for the tasks, and to understand the command.
+    #[inline(never)]
+    pub(crate) fn take_up<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+        self.plan_for(domain, self.task_count)?;
         // The tasks' own tokens come first, then those of the objects' facts, while there is room.
         self.intern_own_tokens(domain)?;
         self.progressed = Progressed::Hearing(Position::of_task(0), Prior::Zero);
@@ -172,6 +179,10 @@ impl<M: AgentMemory> Agent<M> {
     /// Goes on giving each task its Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
     fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         let mut left = budget.max(1);
+        if matches!(self.progressed, Progressed::Opened) {
+            self.take_up(domain)?;
+            left = left.saturating_sub(self.task_count as u32);
+        }
         let mut scene = self.scene(domain);
         while let Progressed::Hearing(mut position, mut any) = self.progressed {
             if left == 0 {

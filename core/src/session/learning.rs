@@ -6,7 +6,7 @@ use super::error::AgentError;
 use super::options::Weights;
 use super::phase::{Phase, Position, Progressed};
 use crate::capacity::Capacity;
-use crate::language::forgetting::Room;
+use crate::language::forgetting::{Room, Step};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Domain, digest};
 use crate::planning::Progress;
@@ -45,6 +45,13 @@ impl GaveWay {
     /// The table that was full, for the last of them; `None` where none gave way. Raise it to keep more.
     pub const fn full(&self) -> Option<Capacity> {
         self.full
+    }
+
+    /// Takes note of a session that gave way.
+    fn note(&mut self, room: Room) {
+        if let Room::Made(session, full) = room {
+            self.add(session, full);
+        }
     }
 
     /// Adds one, by its position now, because this table was full.
@@ -108,7 +115,7 @@ impl<M: AgentMemory> Agent<M> {
     pub fn forget(&mut self) {
         match self.progressed {
             // Half heard, it is no session.
-            Progressed::Hearing(..) => self.end_session(),
+            Progressed::Opened | Progressed::Hearing(..) => self.end_session(),
             _ => self.complete_joining(),
         }
         self.set_ended();
@@ -207,8 +214,8 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Goes on ending the session, with at most about `budget` table cells of work (at least one machine command, or one session that gives
-    /// way). The budget does not change the result. `None` means: call again.
+    /// Goes on ending the session, with at most about `budget` table cells of work (at least one machine command, or a look at one session
+    /// that may give way). The budget does not change the result. `None` means: call again.
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
@@ -241,23 +248,25 @@ impl<M: AgentMemory> Agent<M> {
                 Progressed::Weighing(..) => {
                     if self.weigh_on(domain, &mut left)? == Progress::Done {
                         self.workspace_to_training();
-                        self.progressed = Progressed::Keeping;
+                        self.progressed = Progressed::Keeping(Step::Look);
                     }
                 }
-                Progressed::Keeping => {
-                    if self.keep()? == Progress::Done {
+                Progressed::Keeping(step) => {
+                    let room = self.keep(step)?;
+                    if room == Room::Found {
                         #[cfg(feature = "layer")]
                         self.add_possible(domain);
-                        self.progressed = Progressed::Tidying;
+                        self.progressed = Progressed::Tidying(Step::Look);
                     }
-                    left = left.saturating_sub(self.kept_cells());
+                    left = left.saturating_sub(self.cells_of(room));
                 }
-                Progressed::Tidying => {
-                    if self.tidy()? == Progress::Done {
+                Progressed::Tidying(step) => {
+                    let room = self.tidy(step)?;
+                    if room == Room::Found {
                         self.set_ended();
                         return Ok(Some(Finished { gave_way: self.gave_way }));
                     }
-                    left = left.saturating_sub(self.kept_cells());
+                    left = left.saturating_sub(self.cells_of(room));
                 }
                 _ => return Err(AgentError::NotNow(self.phase())),
             }
@@ -265,31 +274,33 @@ impl<M: AgentMemory> Agent<M> {
         Ok(None)
     }
 
-    /// About the work of keeping a session or making room for it once, in table cells.
-    fn kept_cells(&self) -> u32 {
-        self.language().bitext().pairs().len() as u32
+    /// About the work of looking at a session, or of keeping one or making room for it, in table cells.
+    fn cells_of(&self, room: Room) -> u32 {
+        let data = self.language().bitext();
+        (if room == Room::Sought { data.sessions() } else { data.pairs().len() }) as u32
     }
 
-    /// Lets the session's machine commands join the training data, by their weights, or lets one other session give way.
+    /// Lets the session's machine commands join the training data, by their weights, or goes on to let one other session give way.
     #[inline(never)]
-    fn keep(&mut self) -> Result<Progress, AgentError> {
+    fn keep(&mut self, mut step: Step) -> Result<Room, AgentError> {
         self.forget_plan();
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let candidates = Candidates::new(session.candidates, &mut self.candidates);
         let candidates = candidates.read();
         let pairs = shares(candidates, self.options.least_weight);
-        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), || pairs.clone()) {
-            Ok(Room::Found) => Ok(Progress::Done),
-            Ok(Room::Made(session, full)) => {
-                self.gave_way.add(session, full);
-                Ok(Progress::Working)
+        match language.add_session_or_make_room(&self.sentence, candidates.all_tokens(), || pairs.clone(), &mut step) {
+            Ok(room) => {
+                self.progressed = Progressed::Keeping(step);
+                self.gave_way.note(room);
+                Ok(room)
             }
             Err(error) => {
                 self.start = None;
                 language.forget_unlearned();
                 if self.sentence.iter().all(Option::is_none) {
-                    while let Room::Made(..) = language.tidy_vocabulary(&mut self.sentence, &mut [])? {}
+                    step = Step::Look;
+                    while language.tidy_vocabulary(&mut self.sentence, &mut [], &mut step)? != Room::Found {}
                     language.begin_training();
                 }
                 Err(error.into())
@@ -301,32 +312,36 @@ impl<M: AgentMemory> Agent<M> {
     /// that were learned, or a model is coming back.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
-        matches!(self.progressed, Progressed::Tidying | Progressed::Restoring(_))
+        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_))
     }
 
     /// Gives a session that has joined the training data its words for good. What forgets new words would take them from it otherwise.
     #[inline(never)]
     pub(super) fn complete_joining(&mut self) {
-        if matches!(self.progressed, Progressed::Tidying) {
-            while let Ok(Progress::Working) = self.tidy() {}
+        if let Progressed::Tidying(step) = &mut self.progressed {
+            // Another session may have been unlearned meanwhile: a choice begins anew.
+            *step = Step::Look;
         }
+        while let Progressed::Tidying(step) = self.progressed
+            && self.tidy(step).is_ok_and(|room| room != Room::Found)
+        {}
     }
 
-    /// Gives the vocabulary room again, or lets one other session give way for that; then training begins.
+    /// Gives the vocabulary room again, or goes on to let one other session give way for that; then training begins.
     #[inline(never)]
-    fn tidy(&mut self) -> Result<Progress, AgentError> {
+    fn tidy(&mut self, mut step: Step) -> Result<Room, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let room = language.tidy_vocabulary(&mut self.sentence, candidates.all_tokens_mut())?;
+        let room = language.tidy_vocabulary(&mut self.sentence, candidates.all_tokens_mut(), &mut step)?;
         candidates.renamed();
-        if let Room::Made(session, full) = room {
-            self.gave_way.add(session, full);
-            return Ok(Progress::Working);
+        if room == Room::Found {
+            language.begin_training();
+            self.take_usage();
         }
-        language.begin_training();
-        self.take_usage();
-        Ok(Progress::Done)
+        self.progressed = Progressed::Tidying(step);
+        self.gave_way.note(room);
+        Ok(room)
     }
 
     /// Computes the current weight of each machine command in [`candidates`](Self::candidates), for [`finish`](Self::finish) and for

@@ -2,6 +2,7 @@
 
 use super::agent::Agent;
 use super::options::Weights;
+use crate::language::forgetting::Step;
 use crate::probability::Scaled;
 use core::fmt;
 
@@ -51,15 +52,17 @@ impl fmt::Display for Phase {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Progressed {
     Idle,
+    /// The tasks that are possible are known.
+    Opened,
     /// The tasks get their priors, from this machine command on.
     Hearing(Position, Prior),
     Ready,
     /// The machine commands get their weights, from this one on.
     Weighing(Position, Weights),
-    /// The session joins the training data; the others give way.
-    Keeping,
-    /// The vocabulary gets room again.
-    Tidying,
+    /// The session joins the training data; others give way.
+    Keeping(Step),
+    /// The vocabulary gets room again; others give way for that too.
+    Tidying(Step),
     Ended,
     /// A model comes back. The number says which, and how far it has come.
     #[cfg(feature = "snapshot")]
@@ -101,8 +104,8 @@ impl<M> Agent<M> {
     /// ```
     pub fn phase(&self) -> Phase {
         match self.progressed {
-            Progressed::Hearing(..) => Phase::Hearing,
-            Progressed::Weighing(..) | Progressed::Keeping | Progressed::Tidying => Phase::Finishing,
+            Progressed::Opened | Progressed::Hearing(..) => Phase::Hearing,
+            Progressed::Weighing(..) | Progressed::Keeping(_) | Progressed::Tidying(_) => Phase::Finishing,
             Progressed::Idle | Progressed::Ready | Progressed::Ended if self.language.is_training() => Phase::Learning,
             Progressed::Idle => Phase::Idle,
             #[cfg(feature = "snapshot")]

@@ -153,7 +153,7 @@ impl<M: AgentMemory> Agent<M> {
         let unread = Some(read.len()).filter(|&end| end < utterance.len());
         self.open(domain, state, read, DONE)?;
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
-            self.begin_to_understand(domain)?;
+            self.begin_to_understand()?;
             while self.hear_on(domain, PART)? == Progress::Working {
                 rest(pause).inspect_err(|_| self.leave())?;
             }
@@ -179,7 +179,8 @@ impl<M: AgentMemory> Agent<M> {
         unread: Option<usize>,
         pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
-        self.begin_to_understand(domain)?;
+        self.begin_to_understand()?;
+        self.take_up(domain)?;
         let (mut words, mut mended): (Utterance, Utterance) = (Vec::new(), Vec::new());
         self.hear_words(utterance, closed, &mut words)?;
         let language = self.language();

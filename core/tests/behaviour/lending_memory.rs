@@ -70,13 +70,25 @@ fn a_memory_without_room_for_a_strategy_is_refused_by_name() {
     assert_eq!((error.capacity, error.limit, error.given), (Capacity::Strategies, 0, 1));
 }
 
-/// Hears and finishes in calls of this budget. Returns how many calls that took, and the bits of what was believed and learned.
+goodbot::memory! { struct Few = Capacities { sessions: 4, words: 14, ..Capacities::SMALL }; }
+
+/// Hears and finishes in calls of this budget, where sessions give way. Returns how many calls that took, and the bits of what was believed
+/// and learned.
 fn in_parts(budget: u32) -> (usize, Vec<u32>) {
-    let mut memory = Memory::new();
+    let mut memory = Few::new();
     let (home, state) = rooms(&mut memory.home, "red");
-    let mut agent: Agent<AgentArrays<Memory>> = agent(memory.agent);
-    let (mut calls, mut bits) = (0, Vec::new());
-    for command in ["go to the green room", "please go to the green room now"] {
+    let mut agent: Agent<AgentArrays<Few>> = agent(memory.agent);
+    let (mut calls, mut gave_way, mut bits) = (0, 0, Vec::new());
+    for command in [
+        "go to the green room",
+        "please go to the green room now",
+        "go to the green room",
+        "walk over there",
+        "roll on",
+        "slip by",
+        "go to the green room",
+        "come along then",
+    ] {
         agent.begin_hearing(&home, &state, command).unwrap();
         while agent.hear_on(&home, budget).unwrap() == Progress::Working {
             assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::NotNow(Phase::Hearing)));
@@ -87,12 +99,18 @@ fn in_parts(budget: u32) -> (usize, Vec<u32>) {
         let _ = agent.feedback(Feedback::Reward).unwrap();
         bits.extend((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()));
         agent.begin_finishing(&home).unwrap();
-        while agent.finish_on(&home, budget).unwrap().is_none() {
+        let finished = loop {
+            if let Some(finished) = agent.finish_on(&home, budget).unwrap() {
+                break finished;
+            }
             assert_eq!(agent.plan(&home, &state, 1), Err(AgentError::NotNow(Phase::Finishing)));
             calls += 1;
-        }
+        };
+        gave_way += finished.gave_way.count();
+        bits.extend(finished.gave_way.positions().iter().map(|&position| u32::from(position)));
         agent.learn_fully();
     }
+    assert!(gave_way > 2, "{gave_way} sessions gave way");
     bits.extend(agent.language().bitext().pairs().iter().map(|pair| pair.weight.to_bits()));
     (calls, bits)
 }

@@ -3,7 +3,7 @@
 use crate::rooms::{Memory, robot};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
-use goodbot::home::{Cell, Home, HomeState};
+use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeArrays, HomeMemory};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{OptimalSet, Progress};
@@ -96,6 +96,41 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
         trace
     };
     assert_eq!(run(true), run(false));
+}
+
+#[test]
+fn a_plan_region_by_region_is_the_same_whatever_the_budget() {
+    goodbot::memory! { struct Tight = Capacities { states: 1280, hashed_states: 0, ..Capacities::SMALL }; }
+    let plans = |budget: u32| {
+        let (mut memory, mut rooms_memory) = (Tight::new(), Memory::new());
+        let mut builder = HomeBuilder::new(&mut rooms_memory.home);
+        builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
+        builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
+        builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
+        builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
+        builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
+        builder.agent("agent0", Cell::new(4, 1)).unwrap();
+        builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
+        builder.block("block1", Cell::new(6, 2), "pink", "bag").unwrap();
+        let (home, start) = builder.build(Moves::Push).unwrap();
+        let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::PAPER).unwrap();
+        agent.hear(&home, &start, "take the chair to the red room").unwrap();
+        let mut calls = 1;
+        while agent.plan(&home, &start, budget).unwrap() == Progress::Working {
+            calls += 1;
+        }
+        let plan = agent.planned();
+        let all: Vec<_> = (0..agent.tasks().len()).map(|task| (plan.optimal(task), plan.distance(task))).collect();
+        (calls, all)
+    };
+    let (calls, whole) = plans(u32::MAX);
+    assert!(whole.iter().any(|(set, _)| matches!(set, OptimalSet::Approximate(_))), "{whole:?}");
+    assert_eq!(calls, 1);
+    for budget in [1, 8, 50] {
+        let (calls, parts) = plans(budget);
+        assert!(calls > 10, "{calls} calls of budget {budget}");
+        assert_eq!(parts, whole);
+    }
 }
 
 #[test]

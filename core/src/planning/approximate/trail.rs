@@ -6,71 +6,82 @@
 use crate::oomdp::CellId;
 use crate::planning::bits::{entry, entry_words, set_entry};
 
-/// A way that is kept in words, which hold zeros otherwise.
-#[derive(Debug)]
-pub(super) struct Trail<'t> {
-    words: &'t mut [u64],
+/// A way that is kept in words, which hold zeros otherwise, or the search for it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Trail {
     from: CellId,
+    cells: usize,
+    /// The cells in the second array that were gone on from, and those that were met.
+    taken: usize,
+    met: usize,
 }
 
-impl<'t> Trail<'t> {
-    /// Finds a shortest way on a floor of so many cells to one where `is_goal` holds. `None` where there is none or the words are too few.
-    pub(super) fn find<I: Iterator<Item = CellId>>(
-        scratch: &'t mut [u64],
-        cells: usize,
-        from: CellId,
+impl Trail {
+    /// Begins to find a shortest way on a floor of so many cells. `None` where the words are too few.
+    pub(super) fn begin(words: &mut [u64], cells: usize, from: CellId) -> Option<Self> {
+        if entry_words(cells.saturating_mul(2)) > words.len() || from.index() >= cells {
+            return None;
+        }
+        set(words, from.index(), Some(from));
+        set(words, cells, Some(from));
+        Some(Self { from, cells, taken: cells, met: cells.wrapping_add(1) })
+    }
+
+    /// Goes on to find one to a cell where `is_goal` holds, with so many cells at most. Returns whether there is one, once that is known.
+    pub(super) fn find_on<I: Iterator<Item = CellId>>(
+        &mut self,
+        words: &mut [u64],
+        left: &mut u32,
         beside: impl Fn(CellId) -> I,
         is_goal: impl Fn(CellId) -> bool,
-    ) -> Option<Self> {
-        let words = scratch.get_mut(..entry_words(cells.saturating_mul(2))).filter(|_| from.index() < cells)?;
-        let trail = Self { words, from };
-        set(trail.words, from.index(), Some(from));
-        set(trail.words, cells, Some(from));
-        let (mut taken, mut met) = (cells, cells.wrapping_add(1));
-        while taken < met {
-            let Some(cell) = get(trail.words, taken) else { break };
-            taken = taken.wrapping_add(1);
+    ) -> Option<bool> {
+        while self.taken < self.met {
+            if *left == 0 {
+                return None;
+            }
+            *left = left.saturating_sub(1);
+            let Some(cell) = get(words, self.taken) else { break };
+            self.taken = self.taken.wrapping_add(1);
             if is_goal(cell) {
-                return Some(trail.turned(cell));
+                self.turn(words, cell);
+                return Some(true);
             }
             for next in beside(cell) {
-                if next.index() < cells && get(trail.words, next.index()).is_none() {
-                    set(trail.words, next.index(), Some(cell));
-                    set(trail.words, met, Some(next));
-                    met = met.wrapping_add(1);
+                if next.index() < self.cells && get(words, next.index()).is_none() {
+                    set(words, next.index(), Some(cell));
+                    set(words, self.met, Some(next));
+                    self.met = self.met.wrapping_add(1);
                 }
             }
         }
-        None
+        Some(false)
     }
 
     /// Each cell of the way points to the next, no longer to the one before.
-    fn turned(self, to: CellId) -> Self {
+    fn turn(self, words: &mut [u64], to: CellId) {
         let (mut cell, mut after) = (to, None);
-        while let Some(before) = get(self.words, cell.index()) {
-            set(self.words, cell.index(), after);
+        while let Some(before) = get(words, cell.index()) {
+            set(words, cell.index(), after);
             if cell == self.from {
                 break;
             }
             (after, cell) = (Some(cell), before);
         }
-        self
     }
 
     /// The next cell of the way.
-    pub(super) fn next(&self, cell: CellId) -> Option<CellId> {
-        get(self.words, cell.index())
+    pub(super) fn next(self, words: &[u64], cell: CellId) -> Option<CellId> {
+        get(words, cell.index())
     }
 
     /// The cells of the way, from its start.
-    pub(super) fn cells(&self) -> impl Iterator<Item = CellId> {
-        core::iter::successors(Some(self.from), |&cell| self.next(cell))
+    pub(super) fn cells(self, words: &[u64]) -> impl Iterator<Item = CellId> {
+        core::iter::successors(Some(self.from), move |&cell| self.next(words, cell))
     }
-}
 
-impl Drop for Trail<'_> {
-    fn drop(&mut self) {
-        self.words.fill(0);
+    /// Leaves zeros in the words.
+    pub(super) fn clear(self, words: &mut [u64]) {
+        words.get_mut(..entry_words(self.cells.saturating_mul(2))).unwrap_or(&mut []).fill(0);
     }
 }
 

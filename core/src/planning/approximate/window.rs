@@ -14,123 +14,229 @@ use crate::planning::deadlock::moves;
 use crate::planning::goals::Goals;
 use crate::task::TaskSet;
 
-/// A task to do next from a state.
-pub(super) struct Errand<'d, G: PushGrid + ?Sized> {
+/// What a task's windows are found in.
+pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
     pub(super) grid: &'d G,
     pub(super) goals: &'d Goals<'d>,
     pub(super) state: &'d G::State,
-    pub(super) task: usize,
 }
 
-impl<G: PushGrid + ?Sized> Errand<'_, G> {
-    /// The first search for the task, with its subgoal. `marks` holds zeros here and in all that follows.
+/// What a call comes to: no search, one that is not found yet, or this one.
+pub(super) type Found = Option<Option<(RowSearch, Subgoal)>>;
+
+/// A task to do next from a state: the search for it is being found.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Errand {
+    task: usize,
+    /// The piece that is to be moved on; `None` before it is known.
+    piece: Option<Piece>,
+    /// Whether it is another try to move the piece on: the robot goes to the cell behind it, or moves it to the next cell where the robot is
+    /// there.
+    pub(super) is_retry: bool,
+    step: Step,
+}
+
+/// A piece on its way in a window.
+#[derive(Clone, Copy, Debug)]
+struct Leg {
+    piece: Piece,
+    window: u32,
+    to: Option<CellId>,
+}
+
+/// What is done next.
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    /// The piece is chosen.
+    Begin,
+    /// Its own way is found, and so the cell from which the robot moves it.
+    Ahead(Trail),
+    /// The robot's way to that cell is found.
+    Between(Trail, CellId),
+    /// The way of the search is found.
+    Along(Leg, Trail),
+    /// The window grows along that way, whose cells up to the last fit.
+    Follow(Leg, Trail, CellId),
+    /// The window grows around the regions that it had before, from a cell on.
+    Widen(Leg, u32, usize),
+}
+
+impl Errand {
+    /// The first search for a task.
+    pub(super) const fn of(task: usize) -> Self {
+        Self { task, piece: None, is_retry: false, step: Step::Begin }
+    }
+
+    /// Another try after a search without a plan.
+    pub(super) const fn after(failed: Subgoal) -> Self {
+        Self { task: failed.task, piece: Some(failed.piece), is_retry: true, step: Step::Begin }
+    }
+
+    /// Goes on, with about so many cells at most. `marks` holds zeros at the beginning and at the end, and is left alone between.
     #[inline(never)]
-    pub(super) fn begin(&self, marks: &mut [u64]) -> Option<(RowSearch, Subgoal)> {
-        let asked = self.goals.pieces_of(self.task)?;
-        let open = |&piece: &Piece| asked & piece.bit() != 0 && !self.is_goal(piece, self.cell(piece));
-        // The robot comes last: its own cell changes as it moves the others.
-        let piece = (0..self.grid.pieces()).rev().map(|piece| Piece(piece as u8)).find(open)?;
-        let (here, robot) = (self.region(self.cell(piece)), self.region(self.cell(Piece::ROBOT)));
-        let mut start = here | robot;
-        if here != robot
-            && let Some((behind, _)) = self.first_move(marks, piece)
-            && let Some(between) = self.regions_between(marks, behind)
-        {
-            start |= between;
-            if self.search(marks.len(), piece, start, None).is_none() {
-                return self.approach(marks, behind);
+    pub(super) fn advance<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], left: &mut u32) -> Found {
+        while *left > 0 {
+            let found = self.go_on(scene, marks, left)?;
+            if found.is_some() {
+                return Some(found);
             }
         }
-        self.along(marks, piece, start, None)
+        Some(None)
     }
 
-    /// The regions on the robot's way to a cell.
-    fn regions_between(&self, marks: &mut [u64], to: CellId) -> Option<u32> {
-        let trail = self.trail(marks, Piece::ROBOT, Some(to))?;
-        Some(trail.cells().fold(0, |regions, cell| regions | self.region(cell)))
-    }
-
-    /// Another try to move a piece on: the robot goes to the cell behind it, or moves it to the next cell where the robot is there.
-    #[inline(never)]
-    pub(super) fn one_step(&self, marks: &mut [u64], piece: Piece) -> Option<RowSearch> {
-        let (behind, next) = self.first_move(marks, piece)?;
-        if self.cell(Piece::ROBOT) != behind {
-            return self.approach(marks, behind).map(|(search, _)| search);
-        }
-        let window = self.region(behind) | self.region(self.cell(piece)) | self.region(next);
-        self.search(marks.len(), piece, window, Some(next)).map(|(search, _)| search)
-    }
-
-    /// The robot goes to a cell on its own.
-    fn approach(&self, marks: &mut [u64], to: CellId) -> Option<(RowSearch, Subgoal)> {
-        self.along(marks, Piece::ROBOT, self.region(self.cell(Piece::ROBOT)), Some(to))
-    }
-
-    /// The cell from which the robot moves a piece on its way, and the cell to which.
-    fn first_move(&self, marks: &mut [u64], piece: Piece) -> Option<(CellId, CellId)> {
-        let (here, floor) = (self.cell(piece), self.grid.floor());
-        let next = self.trail(marks, piece, None)?.next(here)?;
-        let direction = (0..4).find(|&direction| floor.neighbour(here, direction) == next)?;
-        Some((floor.neighbour(here, direction ^ 1), next)).filter(|&(behind, _)| behind != CellId::NONE)
-    }
-
-    /// The search that moves a piece along its trail, in as large a window as fits: on along the trail, then around.
-    #[inline(never)]
-    fn along(&self, marks: &mut [u64], piece: Piece, start: u32, to: Option<CellId>) -> Option<(RowSearch, Subgoal)> {
-        let mut window = start;
-        let words = marks.len();
-        self.search(words, piece, window, to)?;
-        let trail = self.trail(marks, piece, to)?;
-        let (mut last, mut arrives) = (self.cell(piece), true);
-        while let Some(next) = trail.next(last) {
-            let larger = self.region(next) | window;
-            if larger != window && self.search(words, piece, larger, to).is_none() {
-                arrives = false;
-                break;
+    fn go_on<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], left: &mut u32) -> Found {
+        let cells = scene.grid.floor().cells;
+        let robot = scene.region(scene.cell(Piece::ROBOT));
+        match self.step {
+            Step::Begin => {
+                let asked = scene.goals.pieces_of(self.task)?;
+                let open = |&piece: &Piece| asked & piece.bit() != 0 && !scene.is_goal(self.task, piece, scene.cell(piece));
+                // The robot comes last: its own cell changes as it moves the others.
+                let first = || (0..scene.grid.pieces()).rev().map(|piece| Piece(piece as u8)).find(open);
+                let piece = self.piece.or_else(first)?;
+                self.piece = Some(piece);
+                let here = scene.region(scene.cell(piece));
+                if !self.is_retry && here == robot {
+                    return self.go_along(scene, marks, Leg { piece, window: here, to: None });
+                }
+                self.step = Step::Ahead(Trail::begin(marks, cells.len(), scene.cell(piece))?);
+                Some(None)
             }
-            (window, last) = (larger, next);
-        }
-        drop(trail);
-        if last == self.cell(piece) {
-            return None;
-        }
-        loop {
-            let before = window;
-            for cell in self.grid.floor().cells.iter().filter(|cell| region(cell) & before != 0) {
-                for beside in cell.neighbours.into_iter().filter(|&beside| beside != CellId::NONE) {
-                    let larger = self.region(beside) | window;
-                    if larger != window && self.search(words, piece, larger, to).is_some() {
-                        window = larger;
+            Step::Ahead(mut trail) => {
+                let piece = self.piece?;
+                let is_found = scene.find_on(self.task, &mut trail, marks, piece, None, left);
+                self.step = Step::Ahead(trail);
+                let Some(is_found) = is_found else { return Some(None) };
+                let next = Some(scene.cell(piece)).filter(|_| is_found).and_then(|here| trail.next(marks, here));
+                trail.clear(marks);
+                let behind = next.and_then(|next| scene.behind(piece, next));
+                let leg = Leg { piece, window: scene.region(scene.cell(piece)) | robot, to: None };
+                if self.is_retry {
+                    let (next, behind) = (next?, behind?);
+                    if scene.cell(Piece::ROBOT) != behind {
+                        return self.go_along(scene, marks, Leg { piece: Piece::ROBOT, window: robot, to: Some(behind) });
+                    }
+                    let window = scene.region(behind) | scene.region(scene.cell(piece)) | scene.region(next);
+                    return Some(Some(scene.search(self.task, marks.len(), Leg { piece, window, to: Some(next) })?));
+                }
+                let Some(behind) = behind else { return self.go_along(scene, marks, leg) };
+                self.step = Step::Between(Trail::begin(marks, cells.len(), scene.cell(Piece::ROBOT))?, behind);
+                Some(None)
+            }
+            Step::Between(mut trail, behind) => {
+                let piece = self.piece?;
+                let is_found = scene.find_on(self.task, &mut trail, marks, Piece::ROBOT, Some(behind), left);
+                self.step = Step::Between(trail, behind);
+                let Some(is_found) = is_found else { return Some(None) };
+                let mut leg = Leg { piece, window: scene.region(scene.cell(piece)) | robot, to: None };
+                if is_found {
+                    leg.window = trail.cells(marks).fold(leg.window, |regions, cell| regions | scene.region(cell));
+                }
+                trail.clear(marks);
+                if is_found && scene.search(self.task, marks.len(), leg).is_none() {
+                    leg = Leg { piece: Piece::ROBOT, window: robot, to: Some(behind) };
+                }
+                *left = 0;
+                self.go_along(scene, marks, leg)
+            }
+            Step::Along(leg, mut trail) => {
+                let is_found = scene.find_on(self.task, &mut trail, marks, leg.piece, leg.to, left);
+                self.step = match is_found {
+                    None => Step::Along(leg, trail),
+                    Some(true) => Step::Follow(leg, trail, scene.cell(leg.piece)),
+                    Some(false) => {
+                        trail.clear(marks);
+                        return None;
+                    }
+                };
+                Some(None)
+            }
+            Step::Follow(mut leg, trail, mut last) => {
+                let next = trail.next(marks, last);
+                let mut fits = true;
+                if let Some(next) = next {
+                    let larger = Leg { window: scene.region(next) | leg.window, ..leg };
+                    if larger.window != leg.window {
+                        fits = scene.search(self.task, marks.len(), larger).is_some();
+                        *left = left.saturating_sub(cells.len() as u32);
+                    }
+                    if fits {
+                        (leg, last) = (larger, next);
+                        self.step = Step::Follow(leg, trail, last);
+                        *left = left.saturating_sub(1);
+                        return Some(None);
                     }
                 }
+                trail.clear(marks);
+                if last == scene.cell(leg.piece) {
+                    return None;
+                }
+                leg.to = if fits { leg.to } else { Some(last) };
+                self.step = Step::Widen(leg, leg.window, 0);
+                Some(None)
             }
-            if window == before {
-                break;
+            Step::Widen(mut leg, before, at) => {
+                let Some(cell) = cells.get(at) else {
+                    if leg.window != before {
+                        self.step = Step::Widen(leg, leg.window, 0);
+                        return Some(None);
+                    }
+                    return Some(Some(scene.search(self.task, marks.len(), leg)?));
+                };
+                *left = left.saturating_sub(1);
+                for beside in cell.neighbours.into_iter().filter(|&beside| region(cell) & before != 0 && beside != CellId::NONE) {
+                    let larger = Leg { window: scene.region(beside) | leg.window, ..leg };
+                    if larger.window != leg.window {
+                        *left = left.saturating_sub(cells.len() as u32);
+                        if scene.search(self.task, marks.len(), larger).is_some() {
+                            leg = larger;
+                        }
+                    }
+                }
+                self.step = Step::Widen(leg, before, at.wrapping_add(1));
+                Some(None)
             }
         }
-        self.search(words, piece, window, if arrives { to } else { Some(last) })
+    }
+
+    /// Begins the search that moves a piece along its trail, in as large a window as fits: on along the trail, then around.
+    fn go_along<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], leg: Leg) -> Found {
+        scene.search(self.task, marks.len(), leg)?;
+        let trail = Trail::begin(marks, scene.grid.floor().cells.len(), scene.cell(leg.piece))?;
+        self.step = Step::Along(leg, trail);
+        Some(None)
+    }
+}
+
+impl<G: PushGrid + ?Sized> Scene<'_, G> {
+    /// The cell from which the robot moves a piece to a cell beside it.
+    fn behind(&self, piece: Piece, next: CellId) -> Option<CellId> {
+        let (here, floor) = (self.cell(piece), self.grid.floor());
+        let direction = (0..4).find(|&direction| floor.neighbour(here, direction) == next)?;
+        Some(floor.neighbour(here, direction ^ 1)).filter(|&behind| behind != CellId::NONE)
     }
 
     /// The search that moves a piece in a window, if it fits so many words.
     #[inline(never)]
-    fn search(&self, words: usize, piece: Piece, window: u32, to: Option<CellId>) -> Option<(RowSearch, Subgoal)> {
-        let subgoal = Subgoal { task: self.task, piece, to };
+    fn search(&self, task: usize, words: usize, leg: Leg) -> Option<(RowSearch, Subgoal)> {
+        let Leg { piece, window, to } = leg;
+        let subgoal = Subgoal { task, piece, to };
         let view = View { moving: Piece::ROBOT.bit() | piece.bit(), window, subgoal: Some(subgoal) };
-        RowSearch::layout(self.grid, self.goals, TaskSet::of(self.task), view, None, words).map(|search| (search, subgoal))
+        RowSearch::layout(self.grid, self.goals, TaskSet::of(task), view, None, words).map(|search| (search, subgoal))
     }
 
-    /// The way of one piece alone, around the others: to a cell, or to where the task asks it to be.
+    /// Goes on to find the way of one piece alone, around the others: to a cell, or to where the task asks it to be.
     #[inline(never)]
-    fn trail<'t>(&self, marks: &'t mut [u64], piece: Piece, to: Option<CellId>) -> Option<Trail<'t>> {
+    fn find_on(&self, task: usize, trail: &mut Trail, marks: &mut [u64], piece: Piece, to: Option<CellId>, left: &mut u32) -> Option<bool> {
         let others = || (1..self.grid.pieces()).map(|other| Piece(other as u8)).filter(move |&other| other != piece);
         let is_free = move |&cell: &CellId| !others().any(|other| self.cell(other) == cell);
         let beside = |cell: CellId| moves(self.grid, piece, cell).filter(is_free);
-        let is_goal = |cell: CellId| to.map_or_else(|| self.is_goal(piece, cell), |to| cell == to);
-        Trail::find(marks, self.grid.floor().cells.len(), self.cell(piece), beside, is_goal)
+        let is_goal = |cell: CellId| to.map_or_else(|| self.is_goal(task, piece, cell), |to| cell == to);
+        trail.find_on(marks, left, beside, is_goal)
     }
 
-    fn is_goal(&self, piece: Piece, cell: CellId) -> bool {
-        self.goals.allowed(self.grid, self.state, piece, cell).contains(self.task)
+    fn is_goal(&self, task: usize, piece: Piece, cell: CellId) -> bool {
+        self.goals.allowed(self.grid, self.state, piece, cell).contains(task)
     }
 
     fn cell(&self, piece: Piece) -> CellId {
