@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
-use crate::firmware::{FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, run_alone, run_pico, trials};
+use crate::firmware::{
+    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, run_alone, run_pico, trials,
+};
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};

@@ -90,19 +90,20 @@ pub fn belief(input: &[u8]) {
         }
         exact.clone_from(&exact_settled);
         for kind in 0..kinds {
-            let known = (0..tasks).filter_map(|task| Some((exact[task][kind] * prior(task), value(task, kind)?)));
+            let of_kind = exact.iter().enumerate().map(|(task, exact)| (task, exact[kind]));
+            let known = of_kind.filter_map(|(task, exact)| Some((exact * prior(task), value(task, kind)?)));
             let (weight, explained) =
                 known.fold((0.0, 0.0), |(sum, explained), (weight, value)| (sum + weight, explained + weight * value));
             let mean = if weight > 0.0 { explained / weight } else { 1.0 };
             (0..tasks).for_each(|task| exact[task][kind] *= value(task, kind).unwrap_or(mean));
         }
         let whole: f64 = pairs().map(|(task, kind)| exact[task][kind] * prior(task)).sum();
-        for task in 0..tasks {
-            let (ours, exactly) = (f64::from(belief.read().probability(task)), exact[task].iter().sum::<f64>() * prior(task) / whole);
+        for (task, exact) in exact.iter().enumerate() {
+            let (ours, exactly) = (f64::from(belief.read().probability(task)), exact.iter().sum::<f64>() * prior(task) / whole);
             assert!((ours - exactly).abs() < TOLERANCE, "task {task}: {ours} here, {exactly} in double precision");
         }
         for kind in 0..kinds {
-            let exactly = (0..tasks).map(|task| exact[task][kind] * prior(task)).sum::<f64>() / whole;
+            let exactly = exact.iter().enumerate().map(|(task, exact)| exact[kind] * prior(task)).sum::<f64>() / whole;
             let ours = f64::from(belief.read().strategy_probability(kind));
             assert!((ours - exactly).abs() < TOLERANCE, "trainer {kind}: {ours} here, {exactly} in double precision");
         }

@@ -1,7 +1,7 @@
 //! Where the joint states do not fit the memory, two bounds on the distance that agree make a plan exact. Brute force says the same.
 
 use goodbot::home::{self, Moves};
-use goodbot::oomdp::{Action, apply};
+use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::task::{GroundedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::hostile::{Seen, compare};
