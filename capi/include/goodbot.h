@@ -56,7 +56,7 @@
 #define GOODBOT_SMALL_BYTES_32 21920
 
 // Bytes that the small preset takes where a pointer has eight bytes.
-#define GOODBOT_SMALL_BYTES_64 22464
+#define GOODBOT_SMALL_BYTES_64 22528
 
 // Bytes that the tiny preset takes where a pointer has four bytes.
 #define GOODBOT_TINY_BYTES_32 13600
@@ -68,7 +68,7 @@
 #define GOODBOT_OWN_BYTES_32 28320
 
 // Bytes that the preset for a robot of one's own takes where a pointer has eight bytes.
-#define GOODBOT_OWN_BYTES_64 28864
+#define GOODBOT_OWN_BYTES_64 28896
 
 // Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 #define GOODBOT_TABLE_BYTES 1344

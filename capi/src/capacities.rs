@@ -95,7 +95,7 @@ pub const GOODBOT_STANDARD: u32 = 3;
 /// Bytes that the small preset takes where a pointer has four bytes.
 pub const GOODBOT_SMALL_BYTES_32: usize = 21_920;
 /// Bytes that the small preset takes where a pointer has eight bytes.
-pub const GOODBOT_SMALL_BYTES_64: usize = 22_464;
+pub const GOODBOT_SMALL_BYTES_64: usize = 22_528;
 /// Bytes that the tiny preset takes where a pointer has four bytes.
 pub const GOODBOT_TINY_BYTES_32: usize = 13_600;
 /// Bytes that the tiny preset takes where a pointer has eight bytes.
@@ -103,7 +103,7 @@ pub const GOODBOT_TINY_BYTES_64: usize = 14_144;
 /// Bytes that the preset for a robot of one's own takes where a pointer has four bytes.
 pub const GOODBOT_OWN_BYTES_32: usize = 28_320;
 /// Bytes that the preset for a robot of one's own takes where a pointer has eight bytes.
-pub const GOODBOT_OWN_BYTES_64: usize = 28_864;
+pub const GOODBOT_OWN_BYTES_64: usize = 28_896;
 /// Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
 
