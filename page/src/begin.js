@@ -4,7 +4,7 @@ import { noRobot as en } from '../languages/en.json';
 import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
-import { fromBase64 } from './base64.js';
+import { fromLetters } from './letters.js';
 import { expanded } from './lzma.js';
 
 // How many bits of the byte before tell what a byte is, as the builder has it.
@@ -19,7 +19,7 @@ async function begin() {
   });
   const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
-  const whole = expanded(fromBase64(String(packed.textContent).trim()), sizes.reduce((sum, size) => sum + size), LC);
+  const whole = expanded(fromLetters(String(packed.textContent)), sizes.reduce((sum, size) => sum + size), LC);
   let at = 0;
   const [module, languages, body, style, script] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);

@@ -1,8 +1,6 @@
 // The game of tricking the robot: what it was taught leaves two ideas together, so that it takes one for the other; and one of some lessons repairs that.
-// What it understands is the core's own answer, each time. Where the child's own robot heard two looks only together, a copy of it comes first.
-import { fromBase64 } from './base64.js';
-import { confounds, recoloured, taughtHere } from './confound.js';
-import { parsed, world } from './core.js';
+// What it understands is the core's own answer, each time.
+import { world } from './core.js';
 import { listed, t } from './language.js';
 import { spaced } from './learned.js';
 import { nameHome } from './play.js';
@@ -10,9 +8,9 @@ import { render } from './render.js';
 import { beginGuest, endGuest } from './roster.js';
 import { LEARN_BUDGET, heatNow, leaveSession, startSession } from './session.js';
 import { $, announce, inParts, make, percent, state } from './state.js';
-import { change, newRecord, takeModel, travel } from './store.js';
+import { change, travel } from './store.js';
 import { enterHome } from './tour.js';
-import { askedIn, beliefNow, likeliest, quoted, taskWords, understands } from './words.js';
+import { beliefNow, quoted, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: string, intended: string, command: string }} Lesson */
 
@@ -61,81 +59,8 @@ function lesson([rooms, blocks, block, room]) {
   return { home, intended, command: taskWords(intended, scene) };
 }
 
-/** A trick: what the robot was taught, what it is asked, and lessons of which one at least makes it understand.
- * @typedef {{ own: boolean, taught: Lesson[], asked: Lesson, repairs: Lesson[] }} Trick */
-
-/** @type {{ tricks: Trick[], level: number, robot: object, repaired: boolean, says: string[], choices: [string, () => any][] } | null} */
+/** @type {{ level: number, robot: object, repaired: boolean, says: string[], choices: [string, () => any][] } | null} */
 let game = null;
-
-const WRITTEN = () => LEVELS.map(({ taught, asked, repairs }) => ({ own: false, taught: taught.map(lesson), asked: lesson(asked), repairs: repairs.map(lesson) }));
-
-const COLORS = ['purple', 'yellow', 'green', 'orange', 'blue', 'red'];
-const MOST_TRIED = 8;
-
-/** A lesson like one of the robot's own, with another colour of its thing or its room, and something that has the colour that was there.
- * @param {import('./confound.js').Taught} taught
- * @param {'color' | 'room'} part
- * @param {string} fresh
- * @returns {Lesson} */
-function variant({ color, shape, room, command }, part, fresh) {
-  const [thing, place] = part === 'color' ? [fresh, room] : [color, fresh];
-  const free = COLORS.filter(other => ![color, room, fresh].includes(other));
-  const rooms = [room, free[0], place === room ? free[1] : place].join(' ');
-  const beside = (thing === color ? free[0] : color) + (shape === 'bag' ? ' chair' : ' bag');
-  const words = part === 'color' ? color : room;
-  return { ...lesson([rooms, thing + ' ' + shape + ',' + beside, thing + ' ' + shape, place]), command: fresh === words ? command : recoloured(command, words, fresh) };
-}
-
-/** @param {Lesson} lesson */
-const thoughtOf = ({ home, command }) => likeliest(askedIn(parsed(home), spaced(command)));
-/** @param {Lesson} asked */
-const isUnderstood = asked => understands(thoughtOf(asked), asked.intended);
-/** @param {Lesson} asked */
-const isMeant = asked => thoughtOf(asked).name === asked.intended;
-
-// A trick of the robot's own training. Whether it is one, and whether a lesson repairs it, is tried with the copy of the robot that is here.
-/** @param {import('./confound.js').Taught[]} all
- * @returns {Promise<Trick | null>} */
-async function ownTrick(all) {
-  const found = confounds(all).flatMap(({ lesson: taught, part }) => {
-    const fresh = COLORS.filter(color => color !== taught.color && color !== taught.room && recoloured(taught.command, taught[part], color));
-    return fresh.map((color, at) => ({ taught, part, asked: variant(taught, part, color), other: fresh[(at + 1) % fresh.length] }));
-  }).filter(({ asked }) => !isUnderstood(asked));
-  // Better wrong than a mere guess.
-  found.sort((a, b) => Number(isMeant(a.asked)) - Number(isMeant(b.asked)));
-  for (const { taught, part, asked, other } of found.slice(0, MOST_TRIED)) {
-    const unlike = all.findLast(one => one.command !== taught.command);
-    const repairs = [variant(taught, part, taught[part]), variant(taught, part, other), ...(unlike ? [unlike] : [])];
-    const help = [];
-    for (const one of repairs) {
-      await teach(one);
-      help.push(isUnderstood(asked));
-      await travel('past');
-    }
-    if (help.includes(true) && help.includes(false)) return { own: true, taught: all.filter(one => one.shape && one[part] === taught[part]), asked, repairs };
-  }
-  return null;
-}
-
-async function beginGame() {
-  if (!await leaveSession()) return;
-  const { model, ways, name } = state.robot;
-  const all = taughtHere();
-  /** @type {Trick | null} */
-  let own = null;
-  if (confounds(all).length) {
-    state.phase = 'learning';
-    render();
-    await beginGuest(name);
-    await takeModel(fromBase64(model), ways === true);
-    Object.assign(state.robot, newRecord(name), { log: '' });
-    own = await ownTrick(all);
-    Object.assign(state.robot, { past: [], future: [] });
-    state.phase = 'none';
-  }
-  game = { tricks: [...(own ? [own] : []), ...WRITTEN()], level: 0, robot: state.robot, repaired: false, says: [], choices: [] };
-  await beginLevel(0);
-}
 
 // The trainer says what is meant: no step is needed to learn from that.
 /** @param {Lesson} taught */
@@ -160,17 +85,15 @@ const told = (says, choices) => {
 
 /** @param {number} level */
 async function beginLevel(level) {
-  if (!game || !await leaveSession()) return;
-  const { own, taught, asked } = game.tricks[level];
-  if (!own) {
-    const { tricks } = game;
-    await beginGuest(t('trick.robot'));
-    for (const one of taught) await teach(one);
-    game = { tricks, level, robot: state.robot, repaired: false, says: [], choices: [] };
-  }
+  if (!await leaveSession()) return;
+  const taught = LEVELS[level].taught.map(lesson);
+  const asked = lesson(LEVELS[level].asked);
+  await beginGuest(t('trick.robot'));
+  for (const one of taught) await teach(one);
+  game = { level, robot: state.robot, repaired: false, says: [], choices: [] };
   enter(asked);
-  const says = t(own ? 'trick.own' : 'trick.taught', { commands: listed([...new Set(taught.map(one => quoted(one.command)))]) });
-  told([t('trick.level', { n: level + 1, of: game.tricks.length }), says], [[t('tour.ask', asked), ask]]);
+  const says = t('trick.taught', { commands: listed([...new Set(taught.map(one => quoted(one.command)))]) });
+  told([t('trick.level', { n: level + 1, of: LEVELS.length }), says], [[t('tour.ask', asked), ask]]);
 }
 
 function enter({ home }) {
@@ -182,8 +105,8 @@ function enter({ home }) {
 // The robot shows how it understands the command.
 function ask() {
   if (!game) return;
-  const { tricks, level, robot } = game;
-  const { asked, repairs } = tricks[level];
+  const { level, robot } = game;
+  const [asked, repairs] = [lesson(LEVELS[level].asked), LEVELS[level].repairs.map(lesson)];
   enter(asked);
   const session = startSession(asked.command, { looking: true });
   if (!session) return;
@@ -197,7 +120,7 @@ function ask() {
       told([thought, t('trick.which', asked)], repairs.map(one => [one.command, () => repair(one)]));
       return;
     }
-    const last = level + 1 === tricks.length;
+    const last = level + 1 === LEVELS.length;
     told([thought, t('trick.right'), last ? t('trick.over') : ''], [last ? [t('guest.end'), endGuest] : [t('trick.next'), () => beginLevel(level + 1)]]);
   };
 }
@@ -216,7 +139,7 @@ export function renderTrick() {
   if (game && game.robot !== state.robot) game = null;
   $('trick').hidden = Boolean(state.secret);
   const says = game ? game.says : [t('trick.about')];
-  const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), beginGame]]);
+  const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), () => beginLevel(0)]]);
   const key = JSON.stringify([says, choices.map(([words]) => words)]);
   if ($('trick').dataset.key === key) return;
   $('trick').dataset.key = key;

@@ -14,7 +14,7 @@ export const ACTIONS = ['north', 'south', 'east', 'west', 'pull', 'noop'];
 export const acted = action => named('did.' + action) || action;
 
 // A colour or a shape as it was entered, and in the language where it knows it. Colours may have a second form.
-export const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
+const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
 const inForm = (text, thing) => {
   const [m, f] = formsOf(thing.color);
   return text.replace('{m}', m).replace('{f}', f || m).replace('{shape}', shapeWords(thing.shape));

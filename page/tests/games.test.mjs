@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, launch, model, open, openIn, opened, play, sessions } from './browser.mjs';
+import { address, close, launch, open, openIn, opened, play, sessions } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -54,63 +54,6 @@ test('a badly taught robot is tricked, one lesson repairs that, and another does
     await page.locator('#guest').waitFor({ state: 'hidden' });
     assert.equal(await sessions(page), own, 'one’s own robot is as it was');
   }
-  await close(page);
-});
-
-// One lesson in the home of that name, in which the trainer picks what is meant.
-async function teach(page, home, command) {
-  const count = await sessions(page);
-  await page.selectOption('#home', home);
-  await page.click('#reset');
-  await page.fill('#command', command);
-  await page.click('#say-it');
-  await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
-  await page.selectOption('#pick', { label: command });
-  await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
-  await page.click('#finish');
-  await page.waitForFunction(before => window.goodbot.sessions() > before && document.body.dataset.phase === 'none', count);
-}
-
-test('what always came together in one’s own training becomes a trick, which one of some lessons repairs', async () => {
-  for (const [code, lessons, asked] of [
-    ['en', ['take the blue chair to the yellow room', 'take the blue chair to the green room'], /Ask: “take the \w+ chair to the (yellow|green) room”/],
-    ['de', ['bring den blauen Stuhl in den gelben Raum', 'bring den blauen Stuhl in den grünen Raum'], /„bring den \p{L}+en Stuhl in den (gelben|grünen) Raum“/u],
-  ]) {
-    const page = await open(browser);
-    await page.selectOption('#speed', 'step');
-    await page.selectOption('#language', code);
-    await play(page, 'D');
-    for (const lesson of lessons) await teach(page, 'D', lesson);
-    const own = await model(page);
-    await page.selectOption('#speed', 'once');
-    await choices(page).click();
-    await page.locator('#trick-say', { hasText: /^\D*1\D+4/ }).waitFor();
-    const says = await page.textContent('#trick-say');
-    for (const lesson of lessons) assert.ok(says.includes(lesson), says);
-    assert.match(await choices(page).textContent(), asked);
-    assert.ok(!lessons.some(lesson => says.endsWith(lesson)));
-    assert.ok((await page.locator('#plan .blockname').count()) > 1, 'there is something to take it for');
-    await pick(page, choices(page), 3);
-    await pick(page, choices(page).first(), 3);
-    await pick(page, choices(page).nth(1), 1);
-    await choices(page).click();
-    await page.locator('#trick-say', { hasText: /^\D*2\D+4/ }).waitFor();
-    await page.click('#end-guest');
-    await page.locator('#guest').waitFor({ state: 'hidden' });
-    assert.deepEqual(await model(page), own, 'one’s own robot is as it was');
-    await close(page);
-  }
-});
-
-test('where nothing always came together, no trick of one’s own is offered', async () => {
-  const page = await open(browser);
-  await page.selectOption('#speed', 'step');
-  await play(page, 'D');
-  await teach(page, 'D', 'take the blue chair to the yellow room');
-  await teach(page, 'F', 'take the yellow bag to the red room');
-  await choices(page).click();
-  await page.locator('#trick-say', { hasText: 'Trick 1 of 3' }).waitFor();
-  assert.doesNotMatch(await page.textContent('#trick-say'), /copy/);
   await close(page);
 });
 

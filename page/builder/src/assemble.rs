@@ -4,9 +4,9 @@ use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
+
+use crate::letters::letters;
 
 /// So many bits of the byte before count for what a byte is, as in `page/src/begin.js`.
 const LC: u32 = 5;
@@ -34,7 +34,7 @@ fn read(folder: &Path, name: &str) -> Result<String> {
 pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<Page> {
     let script = escaped(script);
     let whole: Vec<u8> = parts.iter().flat_map(|(_, part)| *part).copied().collect();
-    let packed = STANDARD.encode(packed(&whole)?);
+    let packed = letters(&packed(&whole)?);
     let mut html = read(folder, "index.html")?;
     let sizes = parts.iter().map(|(_, part)| part.len().to_string()).collect::<Vec<_>>().join(" ");
     for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {
