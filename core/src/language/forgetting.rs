@@ -89,7 +89,7 @@ pub(crate) struct Choice {
 }
 
 /// How little is lost with a session: of two ranks, the first number that differs tells.
-type Rank = [usize; 3];
+type Rank = [u16; 3];
 
 /// A session by itself.
 pub(crate) struct Alone {
@@ -295,17 +295,18 @@ impl LanguageMut<'_> {
     fn rank(&self, session: u16, want: Want, is_strange: bool) -> Rank {
         let data = self.bitext.read();
         let length = |session| data.sentence(session).len();
+        let short = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
         match want {
             Want::Lengths(new) if length(session) != new && is_strange => [3, 0, 0],
             Want::Lengths(new) if length(session) != new => {
                 let as_long = (0..data.sessions() as u16).filter(|&other| length(other) == length(session)).count();
-                [2, usize::MAX.saturating_sub(as_long), 0]
+                [2, u16::MAX.saturating_sub(short(as_long)), 0]
             }
             Want::Vocabulary if is_strange => [3, 0, 0],
-            Want::Vocabulary => [2, self.own_words(session), 0],
+            Want::Vocabulary => [2, short(self.own_words(session)), 0],
             Want::Lengths(_) | Want::Session => {
                 let times = self.times_kept(session);
-                [usize::from(times > 1), times.saturating_add(self.rarest(session)), data.pairs_of(session).len()]
+                [u16::from(times > 1), short(times.saturating_add(self.rarest(session))), short(data.pairs_of(session).len())]
             }
         }
     }
