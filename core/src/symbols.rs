@@ -4,7 +4,6 @@
 //! be enums. A [`Symbols`] table keeps their bytes end to end in memory that the caller lends it.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
-use core::cell::Cell;
 
 /// A text known to a [`Symbols`] table, by its position there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -211,8 +210,13 @@ impl<'t> Symbols<'t> {
 /// Moves the entries after the first `gap` to the front. The standard rotation can panic, and would bring panic messages into a
 /// controller's flash.
 pub(crate) fn close_gap<T: Copy>(entries: &mut [T], gap: usize) {
-    let cells = Cell::from_mut(entries).as_slice_of_cells();
-    cells.iter().zip(cells.iter().skip(gap)).for_each(|(to, from)| to.set(from.get()));
+    let mut to = 0_usize;
+    while let Some(&entry) = entries.get(to + gap) {
+        if let Some(slot) = entries.get_mut(to) {
+            *slot = entry;
+        }
+        to += 1;
+    }
 }
 
 #[cfg(test)]

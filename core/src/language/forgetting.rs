@@ -26,6 +26,9 @@ use crate::symbols::{Symbol, SymbolsRef};
 use crate::task::role::is_marker;
 use heapless::Vec;
 
+/// Whether a session may give way. If none may, no code that chooses one is linked.
+const FORGETS: bool = cfg!(feature = "forgetting");
+
 /// The inverse of the share of the vocabulary that is kept free.
 const FREE_PART: usize = 8;
 
@@ -116,7 +119,7 @@ impl Choice {
     /// Begins among the first so many sessions; `None` where there is none, or none may give way.
     fn among(sessions: usize, want: Want, full: Capacity) -> Option<Self> {
         let begun = Self { want, full, among: sessions as u16, looked: 0, strange: 0, oldest_strange: None, best: None };
-        (cfg!(feature = "forgetting") && sessions > 0).then_some(begun)
+        (FORGETS && sessions > 0).then_some(begun)
     }
 }
 
@@ -137,19 +140,19 @@ impl LanguageMut<'_> {
         step: &mut Step,
     ) -> Result<Room, CapacityError> {
         match step {
-            Step::Choose(choice) => {
+            Step::Choose(choice) if FORGETS => {
                 let room = self.choose_on(choice);
                 if let Room::Made(..) = room {
                     *step = Step::Renew;
                 }
                 return Ok(room);
             }
-            Step::Renew => {
+            Step::Renew if FORGETS => {
                 self.rebuild_wanted()?;
                 *step = Step::Take;
                 return Ok(Room::Sought);
             }
-            Step::Look | Step::Take => {}
+            _ => {}
         }
         let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in sentence.iter().flatten() {
@@ -218,7 +221,7 @@ impl LanguageMut<'_> {
         step: &mut Step,
     ) -> Result<Room, CapacityError> {
         match step {
-            Step::Choose(choice) => {
+            Step::Choose(choice) if FORGETS => {
                 let room = self.choose_on(choice);
                 if let Room::Made(..) = room {
                     *step = Step::Look;
@@ -229,7 +232,7 @@ impl LanguageMut<'_> {
                 self.data_replaced()?;
                 return Ok(Room::Found);
             }
-            Step::Look | Step::Renew => {}
+            _ => {}
         }
         self.remove_unused_words(sentence);
         let mut full = self.full_of_vocabulary();
