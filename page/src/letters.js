@@ -6,9 +6,9 @@ export function fromLetters(text) {
   for (const letter of text) {
     const code = letter.charCodeAt(0);
     const number = code - (code > 60 ? 34 : 33);
-    const more = number < 35 ? 6 : 7;
-    held = held << more | (more > 6 ? number + 35 : number);
-    bits += more;
+    const isSix = number < 35;
+    held = isSix ? held << 6 | number : held << 7 | number + 35;
+    bits += isSix ? 6 : 7;
     if (bits > 7) bytes[at++] = held >> (bits -= 8);
   }
   return bytes;
