@@ -82,7 +82,7 @@ fn it_prints_source_for_both_languages() {
     let run = size(&["-", "--sessions", "6", "--words", "5"], MAP);
     assert_eq!(run.code, 0, "{}", run.messages);
     assert!(run.output.starts_with("A robot in 1 home that keeps 6 sessions of at most 5 words, 30 different:\n"), "{}", run.output);
-    for line in ["    struct RobotMemory = goodbot::Capacities {", "        sessions: 6,", "        6, /* sessions */"] {
+    for line in ["    struct RobotMemory = goodbot::Capacities {", "        sessions: 6,", "    6, /* sessions */"] {
         assert!(run.output.lines().any(|it| it == line), "{line} is not in {}", run.output);
     }
 }
