@@ -15,7 +15,7 @@ async function tell(page, command) {
 
 const steps = page => page.evaluate(() => document.querySelectorAll('#steps tr').length);
 const sure = async page => Number((await page.textContent('#sure')).match(/(\d+)\s?%/)[1]) / 100;
-const wait = page => page.evaluate(() => parseFloat(document.getElementById('wait').style.animationDuration));
+const wait = page => page.evaluate(() => document.getElementById('wait').getAnimations()[0]?.effect.getTiming().duration);
 
 const RULES = {
   linear: c => 350 + 2900 * (1 - c),
