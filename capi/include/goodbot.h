@@ -698,7 +698,7 @@ typedef struct goodbot_wheels {
   enum goodbot_motion motion;
 } goodbot_wheels;
 
-// A wheel's encoder: a counter of so many bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
+// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
 // ahead, and 1 for distances in ticks. `last` is the counter at first.
 typedef struct goodbot_encoder {
   // Ticks for each metre.
@@ -1445,8 +1445,8 @@ enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
                                        float seconds,
                                        float *duty);
 
-// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of so many metres, `spun` while
-// it made so many turns on the spot, to the left. `NUMBER` where a run tells nothing.
+// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of `metres`, `spun` while
+// it made `turns` turns on the spot, to the left. `NUMBER` where a run tells nothing.
 //
 // The caller sees to it:
 // Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.

@@ -79,7 +79,7 @@ pub struct GoodbotWheels {
     pub motion: GoodbotMotion,
 }
 
-/// A wheel's encoder: a counter of so many bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
+/// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
 /// ahead, and 1 for distances in ticks. `last` is the counter at first.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -343,8 +343,8 @@ pub unsafe extern "C" fn goodbot_speed_duty(
     })
 }
 
-/// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of so many metres, `spun` while
-/// it made so many turns on the spot, to the left. `NUMBER` where a run tells nothing.
+/// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of `metres`, `spun` while
+/// it made `turns` turns on the spot, to the left. `NUMBER` where a run tells nothing.
 ///
 /// # Safety
 /// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.

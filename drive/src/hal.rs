@@ -42,7 +42,7 @@ impl fmt::Display for HalError {
 impl core::error::Error for HalError {}
 
 impl<P: SetDutyCycle, D: OutputPin> Motor<P, D> {
-    /// Holds a speed for the next `seconds`, where the wheel `rolled` so many metres in the last.
+    /// Holds a speed for the next `seconds`, where the wheel `rolled` that many metres in the last.
     fn hold(&mut self, speed: f32, rolled: f32, seconds: f32) -> Result<(), HalError> {
         let duty = self.control.duty(speed, rolled / seconds, seconds);
         let counts = f32::from(self.pwm.max_duty_cycle()) * duty.max(-duty);

@@ -14,7 +14,7 @@ pub struct Encoder {
 }
 
 impl Encoder {
-    /// A counter of so many bits that stands at `count`. Where it counts down as the wheel rolls ahead, `ticks_per_metre` is below 0. With 1, distances
+    /// A counter of `bits` bits that is at `count` now. Where it counts down as the wheel rolls ahead, `ticks_per_metre` is below 0. With 1, distances
     /// are ticks: so a robot counts that is to be calibrated.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ pub struct Calibration {
 }
 
 impl Calibration {
-    /// From the ticks of the left and the right wheel while the robot was pushed ahead along a line of so many metres, and while it made so many turns
+    /// From the ticks of the left and the right wheel while the robot was pushed ahead along a line of `metres`, and while it made `turns` turns
     /// on the spot, to the left.
     ///
     /// # Errors
@@ -96,7 +96,7 @@ impl SpeedControl {
         }
     }
 
-    /// The motor's duty for the next `seconds`, from -1 to 1. A wheel that shall stand, or of which nothing is known, gets none, and what was summed up
+    /// The motor's duty for the next `seconds`, from -1 to 1. A wheel that is to stop, or of which nothing is known, gets none, and what was summed up
     /// is forgotten.
     pub fn duty(&mut self, wanted: f32, measured: f32, seconds: f32) -> f32 {
         let error = wanted - measured;

@@ -33,34 +33,16 @@ impl<D: Place> Lesson<D> {
         let steps = &walk.steps;
         let recorded = RecordedSession {
             header: SessionHeader {
-                id: None,
-                kind: Kind::Feedback,
-                environment: EnvironmentFile::new(vec![]),
-                command: walk.command.clone(),
-                intended: None,
-                before: None,
-                through: None,
-                avoiding: None,
-                actions: None,
-                continues: false,
-                prior: None,
                 #[cfg(feature = "talk")]
                 utterance: walk.listening.as_ref().map(|listening| listening.utterance.clone()),
-                #[cfg(not(feature = "talk"))]
-                utterance: None,
                 #[cfg(feature = "talk")]
                 after: session.after.as_ref().and_then(|task| self.name_of_task(task)),
-                #[cfg(not(feature = "talk"))]
-                after: None,
                 #[cfg(feature = "talk")]
                 conversation: walk.listening.as_ref().and_then(|listening| listening.conversation.recorded(home, self.agent.lifted())),
-                #[cfg(not(feature = "talk"))]
-                conversation: None,
                 #[cfg(feature = "talk")]
                 closed_words: Some(walk.closed).filter(|closed| *closed != crate::listening::CLOSED_WORDS).map(|closed| closed.to_string()),
-                #[cfg(not(feature = "talk"))]
-                closed_words: None,
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
+                ..SessionHeader::new(Kind::Feedback, EnvironmentFile::new(vec![]), walk.command.clone())
             },
             header_line: 1,
             steps: steps.iter().map(step).zip(2..).map(|(step, line)| (line, step)).collect(),

@@ -116,7 +116,7 @@ enum Want {
 }
 
 impl Choice {
-    /// Begins among the first so many sessions; `None` where there is none, or none may give way.
+    /// Begins among the first `sessions`; `None` where there is none, or none may give way.
     fn among(sessions: usize, want: Want, full: Capacity) -> Option<Self> {
         let begun = Self { want, full, among: sessions as u16, looked: 0, strange: 0, oldest_strange: None, best: None };
         (FORGETS && sessions > 0).then_some(begun)

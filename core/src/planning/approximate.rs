@@ -45,7 +45,7 @@ impl Approximation {
         self.errand.is_some()
     }
 
-    /// Goes on to the next search, of the open tasks `unknown`, with about so many expansions at most. `marks` holds zeros where nothing is
+    /// Goes on to the next search, of the open tasks `unknown`, with about `left` expansions at most. `marks` holds zeros where nothing is
     /// under way.
     #[inline(never)]
     pub(super) fn next<G: PushGrid + ?Sized>(

@@ -460,7 +460,7 @@ impl RowSearch {
         self.laid.is_none()
     }
 
-    /// Goes on to lay out the marks, which held zeros, with so many cells at most. `way` is the one of the layout, and how far it has come.
+    /// Goes on to lay out the marks, which held zeros, with `most` cells at most. `way` is the one of the layout, and how far it has come.
     /// Returns how many cells that took. [`open_first`](Self::open_first) follows.
     #[inline(never)]
     pub(super) fn lay_out<G: PushGrid + ?Sized>(
@@ -655,7 +655,7 @@ impl RowSearch {
         core::mem::take(&mut self.ahead)
     }
 
-    /// Goes on to leave zeros in the marks, with about so many words at most. Returns whether there is nothing else.
+    /// Goes on to leave zeros in the marks, with about `left` words at most. Returns whether there is nothing else.
     pub(super) fn clear_on(&self, marks: &mut [u64], left: &mut usize) -> bool {
         let (touched_at, mut cursor) = (self.set_at(TOUCHED), 0);
         while *left > 0 {

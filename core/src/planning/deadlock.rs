@@ -38,7 +38,7 @@ impl Deadlocks {
         Self { possible: tasks, piece: 1, has_left: false, reached: TaskSet::EMPTY, cursor: 0 }
     }
 
-    /// Goes on, with so many cells at most. Returns the tasks that are possible once that is known. `scratch` holds zeros before and
+    /// Goes on, with at most `left` cells. Returns the tasks that are possible once that is known. `scratch` holds zeros before and
     /// afterwards; if it is too small, fewer tasks are ruled out.
     #[inline(never)]
     pub(super) fn advance<G: PushGrid + ?Sized>(

@@ -81,7 +81,7 @@ const WORDS_AN_EXPANSION: usize = 64;
 /// The current search, or the contents that it left in the marks.
 #[derive(Clone, Copy, Debug)]
 enum Marked {
-    /// Something else, but for so many words at the front: the marks were in other hands.
+    /// Something else after this number of words: the marks were in other hands.
     Anything(usize),
     /// Zeros.
     Nothing,
@@ -100,7 +100,7 @@ impl Marked {
         while !self.clear_on(marks, &mut { u32::MAX }) {}
     }
 
-    /// Goes on to leave zeros in the marks, with about so many expansions at most. Returns whether there is nothing else.
+    /// Goes on to leave zeros in the marks, with about `left` expansions at most. Returns whether there is nothing else.
     #[inline(never)]
     fn clear_on(&mut self, marks: &mut [u64], left: &mut u32) -> bool {
         let mut words = (*left as usize).saturating_mul(WORDS_AN_EXPANSION);

@@ -1,9 +1,9 @@
 //! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
 
-use crate::rooms::{Memory, robot};
+use crate::rooms::{self, Memory, robot};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::{BeliefError, Feedback, Strategy};
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use goodbot::home::{self, Cell, Home, HomeState, Moves};
 use goodbot::memory::{AgentArrays, AgentMemory, HomeArrays, HomeMemory};
 use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::{OptimalSet, Progress};
@@ -103,13 +103,7 @@ fn a_plan_region_by_region_is_the_same_whatever_the_budget() {
     goodbot::memory! { struct Tight = Capacities { states: 1280, hashed_states: 0, ..Capacities::SMALL }; }
     let plans = |budget: u32| {
         let (mut memory, mut rooms_memory) = (Tight::new(), Memory::new());
-        let mut builder = HomeBuilder::new(&mut rooms_memory.home);
-        builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-        builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-        builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-        builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-        builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-        builder.agent("agent0", Cell::new(4, 1)).unwrap();
+        let mut builder = rooms::begun(&mut rooms_memory.home);
         builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
         builder.block("block1", Cell::new(6, 2), "pink", "bag").unwrap();
         let (home, start) = builder.build(Moves::Push).unwrap();

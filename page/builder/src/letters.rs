@@ -1,5 +1,5 @@
-//! Bytes as printable letters that a web server packs without loss: deflate gives each letter a whole number of bits, so each letter stands for six or
-//! seven bits, as often as its length says. Base64 costs as much again as its blocks are longer.
+//! Bytes as printable letters that a web server packs without loss: deflate gives each letter a whole number of bits, so each letter is six or seven
+//! bits here, too. Base64 takes more letters, and so more of deflate's blocks, each with a table of its own.
 
 /// The letters for six bits; the others are for seven.
 const OF_SIX_BITS: u32 = 35;

@@ -70,7 +70,7 @@ fn scattered<M: HomeMemory>(random: &mut Pcg32, home: &Home<M>, state: &HomeStat
     }
 }
 
-/// Compares the plans of a random walk of so many steps with those of exact search.
+/// Compares the plans of a random walk of `steps` steps with those of exact search.
 pub fn compare(seed: u64, (size, states): (Size, usize), moves: Moves, steps: usize, seen: &mut Seen) {
     let mut random = Pcg32::new(seed, 9);
     let capacities = Capacities { states, hashed_states: 0, ..Capacities::STANDARD };

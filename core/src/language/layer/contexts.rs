@@ -13,11 +13,11 @@ use heapless::Vec;
 const SPEAKS: f32 = 0.05;
 /// A word is a mention if it was taken for some value in more than this share.
 const MENTIONS: f32 = 0.3;
-/// More mentions before or after count as so many.
+/// More mentions before or after count as this many.
 const MOST_COUNTED: usize = 3;
-/// A command ends with so many words.
+/// The number of words that are the end of a command.
 const LAST: usize = 4;
-/// A word that is said more often counts as if said so often.
+/// A word that is said more often counts as said this often.
 const MOST_TIMES: usize = 5;
 
 /// A word that was taken for a value often enough.

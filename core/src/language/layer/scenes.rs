@@ -7,9 +7,9 @@ use crate::symbols::Symbol;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-/// A scene was taught often after so many sessions.
+/// A scene was taught often after this number of sessions.
 const OFTEN: usize = 64;
-/// A task was meant in a scene if so many sessions show it more than all others together.
+/// A task was meant in a scene if at least this number of sessions show it more than all others together.
 const MEANT: usize = 8;
 const MOSTLY: f32 = 0.5;
 

@@ -17,7 +17,7 @@ pub(super) struct Trail {
 }
 
 impl Trail {
-    /// Begins to find a shortest way on a floor of so many cells. `None` where the words are too few.
+    /// Begins to find a shortest way on a floor of `cells` cells. `None` where the words are too few.
     pub(super) fn begin(words: &mut [u64], cells: usize, from: CellId) -> Option<Self> {
         if entry_words(cells.saturating_mul(2)) > words.len() || from.index() >= cells {
             return None;
@@ -27,7 +27,7 @@ impl Trail {
         Some(Self { from, cells, taken: cells, met: cells.wrapping_add(1) })
     }
 
-    /// Goes on to find one to a cell where `is_goal` holds, with so many cells at most. Returns whether there is one, once that is known.
+    /// Goes on to find one to a cell where `is_goal` holds, with at most `left` cells. Returns whether there is one, once that is known.
     pub(super) fn find_on<I: Iterator<Item = CellId>>(
         &mut self,
         words: &mut [u64],

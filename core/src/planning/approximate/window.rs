@@ -72,7 +72,7 @@ impl Errand {
         Self { task: failed.task, piece: Some(failed.piece), is_retry: true, step: Step::Begin }
     }
 
-    /// Goes on, with about so many cells at most. `marks` holds zeros at the beginning and at the end, and is left alone between.
+    /// Goes on, with about `left` cells at most. `marks` holds zeros at the beginning and at the end, and is left alone between.
     #[inline(never)]
     pub(super) fn advance<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], left: &mut u32) -> Found {
         while *left > 0 {

@@ -36,7 +36,7 @@ pub(super) enum Outcome {
 /// The most arrangements of other pieces, and the most states; 16 bits tell them apart.
 const MOST_ARRANGEMENTS: usize = 1 << 14;
 const MOST_STATES: usize = u16::MAX as usize - 1;
-/// Where so many places in a row are taken, a table counts as full.
+/// Where this number of places in a row are taken, a table counts as full.
 const PROBES: usize = 32;
 
 /// The search for one task, and how far it has come.
@@ -154,7 +154,7 @@ const fn key(arrangement: u16, robot: CellId, piece: CellId) -> u64 {
 /// The bits of a key that hold the distance.
 const DISTANCE: u64 = 0xffff;
 
-/// The places in a table of so many where a key may be.
+/// The places, in a table of `size`, where a key may be.
 fn places(key: u64, size: usize) -> impl Iterator<Item = usize> {
     let spread = (key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let first = ((spread >> 32).wrapping_mul(size as u64) >> 32) as usize;
@@ -171,7 +171,7 @@ fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
 }
 
 impl AStar {
-    /// The search for a task whose distance is at least this, with at most so many expansions; `None` where there is no memory for one.
+    /// The search for a task whose distance is at least this, with at most `most` expansions; `None` where there is no memory for one.
     pub(super) fn new<G: PushGrid + ?Sized>(
         scene: &Scene<'_, G>,
         words: usize,

@@ -6,8 +6,8 @@ use goodbot::{Agent, Capacities, Options};
 
 goodbot::memory! { pub struct Memory = Capacities::SMALL; }
 
-/// A green room and a red one above a blue one, in which the robot is at (4, 1); with a block, where it is given.
-pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
+/// A green room and a red one above a blue one, in which the robot is at (4, 1).
+pub fn begun<M: HomeMemory>(memory: M) -> HomeBuilder<M> {
     let mut builder = HomeBuilder::new(memory);
     builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
     builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
@@ -15,6 +15,12 @@ pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeSta
     builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
     builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
     builder.agent("agent0", Cell::new(4, 1)).unwrap();
+    builder
+}
+
+/// These rooms; with a block, where it is given.
+pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
+    let mut builder = begun(memory);
     if let Some(cell) = block {
         builder.block("block0", cell, "yellow", "chair").unwrap();
     }
