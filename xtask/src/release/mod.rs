@@ -227,7 +227,7 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
         let target = target_dir();
         // Apart: the sources have fewer crates than the lock file names.
         cmd!(sh, "{programs}/maturin sdist --out {built}").run()?;
-        let build = cmd!(sh, "{programs}/maturin build --quiet --release --locked --out {built} --interpreter {programs}/python");
+        let build = cmd!(sh, "{programs}/maturin build --quiet --locked --out {built} --interpreter {programs}/python");
         let build = build.args(["--zig", "--compatibility", MANYLINUX].iter().filter(|_| is_linux));
         // Maturin looks for zig where Python's programs are.
         let path = std::env::var_os("PATH").unwrap_or_default();
