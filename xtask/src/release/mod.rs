@@ -268,7 +268,10 @@ fn materials(sh: &Shell, to: &Path) -> Result<()> {
     for (name, folder) in SHIPPED {
         let list = cmd!(sh, "{path} cyclonedx --quiet --format json --override-filename {name}.cdx --manifest-path {folder}/Cargo.toml");
         list.env("CARGO_TARGET_DIR", target_dir()).run()?;
-        sh.copy_file(format!("{folder}/{name}.cdx.json"), to)?;
+        let file = format!("{name}.cdx.json");
+        let list = sh.read_file(Path::new(folder).join(&file))?;
+        // It names each crate of the workspace by its folder.
+        sh.write_file(to.join(file), list.replace(&*copy.path().to_string_lossy(), "/goodbot"))?;
     }
     Ok(())
 }
