@@ -100,6 +100,7 @@ pub fn run(options: &Options) -> Result<()> {
         println!("\n== {name}: {about}");
         package.make(&sh, &texts, &to, options.target.as_deref())?;
     }
+    no_places(&sh, &to)?;
     checksums(&sh, &to)?;
     if options.twice { twice::compare(&sh, options, &to) } else { Ok(()) }
 }
@@ -276,6 +277,19 @@ fn materials(sh: &Shell, to: &Path) -> Result<()> {
     Ok(())
 }
 
+/// No package names a folder of this machine: on another one it would have other bytes.
+fn no_places(sh: &Shell, to: &Path) -> Result<()> {
+    let places = [root(), &target_dir(), &std::env::temp_dir().join("xshell-tmp-dir")].map(|place| place.display().to_string());
+    for file in files(sh, to)? {
+        for (name, bytes) in archive::contents(sh, &file)? {
+            let text = String::from_utf8_lossy(&bytes);
+            let named = places.iter().find(|place| text.contains(*place));
+            ensure!(named.is_none(), "{name} names {}, a folder of this machine", named.map_or("", String::as_str));
+        }
+    }
+    Ok(())
+}
+
 /// Lists every package's SHA-256, as `sha256sum --check` reads it.
 fn checksums(sh: &Shell, to: &Path) -> Result<()> {
     let _folder = sh.push_dir(to);
@@ -316,4 +330,24 @@ fn licences(sh: &Shell, folder: &Path) -> Result<()> {
 /// The name of the packed folder.
 fn name_of(folder: &Path) -> Result<String> {
     Ok(format!("{}.zip", folder.file_name().context("a folder has a name")?.to_string_lossy()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_package_that_names_a_folder_of_this_machine_is_refused() {
+        let sh = shell().unwrap();
+        let above = sh.create_temp_dir().unwrap();
+        let (to, folder) = (sh.create_dir(above.path().join("release")).unwrap(), above.path().join("goodbot"));
+        let made_of = |text: &str| {
+            sh.write_file(folder.join("list.json"), text).unwrap();
+            pack(&sh, &folder, &to.join("goodbot.zip")).unwrap();
+            no_places(&sh, &to).map_err(|error| error.to_string())
+        };
+        assert_eq!(made_of("file:///goodbot/core"), Ok(()));
+        let refused = made_of(&format!("file://{}/core", root().display())).unwrap_err();
+        assert!(refused.starts_with("goodbot.zip: goodbot/list.json names "), "{refused}");
+    }
 }
