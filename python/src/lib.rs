@@ -34,6 +34,11 @@ mod worlds;
 
 use pyo3::prelude::*;
 
+#[cfg(panic = "abort")]
+compile_error!(
+    "a panic would end the user's Python: build the wheel by the profile of pyproject.toml, which `maturin build --release` replaces"
+);
+
 /// What is written in Rust; `goodbot` itself is the place to import from.
 #[pymodule(name = "_native")]
 mod native {

@@ -4,6 +4,7 @@
 //! `target/programs` or the folder that `GOODBOT_PROGRAMS` names.
 
 use std::collections::HashMap;
+use std::env::consts::EXE_SUFFIX;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -141,7 +142,7 @@ pub fn built_by_cargo(program: &str) -> Option<PathBuf> {
 
 /// Where on the `PATH` a program is, if it is there.
 pub fn on_path(name: &str) -> Option<PathBuf> {
-    std::env::split_paths(&std::env::var_os("PATH")?).map(|folder| folder.join(name)).find(|file| file.is_file())
+    std::env::split_paths(&std::env::var_os("PATH")?).map(|folder| folder.join(format!("{name}{EXE_SUFFIX}"))).find(|file| file.is_file())
 }
 
 /// The first line that a program says of itself.
@@ -181,11 +182,14 @@ pub fn python3() -> Result<PathBuf> {
     Ok(python)
 }
 
+/// Where a virtual environment of Python's has its programs.
+pub const VENV: &str = if cfg!(windows) { "Scripts" } else { "bin" };
+
 /// The programs of a virtual environment of Python's, below the build folder, that has these packages.
 pub fn python_with(packages: &str, name: &str) -> Result<PathBuf> {
     let (sh, python, folder) = (shell()?, python3()?, target_dir().join(name));
-    let programs = folder.join("bin");
-    if !programs.join("pip").is_file() {
+    let programs = folder.join(VENV);
+    if !programs.join(format!("pip{EXE_SUFFIX}")).is_file() {
         cmd!(sh, "{python} -m venv {folder}").run()?;
     }
     let install = cmd!(sh, "{programs}/python -m pip install --quiet --disable-pip-version-check --no-compile {packages}").run();

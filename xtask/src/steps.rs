@@ -76,12 +76,16 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
-/// Of everything; of the core as a controller has it, and without its optional parts; and of the C library with each of its kinds of robot alone.
+/// Of everything; of the core as a controller has it, and without its optional parts; of the crates that take a part of the core, as somebody has
+/// them who has no other; and of the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?;
+    for part in ["course", "drive", "lesson"] {
+        cmd!(sh, "cargo clippy --package goodbot-{part} -- -D warnings").run()?;
+    }
     for kind in ["home", "table"] {
         cmd!(sh, "cargo clippy --package goodbot-capi --no-default-features --features alone,{kind} -- -D warnings").run()?;
     }

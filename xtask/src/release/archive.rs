@@ -41,3 +41,16 @@ pub fn pack(sh: &Shell, folder: &Path, to: &Path) -> Result<()> {
 pub fn unpack(from: &Path, folder: &Path) -> Result<()> {
     Ok(ZipArchive::new(File::open(from)?)?.extract_unwrapped_root_dir(folder, root_dir_common_filter)?)
 }
+
+/// What is in a file: each file of a zip archive with its name, such as a wheel's, and of another file its bytes.
+pub fn contents(sh: &Shell, file: &Path) -> Result<Vec<(String, Vec<u8>)>> {
+    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let Ok(mut archive) = ZipArchive::new(File::open(file)?) else { return Ok(vec![(name, sh.read_binary_file(file)?)]) };
+    let length = archive.len();
+    let inside = |at| {
+        let (mut inside, mut bytes) = (archive.by_index(at)?, Vec::new());
+        std::io::Read::read_to_end(&mut inside, &mut bytes)?;
+        Ok((format!("{name}: {}", inside.name()?), bytes))
+    };
+    (0..length).map(inside).collect()
+}

@@ -1,6 +1,6 @@
 //! The packages of the C library, used as their users do: by CMake, pkg-config, PlatformIO's script and Arduino's sketch.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 use xshell::cmd;
@@ -14,12 +14,24 @@ const TESTS: &str = "capi/tests/packages";
 /// A lesson to the lift, and a question.
 const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
 
+/// Makes them, that for boards without its archives, and tries them.
 pub fn check() -> Result<()> {
-    let (sh, gcc, gxx, programs) =
-        (shell()?, GCC.path()?, GXX.path()?, python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")?);
-    let (above, texts) = (sh.create_temp_dir()?, Texts::new(&sh)?);
+    let sh = shell()?;
+    let above = sh.create_temp_dir()?;
     let package = above.path().join("goodbot");
     unpacked_c(&sh, None, &package)?;
+    try_out(&package)?;
+    try_out_boards(&boards::without_archives(&sh, above.path())?, &package)
+}
+
+fn tools() -> Result<PathBuf> {
+    python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")
+}
+
+/// The library for this machine, in the folder where its package was unpacked.
+pub fn try_out(package: &Path) -> Result<()> {
+    let (sh, gcc, gxx, programs) = (shell()?, GCC.path()?, GXX.path()?, tools()?);
+    let (above, texts) = (sh.create_temp_dir()?, Texts::new(&sh)?);
     let examples = package.join("examples");
     let (project, built) = (sh.create_dir(above.path().join("project"))?, above.path().join("built"));
     texts.copy(&sh, &Path::new(TESTS).join("CMakeLists.txt"), &project.join("CMakeLists.txt"))?;
@@ -34,11 +46,15 @@ pub fn check() -> Result<()> {
     let found = cmd!(sh, "{programs}/pkgconf --cflags --libs goodbot").env("PKG_CONFIG_PATH", package.join("lib/pkgconfig")).read()?;
     let (found, program) = (found.split_whitespace(), built.join("by_pkg_config"));
     cmd!(sh, "{gcc} -std=c11 -Wall -Werror {examples}/lift.c -o {program}").args(found).run()?;
-    cmd!(sh, "{program}").run()?;
+    Ok(cmd!(sh, "{program}").run()?)
+}
 
-    let boards = boards::without_archives(&sh, above.path())?;
+/// The package for boards, unpacked; its sketch runs here, with the library for this machine.
+pub fn try_out_boards(boards: &Path, package: &Path) -> Result<()> {
+    let (sh, gxx, programs) = (shell()?, GXX.path()?, tools()?);
     cmd!(sh, "{programs}/python {TESTS}/platformio.py {boards}").run()?;
-    let (sketch, library) = (built.join("sketch"), package.join("lib/libgoodbot.a"));
+    let above = sh.create_temp_dir()?;
+    let (sketch, library) = (above.path().join("sketch"), package.join("lib/libgoodbot.a"));
     let warnings = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsanitize=address,undefined"];
     let compile = cmd!(sh, "{gxx} {warnings...} -I {TESTS} -I {boards}/src -include Arduino.h -x c++ {boards}/examples/Lift/Lift.ino");
     compile.args(["-x", "none"]).arg(library).arg("-o").arg(&sketch).run()?;

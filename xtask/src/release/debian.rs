@@ -30,8 +30,8 @@ pub fn make(sh: &Shell, texts: &Texts, folder: &Path, machine: &str, to: &Path) 
     let licences = ["LICENSE-MIT", "LICENSE-APACHE"].map(|file| sh.read_file(folder.join(file)));
     let licences = licences.into_iter().collect::<xshell::Result<Vec<_>>>()?.join("\n\n");
     sh.write_file(share.join("doc/goodbot/copyright"), licences)?;
-    // A program for musl brings its C library.
-    let needs = if machine.ends_with("gnu") { format!("Depends: libc6 (>= {})\n", c_library(sh)?) } else { String::new() };
+    // A program for musl brings its libraries.
+    let needs = if machine.ends_with("gnu") { format!("Depends: libc6 (>= {}), libgcc-s1\n", c_library(sh)?) } else { String::new() };
     let control = format!(
         "Package: {name}\nVersion: {version}\nArchitecture: {architecture}\nMaintainer: The goodbot developers\n{needs}\
          Section: science\nPriority: optional\nDescription: trains a robot by praise and blame to understand commands\n \

@@ -100,6 +100,7 @@ pub fn run(options: &Options) -> Result<()> {
         println!("\n== {name}: {about}");
         package.make(&sh, &texts, &to, options.target.as_deref())?;
     }
+    no_places(&sh, &to)?;
     checksums(&sh, &to)?;
     if options.twice { twice::compare(&sh, options, &to) } else { Ok(()) }
 }
@@ -227,7 +228,7 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
         let target = target_dir();
         // Apart: the sources have fewer crates than the lock file names.
         cmd!(sh, "{programs}/maturin sdist --out {built}").run()?;
-        let build = cmd!(sh, "{programs}/maturin build --quiet --release --locked --out {built} --interpreter {programs}/python");
+        let build = cmd!(sh, "{programs}/maturin build --quiet --locked --out {built} --interpreter {programs}/python");
         let build = build.args(["--zig", "--compatibility", MANYLINUX].iter().filter(|_| is_linux));
         // Maturin looks for zig where Python's programs are.
         let path = std::env::var_os("PATH").unwrap_or_default();
@@ -268,7 +269,23 @@ fn materials(sh: &Shell, to: &Path) -> Result<()> {
     for (name, folder) in SHIPPED {
         let list = cmd!(sh, "{path} cyclonedx --quiet --format json --override-filename {name}.cdx --manifest-path {folder}/Cargo.toml");
         list.env("CARGO_TARGET_DIR", target_dir()).run()?;
-        sh.copy_file(format!("{folder}/{name}.cdx.json"), to)?;
+        let file = format!("{name}.cdx.json");
+        let list = sh.read_file(Path::new(folder).join(&file))?;
+        // It names each crate of the workspace by its folder.
+        sh.write_file(to.join(file), list.replace(&*copy.path().to_string_lossy(), "/goodbot"))?;
+    }
+    Ok(())
+}
+
+/// No package names a folder of this machine: on another one it would have other bytes.
+fn no_places(sh: &Shell, to: &Path) -> Result<()> {
+    let places = [root(), &target_dir(), &std::env::temp_dir().join("xshell-tmp-dir")].map(|place| place.display().to_string());
+    for file in files(sh, to)? {
+        for (name, bytes) in archive::contents(sh, &file)? {
+            let text = String::from_utf8_lossy(&bytes);
+            let named = places.iter().find(|place| text.contains(*place));
+            ensure!(named.is_none(), "{name} names {}, a folder of this machine", named.map_or("", String::as_str));
+        }
     }
     Ok(())
 }
@@ -313,4 +330,24 @@ fn licences(sh: &Shell, folder: &Path) -> Result<()> {
 /// The name of the packed folder.
 fn name_of(folder: &Path) -> Result<String> {
     Ok(format!("{}.zip", folder.file_name().context("a folder has a name")?.to_string_lossy()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_package_that_names_a_folder_of_this_machine_is_refused() {
+        let sh = shell().unwrap();
+        let above = sh.create_temp_dir().unwrap();
+        let (to, folder) = (sh.create_dir(above.path().join("release")).unwrap(), above.path().join("goodbot"));
+        let made_of = |text: &str| {
+            sh.write_file(folder.join("list.json"), text).unwrap();
+            pack(&sh, &folder, &to.join("goodbot.zip")).unwrap();
+            no_places(&sh, &to).map_err(|error| error.to_string())
+        };
+        assert_eq!(made_of("file:///goodbot/core"), Ok(()));
+        let refused = made_of(&format!("file://{}/core", root().display())).unwrap_err();
+        assert!(refused.starts_with("goodbot.zip: goodbot/list.json names "), "{refused}");
+    }
 }

@@ -54,3 +54,25 @@ impl Texts {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::process::shell;
+
+    #[test]
+    fn whatever_is_published_from_its_folder_has_both_licences_there() {
+        let sh = shell().unwrap();
+        let published = |package: &Value| package["publish"].is_null() || package["name"] == "goodbot-python";
+        let folders = packages(&sh)
+            .unwrap()
+            .into_iter()
+            .filter(published)
+            .map(|package| Path::new(package["manifest_path"].as_str().unwrap()).parent().unwrap().to_owned());
+        let folders: Vec<_> = folders.collect();
+        assert!(folders.len() > 5);
+        for file in folders.iter().flat_map(|folder| ["LICENSE-APACHE", "LICENSE-MIT"].map(|file| folder.join(file))) {
+            assert!(file.is_file(), "{} is missing: link it to the file of the top folder", file.display());
+        }
+    }
+}

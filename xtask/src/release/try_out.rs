@@ -7,10 +7,10 @@ use anyhow::{Context, Result, ensure};
 use xshell::{Shell, cmd};
 use zip::ZipArchive;
 
-use super::archive::files;
-use super::{FOLDER, Package, npm};
+use super::archive::{self, files};
+use super::{FOLDER, Package, check, npm, this_machine};
 use crate::process::{root, target_dir};
-use crate::programs::{CHROMIUM, NODE, npm_packages, on_path, python3};
+use crate::programs::{CHROMIUM, NODE, VENV, npm_packages, on_path, python3};
 use crate::test::Run;
 
 /// Tries the chosen kinds of package that have a tool to install them.
@@ -21,11 +21,16 @@ pub fn run(sh: &Shell, from: &Path, packages: impl Iterator<Item = Package>) -> 
         let tried = match package {
             Package::Crates => library(sh, &the_one(sh, from, "goodbot-", ".crate")?),
             Package::Program => program(sh, from),
+            Package::C => check::try_out(&c_library(sh, from)?),
+            Package::Boards => {
+                unpack(&the_one(sh, from, "goodbot-boards-", ".zip")?, above.path())?;
+                check::try_out_boards(&above.path().join("goodbot"), &c_library(sh, from)?)
+            }
             Package::Python => wheel(sh, &the_one(sh, from, "goodbot-", ".whl")?),
             Package::Npm => npm_packages().and_then(|()| npm::try_out(sh, &the_one(sh, from, "goodbot-", ".tgz")?, &mut Run::default())),
             Package::Guide => guide(sh, &the_one(sh, from, "goodbot-guide-", ".zip")?),
-            // The C library is tried as `cargo xtask test --only packages`, the page and the micro:bit's file by steps of their names.
-            Package::C | Package::Boards | Package::Page | Package::Microbit | Package::Materials => continue,
+            // The page and the micro:bit's file are tried by the steps of their names of `cargo xtask test`.
+            Package::Page | Package::Microbit | Package::Materials => continue,
         };
         let name = package.described().0;
         tried.with_context(|| format!("the package {name}, as its users have it"))?;
@@ -61,24 +66,29 @@ fn library(sh: &Shell, package: &Path) -> Result<()> {
     Ok(cmd!(sh, "cargo run --quiet --manifest-path robot/Cargo.toml").env("CARGO_TARGET_DIR", target_dir().join("try-out")).run()?)
 }
 
+/// The C library for this machine, unpacked.
+fn c_library(sh: &Shell, from: &Path) -> Result<PathBuf> {
+    let (folder, end) = (sh.current_dir().join("c"), format!("-{}.zip", this_machine(sh)?));
+    archive::unpack(&the_one(sh, from, "goodbot-c-", &end)?, &folder)?;
+    Ok(folder)
+}
+
 /// The command line from Debian's package, or from the archive where there is no `dpkg`, and no file outside the package.
 fn program(sh: &Shell, from: &Path) -> Result<()> {
     let share = if on_path("dpkg").is_some() {
         let package = the_one(sh, from, "goodbot_", ".deb")?;
         cmd!(sh, "dpkg --extract {package} installed").run()?;
+        asks_for_its_libraries(sh, &package, Path::new("installed/usr/bin/goodbot"))?;
         "installed/usr"
     } else {
-        unpack(&the_one(sh, from, "goodbot-", ".zip")?, &sh.current_dir())?;
-        sh.remove_path("installed")?;
-        let folder = sh.read_dir(".")?.into_iter().next().context("the archive is empty")?;
-        cmd!(sh, "mv {folder} installed").run()?;
+        archive::unpack(&the_one(sh, from, "goodbot-", ".zip")?, &sh.current_dir().join("installed"))?;
         "installed"
     };
     let program = sh.current_dir().join(share).join("bin/goodbot");
     for file in ["man/man1/goodbot.1", "bash-completion/completions/goodbot", "fish/vendor_completions.d/goodbot.fish"] {
         ensure!(sh.path_exists(Path::new(share).join("share").join(file)), "share/{file} is missing");
     }
-    sh.write_file("sessions.jsonl", cmd!(sh, "{program} example sessions").read()?)?;
+    sh.write_file("sessions.jsonl", cmd!(sh, "{program} example log").read()?)?;
     sh.write_file("home.json", cmd!(sh, "{program} example home").read()?)?;
     cmd!(sh, "{program} learn sessions.jsonl --out words.goodbot").run()?;
     let said = cmd!(sh, "{program} ask --with words.goodbot --environment home.json go to the red room").read()?;
@@ -86,19 +96,35 @@ fn program(sh: &Shell, from: &Path) -> Result<()> {
     Ok(())
 }
 
+/// Each library that a program is linked to is in a package that Debian installs with this one.
+fn asks_for_its_libraries(sh: &Shell, package: &Path, program: &Path) -> Result<()> {
+    let asked = cmd!(sh, "dpkg-deb --field {package} Depends").read()?;
+    // There are none in a program for musl: `ldd` refuses it.
+    let linked = cmd!(sh, "ldd {program}").ignore_status().ignore_stderr().read()?;
+    for library in linked.lines().filter_map(|line| line.split_once(" => ")).map(|(name, _)| name.trim()) {
+        let owners = cmd!(sh, "dpkg-query --search */{library}").quiet().read()?;
+        let mut owners = owners.lines().filter_map(|line| line.split(':').next());
+        let is_asked = owners.any(|owner| asked.split(", ").any(|package| package.split(' ').next() == Some(owner)));
+        ensure!(is_asked, "the program is linked to {library}, and its package asks only for: {asked}");
+    }
+    Ok(())
+}
+
 /// In an environment of Python's that has nothing but pip.
 fn wheel(sh: &Shell, package: &Path) -> Result<()> {
     let python = python3()?;
     cmd!(sh, "{python} -m venv installed").run()?;
-    cmd!(sh, "installed/bin/python -m pip install --quiet --disable-pip-version-check {package}").run()?;
+    let programs = sh.current_dir().join("installed").join(VENV);
+    cmd!(sh, "{programs}/python -m pip install --quiet --disable-pip-version-check {package}").run()?;
     let lesson = "import goodbot\n\
         home = goodbot.Home.random(seed=1)\n\
         agent, trainer = goodbot.Agent(), goodbot.Trainer('punish-only')\n\
         trainer.teach(agent, home, home.start, 'go to the red room', home.tasks()[0])\n\
         print(goodbot.__file__)\n";
-    let place = cmd!(sh, "installed/bin/python -c {lesson}").read()?;
-    ensure!(Path::new(&place).starts_with(sh.current_dir()), "another goodbot was used: {place}");
-    let version = cmd!(sh, "installed/bin/goodbot --version").read()?;
+    let place = cmd!(sh, "{programs}/python -c {lesson}").read()?;
+    // Folders for temporary files may be links.
+    ensure!(Path::new(&place).canonicalize()?.starts_with(sh.current_dir().canonicalize()?), "another goodbot was used: {place}");
+    let version = cmd!(sh, "{programs}/goodbot --version").read()?;
     ensure!(version.starts_with("goodbot "), "`goodbot --version` says {version}");
     Ok(())
 }
