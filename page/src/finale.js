@@ -77,8 +77,8 @@ export function renderFinale(over, score, stops) {
   const name = make('input', { id: 'robot-name', value: state.robot.name, maxlength: 40, autocomplete: 'off' });
   name.addEventListener('change', () => giveName(name.value));
   $('card').replaceChildren(
-    ...(guest ? [] : [make('div', { class: 'field' }, make('label', { for: 'robot-name' }, t('card.name')), name)]),
     make('div', { class: 'row' },
+      guest ? null : make('div', { class: 'field grow' }, make('label', { for: 'robot-name' }, t('card.name')), name),
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
       canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
       make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),

@@ -47,6 +47,29 @@ async function finished(page) {
   await page.locator('#card:visible').waitFor();
 }
 
+test('at the end Good and Bad make room for the plan, and the next thing is seen whole; in the class view all is seen', async () => {
+  const page = await open(browser, { viewport: { width: 1280, height: 720 } });
+  await finished(page);
+  assert.ok(await page.locator('#good').isHidden());
+  assert.ok(await page.evaluate(() => document.getElementById('onward').getBoundingClientRect().bottom <= innerHeight));
+  await page.check('#set-presenter');
+  const tall = [];
+  for (const language of ['en', 'de', 'es', 'fr', 'zh']) {
+    await page.evaluate(code => {
+      const select = document.getElementById('language');
+      select.value = code;
+      select.dispatchEvent(new Event('change'));
+    }, language);
+    const height = await page.evaluate(() => document.documentElement.scrollHeight);
+    if (height > 720) tall.push(language + ': ' + height);
+  }
+  assert.deepEqual(tall, []);
+  await page.click('#end-presenter');
+  await page.click('[data-mode=play]');
+  assert.ok(await page.locator('#good').isVisible());
+  await close(page);
+});
+
 // A PNG file's width and height.
 const sizeOf = png => [png.subarray(1, 4).toString(), png.readUInt32BE(16), png.readUInt32BE(20)];
 

@@ -33,6 +33,7 @@ fn main() -> Result<()> {
     let mut scripts = scripts::bundle(&source, &folder, node)?;
     let mut body = assemble::body(&source)?;
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
+    let wasm = scripts::packable(&source, &wasm, node)?;
     let module = order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?;
     // In the order in which page/src/begin.js takes them. So they pack best.
     let parts: [(&str, &[u8]); 5] = [

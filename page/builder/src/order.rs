@@ -12,9 +12,9 @@ use wasmparser::{CodeSectionReader, CustomSectionReader, FunctionBody, FunctionS
 /// So many bytes that came before are compared with.
 const WINDOW: usize = 1_000;
 /// What is compared are runs of so many bytes,
-const RUN: usize = 6;
+const RUN: usize = 5;
 /// unless more functions than this have them.
-const COMMON: usize = 400;
+const COMMON: usize = 1_000;
 
 /// The same module with its functions in another order.
 pub fn neighbours(module: &[u8]) -> Result<Vec<u8>> {
@@ -113,7 +113,7 @@ fn order(bodies: &[&[u8]]) -> Vec<usize> {
     while !left.is_empty() {
         let fitness = |function: usize| {
             let length = bodies[function].len() as f64;
-            if order.is_empty() { length } else { common[function] / length.powf(0.9) }
+            if order.is_empty() { length } else { common[function] / length }
         };
         let best = (0..left.len()).max_by(|&a, &b| fitness(left[a]).total_cmp(&fitness(left[b]))).unwrap_or_default();
         let next = left.remove(best);

@@ -1,6 +1,6 @@
-//! The page's scripts: their types are checked, and they become one. Its style becomes small with them.
+//! What npm's programs do for the page. The types of its scripts are checked, and they become one; its style and its module become small.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, bail};
@@ -38,6 +38,17 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     run(&mut bundle, "the scripts in page/src cannot be joined")?;
     let read = |small: &Path| std::fs::read_to_string(small).with_context(|| format!("{} was not written", small.display()));
     Ok(Scripts { begin: read(&begin)?, others: read(&others)?, style: read(&style)? })
+}
+
+/// The module without what nothing calls and with equal functions once, written so that it packs well. Binaryen's passes that make a module smaller by
+/// themselves make it a fiftieth larger when packed.
+pub fn packable(page: &Path, module: &Path, node: &Path) -> Result<PathBuf> {
+    let small = module.with_extension("small.wasm");
+    let passes = "dealign remove-unused-module-elements duplicate-function-elimination rse vacuum reorder-locals";
+    let mut optimizer = Command::new(node);
+    optimizer.arg(page.join("node_modules/binaryen/bin/wasm-opt")).args(passes.split(' ').map(|pass| format!("--{pass}")));
+    run(optimizer.arg(module).arg("-o").arg(&small), "binaryen cannot make the module smaller")?;
+    Ok(small)
 }
 
 fn run(command: &mut Command, failure: &str) -> Result<()> {
