@@ -88,13 +88,13 @@ fn refused(path: &Path, error: &dyn std::fmt::Display) -> Failure {
 
 fn read_text(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
-    let file = File::open(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => refused(path, &format!("is not there; {HOW_TO_GET_IT}")),
-        _ => refused(path, &format!("cannot be read ({error}); check that you may read it")),
-    })?;
-    let read = file.take(MOST_BYTES).read_to_string(&mut text);
-    read.map_err(|_| refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}")))?;
-    Ok(text)
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
+    match read.map_err(|error| (error.kind(), error)) {
+        Ok(_) => Ok(text),
+        Err((ErrorKind::NotFound, _)) => Err(refused(path, &format!("is not there; {HOW_TO_GET_IT}"))),
+        Err((ErrorKind::InvalidData, _)) => Err(refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}"))),
+        Err((_, error)) => Err(refused(path, &format!("cannot be read ({error}); check its name and that you may read it"))),
+    }
 }
 
 /// A home that the board has room for.
