@@ -18,14 +18,19 @@ const MICROBIT: &[u8] = b":020000040000FA";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
 
-/// Standard output, as it is typed.
-const STANDARD_OUTPUT: &str = "-";
+/// Standard input and output, as they are typed.
+const STANDARD: &str = "-";
 
+/// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
+    /// A picture (SVG).
     Picture,
+    /// A model.
     Model,
+    /// A page of Markdown.
     Page,
+    /// A micro:bit's file.
     Microbit,
 }
 
@@ -47,45 +52,25 @@ pub struct Output {
     kind: Kind,
 }
 
-/// Whether this path means standard output.
+/// Whether this path means standard output, or for what is read, standard input.
 pub fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == STANDARD_OUTPUT
+    path.as_os_str() == STANDARD
 }
 
 impl Output {
-    /// A picture at this path. `inputs` are the files that are read.
+    /// A picture, if one is wanted. As [`new`](Self::new).
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn picture(path: &Option<PathBuf>, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Option<Self>, Failure> {
+        path.as_ref().map(|path| Self::new(Kind::Picture, path, inputs, force)).transpose()
+    }
+
+    /// Something at this path. `inputs` are the files that are read, and `force` says that a file of someone else's is replaced.
     ///
     /// # Errors
     /// Why it cannot or must not be written: better known before the work than after it.
-    pub fn picture<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Picture, inputs, force)
-    }
-
-    /// A model at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn model<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Model, inputs, force)
-    }
-
-    /// A page of Markdown at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn page<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Page, inputs, force)
-    }
-
-    /// A micro:bit's file at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn microbit<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Microbit, inputs, force)
-    }
-
-    fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+    pub fn new(kind: Kind, path: &Path, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
             return Ok(output);
@@ -94,7 +79,7 @@ impl Output {
         if path.is_dir() || path.file_name().is_none() {
             return refused("is a folder; name a file in it".to_owned());
         }
-        if inputs.any(|input| input != STANDARD_OUTPUT && are_one(Path::new(input), path)) {
+        if inputs.into_iter().any(|input| !is_standard(input.as_ref()) && are_one(input.as_ref(), path)) {
             return refused("is read here, and would be replaced; write to another file".to_owned());
         }
         if path.exists() && !path.is_file() {

@@ -13,7 +13,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::refusal::InWords;
 use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
@@ -64,8 +64,8 @@ pub struct MicrobitOptions {
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
-    let inputs = [options.hex.to_str(), options.model.to_str(), options.home.as_deref()];
-    let target = Output::microbit(&options.out, inputs.into_iter().flatten(), options.force)?;
+    let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(Path::new));
+    let target = Output::new(Kind::Microbit, &options.out, inputs, options.force)?;
     let mut file =
         MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &format!("{error}; {HOW_TO_GET_IT}")))?;
     let (slots, sessions) = slots(&options.model)?;

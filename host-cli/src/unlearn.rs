@@ -8,7 +8,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::whole_file::read_model;
 use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
@@ -47,8 +47,8 @@ pub struct UnlearnArgs {
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
-    let inputs = [args.model.to_str(), args.log.as_deref()].into_iter().flatten();
-    let target = Output::model(&args.out, inputs, args.force)?;
+    let inputs = [Some(args.model.as_path()), args.log.as_deref().map(Path::new)];
+    let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
     let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
     let mut agent = restored::agent(&args.model, &tasks)?;
     let kinds = kept(&args.model, &read_model(&args.model)?)?;

@@ -48,8 +48,7 @@ pub struct InspectOptions {
 /// Runs the command.
 pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let lifted = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
-    let target =
-        options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
+    let target = Output::picture(&options.plot, [&options.model], options.force)?;
     let agent = restored::agent(&options.model, &lifted)?;
     if options.sessions {
         let mut out = output::text(&[])?;

@@ -9,7 +9,7 @@ use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
+use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::refusal;
 use goodbot_console::starter::StarterOptions;
 use serde_json::json;
@@ -62,7 +62,7 @@ pub struct LearnOptions {
 /// Runs the command.
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
-    let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
+    let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
     let lessons::Lessons { mut lessons, skipped, with_way, no_task, long } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;

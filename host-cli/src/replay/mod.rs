@@ -131,9 +131,7 @@ struct Replay {
 
 impl Replay {
     fn new(args: &ReplayArgs) -> Result<Self, Failure> {
-        let files = args.files.iter().map(String::as_str);
-        let plot = args.plot.as_deref().map(|path| Output::picture(path, files, args.force)).transpose();
-        let plot = plot.map_err(|failure| failure.to_string())?;
+        let plot = Output::picture(&args.plot, &args.files, args.force).map_err(|failure| failure.to_string())?;
         let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
         let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
         let progress = if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new_spinner().with_style(style) };

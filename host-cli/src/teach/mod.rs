@@ -36,7 +36,7 @@ use goodbot_console::load::kinds;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::starter::StarterOptions;
 use goodbot_console::whole_file::read_model;
 use goodbot_formats::environment::EnvironmentFile;
@@ -135,7 +135,7 @@ pub struct TeachOptions {
 pub fn run(options: &TeachOptions) -> Result<(), Failure> {
     let seed = options.seed.unwrap_or(1);
     if let Some(file) = &options.picture {
-        let output = Output::picture(file, std::iter::empty(), options.force)?;
+        let output = Output::new(Kind::Picture, file, [] as [&Path; 0], options.force)?;
         return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
     }
     let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");

@@ -161,9 +161,9 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
         return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
     }
-    let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
-    let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
-    let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
+    let inputs = || options.files.iter().chain(&options.test).map(Path::new).chain(options.with.as_deref());
+    let [plot, curve] = [&options.plot, &options.curve].map(|path| Output::picture(path, inputs(), options.force));
+    let (plot, curve) = (plot?, curve?);
     let mut out = output::text(&[plot.as_ref(), curve.as_ref()])?;
     if options.ablation {
         return ablation(options, &lifted, &mut out);
