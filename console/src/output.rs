@@ -43,6 +43,26 @@ impl Kind {
             Self::Microbit => "micro:bit's file",
         }
     }
+
+    /// Whether nothing of someone else's is lost where this is written: there is no file, an empty one, or one of ours.
+    pub fn may_replace(self, path: &Path) -> bool {
+        // A device or a pipe is written to as it is.
+        if path.exists() && !path.is_file() {
+            return true;
+        }
+        let Ok(file) = File::open(path) else { return !path.exists() };
+        let mut head = Vec::new();
+        if file.take(HEAD).read_to_end(&mut head).is_err() {
+            return false;
+        }
+        head.is_empty()
+            || match self {
+                Self::Model => head.starts_with(MODEL),
+                Self::Microbit => head.starts_with(MICROBIT),
+                Self::Picture => String::from_utf8_lossy(&head).contains(MARK),
+                Self::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
+            }
+    }
 }
 
 /// Where something is to be written.
@@ -85,7 +105,7 @@ impl Output {
         if path.exists() && !path.is_file() {
             return Ok(output);
         }
-        if !force && !output.may_be_replaced() {
+        if !force && !kind.may_replace(path) {
             let what = kind.name();
             return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
         }
@@ -98,22 +118,6 @@ impl Output {
         }
     }
 
-    /// Whether nothing of someone else's is lost: there is no file, an empty one, or one of ours.
-    fn may_be_replaced(&self) -> bool {
-        let Ok(file) = File::open(&self.path) else { return !self.path.exists() };
-        let mut head = Vec::new();
-        if file.take(HEAD).read_to_end(&mut head).is_err() {
-            return false;
-        }
-        head.is_empty()
-            || match self.kind {
-                Kind::Model => head.starts_with(MODEL),
-                Kind::Microbit => head.starts_with(MICROBIT),
-                Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
-                Kind::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
-            }
-    }
-
     /// Whether it goes to standard output.
     pub fn is_standard(&self) -> bool {
         is_standard(&self.path)
@@ -122,6 +126,15 @@ impl Output {
     /// Its name in messages.
     pub fn name(&self) -> String {
         if self.is_standard() { "standard output".to_owned() } else { printable(&self.path.display().to_string()).into_owned() }
+    }
+
+    /// Writes a picture, if it could be drawn.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write), and [`Failure::Result`] where it could not be drawn.
+    pub fn draw(&self, picture: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
+        let picture = picture.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
+        self.write(picture.as_bytes())
     }
 
     /// Writes it, whole or not at all.

@@ -99,7 +99,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 
 /// A home that the board has room for.
 fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
-    let environment = input::home(name).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let environment = input::home(name)?;
     let mut memory = HomeHeap::new(&CAPACITIES);
     match home::build(&environment, Moves::Push, &mut memory) {
         Ok(_) => Ok(environment),
@@ -111,7 +111,7 @@ fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile
 fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let file = read_model(path)?;
     if let Some(kinds) = kept(path, &file)? {
-        let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+        let tasks = paper_tasks()?;
         let [theirs, own] = [texts(&kinds), texts(&tasks)].map(|texts| texts.join("; "));
         let message = format!(
             "was learned for the kinds of task {theirs}, and a micro:bit has {own} alone; learn a model without --task and --routes"
@@ -123,12 +123,12 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     if contents.options.language.model != Model::Roles {
         return Err(refused(path, &"was learned as in the paper, and the micro:bit has the role model alone"));
     }
-    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
-    let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+    let tasks = paper_tasks()?;
+    let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT)?;
     let is_layered = contents.options.language.layer;
     if contents.strategies.len() > 1 || is_layered {
         let room = CAPACITIES.at_least(contents.sizes);
-        let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+        let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT)?;
         learned.restore(&model).map_err(|error| refused(path, &error))?;
         if contents.strategies.len() > 1 {
             // The board's robot expects the paper's trainer.

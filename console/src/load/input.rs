@@ -148,6 +148,14 @@ pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
     rest(file, open(file)?)
 }
 
+/// All of a file, as text.
+///
+/// # Errors
+/// Where it cannot be read, or is not UTF-8.
+pub fn text(file: &str) -> Result<String, Fault> {
+    String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), Problem::NotUtf8))
+}
+
 /// All that is left of an opened file.
 pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();

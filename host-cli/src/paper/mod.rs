@@ -89,8 +89,7 @@ fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Wri
 }
 
 fn picture(target: &Output, drawing: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
-    let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-    target.write(drawing.as_bytes())?;
+    target.draw(drawing)?;
     say!("picture: {}", target.name());
     Ok(())
 }

@@ -155,6 +155,8 @@ fn a_dash_is_standard_output_and_the_text_then_goes_beside_it() {
     assert!(run.messages.contains("accuracy"), "{}", run.messages);
     let inspected = place.run(&["inspect", "model", "--plot", "-"]);
     assert!(inspected.output.starts_with("<svg") && inspected.messages.contains("4 sessions"), "{}", inspected.messages);
+    let replayed = place.run(&["replay", "log.jsonl", "--plot", "-"]);
+    assert!(replayed.output.starts_with("<svg") && replayed.messages.contains("4 learned from"), "{}", replayed.messages);
     let both = place.run(&["evaluate", "log.jsonl", "--plot", "-", "--curve", "-"]);
     assert_eq!((both.code, both.output.as_str()), (2, ""));
     assert!(both.messages.contains("cannot both go to standard output"), "{}", both.messages);
