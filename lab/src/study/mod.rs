@@ -226,9 +226,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     let (plan, runs) = options.runs()?;
     let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
     if let Some(target) = &target {
-        let drawing = picture::of(&plan, &rows, options.column);
-        let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-        target.write(drawing.as_bytes())?;
+        target.draw(picture::of(&plan, &rows, options.column))?;
         say!("picture: {}", target.name());
     }
     if options.json {

@@ -36,8 +36,7 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
     let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
-    let drawing = picture::of(&plan, &drawn, Column::Tests);
-    target.write(drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?.as_bytes())?;
+    target.draw(picture::of(&plan, &drawn, Column::Tests))?;
     let picture = beside.file_name().unwrap_or_default().to_string_lossy().into_owned();
     text.write(markdown(&plan, &runs, &rows, &picture, checks.as_deref()).as_bytes())?;
     say!("page: {}", text.name());

@@ -72,8 +72,8 @@ pub struct WaysOptions {
 pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     let asking = Asking { kappa: options.kappa, ..Asking::DEFAULT };
     asking.check().map_err(|error| Failure::Input(error.to_string()))?;
-    let task = LiftedTask::single(AGENT_IN_ROOM, &SCHEMA).map_err(|error| Failure::Result(error.to_string()))?;
-    let lifted = with_routes(&[task]).map_err(|error| Failure::Result(error.to_string()))?.to_vec();
+    let task = LiftedTask::single(AGENT_IN_ROOM, &SCHEMA)?;
+    let lifted = with_routes(&[task])?.to_vec();
     let plot = Output::picture(&options.plot, [] as [&Path; 0], options.force)?;
     let mut out = output::text(&[plot.as_ref()])?;
     let progress = bar(2 * options.runs as usize, "simulating robots");
@@ -96,7 +96,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     let robots = [silent?, asking?];
     // The picture comes first: a reader who leaves must not cost it.
     if let Some(plot) = plot {
-        plot.write(picture::draw(&robots, options).map_err(|error| Failure::Result(error.to_string()))?.as_bytes())?;
+        plot.draw(picture::draw(&robots, options))?;
     }
     if !options.json {
         writeln!(out, "questions  lessons  right of {} commands, 95 %      robots with 9 of 10 right", options.tests)?;
