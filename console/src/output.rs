@@ -18,14 +18,19 @@ const MICROBIT: &[u8] = b":020000040000FA";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
 
-/// Standard output, as it is typed.
-const STANDARD_OUTPUT: &str = "-";
+/// Standard input and output, as they are typed.
+const STANDARD: &str = "-";
 
+/// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
+    /// A picture (SVG).
     Picture,
+    /// A model.
     Model,
+    /// A page of Markdown.
     Page,
+    /// A micro:bit's file.
     Microbit,
 }
 
@@ -38,6 +43,26 @@ impl Kind {
             Self::Microbit => "micro:bit's file",
         }
     }
+
+    /// Whether nothing of someone else's is lost where this is written: there is no file, an empty one, or one of ours.
+    pub fn may_replace(self, path: &Path) -> bool {
+        // A device or a pipe is written to as it is.
+        if path.exists() && !path.is_file() {
+            return true;
+        }
+        let Ok(file) = File::open(path) else { return !path.exists() };
+        let mut head = Vec::new();
+        if file.take(HEAD).read_to_end(&mut head).is_err() {
+            return false;
+        }
+        head.is_empty()
+            || match self {
+                Self::Model => head.starts_with(MODEL),
+                Self::Microbit => head.starts_with(MICROBIT),
+                Self::Picture => String::from_utf8_lossy(&head).contains(MARK),
+                Self::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
+            }
+    }
 }
 
 /// Where something is to be written.
@@ -47,45 +72,25 @@ pub struct Output {
     kind: Kind,
 }
 
-/// Whether this path means standard output.
+/// Whether this path means standard output, or for what is read, standard input.
 pub fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == STANDARD_OUTPUT
+    path.as_os_str() == STANDARD
 }
 
 impl Output {
-    /// A picture at this path. `inputs` are the files that are read.
+    /// A picture, if one is wanted. As [`new`](Self::new).
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn picture(path: &Option<PathBuf>, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Option<Self>, Failure> {
+        path.as_ref().map(|path| Self::new(Kind::Picture, path, inputs, force)).transpose()
+    }
+
+    /// Something at this path. `inputs` are the files that are read, and `force` says that a file of someone else's is replaced.
     ///
     /// # Errors
     /// Why it cannot or must not be written: better known before the work than after it.
-    pub fn picture<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Picture, inputs, force)
-    }
-
-    /// A model at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn model<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Model, inputs, force)
-    }
-
-    /// A page of Markdown at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn page<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Page, inputs, force)
-    }
-
-    /// A micro:bit's file at this path. `inputs` are the files that are read.
-    ///
-    /// # Errors
-    /// As [`picture`](Self::picture).
-    pub fn microbit<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
-        Self::new(path, Kind::Microbit, inputs, force)
-    }
-
-    fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+    pub fn new(kind: Kind, path: &Path, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
             return Ok(output);
@@ -94,13 +99,13 @@ impl Output {
         if path.is_dir() || path.file_name().is_none() {
             return refused("is a folder; name a file in it".to_owned());
         }
-        if inputs.any(|input| input != STANDARD_OUTPUT && are_one(Path::new(input), path)) {
+        if inputs.into_iter().any(|input| !is_standard(input.as_ref()) && are_one(input.as_ref(), path)) {
             return refused("is read here, and would be replaced; write to another file".to_owned());
         }
         if path.exists() && !path.is_file() {
             return Ok(output);
         }
-        if !force && !output.may_be_replaced() {
+        if !force && !kind.may_replace(path) {
             let what = kind.name();
             return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
         }
@@ -113,22 +118,6 @@ impl Output {
         }
     }
 
-    /// Whether nothing of someone else's is lost: there is no file, an empty one, or one of ours.
-    fn may_be_replaced(&self) -> bool {
-        let Ok(file) = File::open(&self.path) else { return !self.path.exists() };
-        let mut head = Vec::new();
-        if file.take(HEAD).read_to_end(&mut head).is_err() {
-            return false;
-        }
-        head.is_empty()
-            || match self.kind {
-                Kind::Model => head.starts_with(MODEL),
-                Kind::Microbit => head.starts_with(MICROBIT),
-                Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
-                Kind::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
-            }
-    }
-
     /// Whether it goes to standard output.
     pub fn is_standard(&self) -> bool {
         is_standard(&self.path)
@@ -137,6 +126,15 @@ impl Output {
     /// Its name in messages.
     pub fn name(&self) -> String {
         if self.is_standard() { "standard output".to_owned() } else { printable(&self.path.display().to_string()).into_owned() }
+    }
+
+    /// Writes a picture, if it could be drawn.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write), and [`Failure::Result`] where it could not be drawn.
+    pub fn draw(&self, picture: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
+        let picture = picture.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
+        self.write(picture.as_bytes())
     }
 
     /// Writes it, whole or not at all.

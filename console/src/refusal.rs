@@ -7,12 +7,7 @@ use goodbot::task::TaskTextError;
 use goodbot_lesson::home;
 use goodbot_lesson::live::LiveError;
 
-/// What an agent refused, and what to do.
-pub fn in_words(error: &AgentError) -> String {
-    error.in_words()
-}
-
-/// As [`in_words`], of a robot in a world from a file: its field, what was refused, and what to do.
+/// What an agent refused of a robot in a world from a file: the field at fault, and what to do.
 pub fn in_a_world(error: &AgentError) -> (&'static str, String) {
     let &AgentError::Capacity(CapacityError { capacity, limit, given }) = error else { return ("objects", error.to_string()) };
     let (field, what, remedy) = match capacity {
@@ -27,56 +22,41 @@ pub fn in_a_world(error: &AgentError) -> (&'static str, String) {
 }
 
 /// An error in the words of who uses the program.
-pub trait InWords {
+pub trait InWords: std::fmt::Display {
+    /// The full table, where that is what is wrong.
+    fn full(&self) -> Option<&CapacityError>;
+
     /// What was refused, and what to do.
-    fn in_words(&self) -> String;
+    fn in_words(&self) -> String {
+        self.full().map_or_else(|| self.to_string(), full)
+    }
 }
 
-impl InWords for AgentError {
-    fn in_words(&self) -> String {
-        match self {
-            Self::Capacity(error) => full(error),
-            error => error.to_string(),
-        }
-    }
+macro_rules! in_words {
+    ($($Error:ty: $full:pat => $error:expr),*) => {
+        $(impl InWords for $Error {
+            fn full(&self) -> Option<&CapacityError> {
+                if let $full = self { Some($error) } else { None }
+            }
+        })*
+    };
+}
+in_words! {
+    AgentError: Self::Capacity(error) => error,
+    RestoreError: Self::Capacity(error) => error,
+    TaskTextError: Self::Capacity(error) => error,
+    LiveError: Self::Agent(AgentError::Capacity(error)) => error
 }
 
 impl InWords for CapacityError {
-    fn in_words(&self) -> String {
-        full(self)
-    }
-}
-
-impl InWords for RestoreError {
-    fn in_words(&self) -> String {
-        match self {
-            Self::Capacity(error) => full(error),
-            error => error.to_string(),
-        }
+    fn full(&self) -> Option<&CapacityError> {
+        Some(self)
     }
 }
 
 impl InWords for SaveError {
-    fn in_words(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl InWords for TaskTextError {
-    fn in_words(&self) -> String {
-        match self {
-            Self::Capacity(error) => full(error),
-            error => error.to_string(),
-        }
-    }
-}
-
-impl InWords for LiveError {
-    fn in_words(&self) -> String {
-        match self {
-            Self::Agent(error) => error.in_words(),
-            error => error.to_string(),
-        }
+    fn full(&self) -> Option<&CapacityError> {
+        None
     }
 }
 

@@ -18,7 +18,6 @@ use goodbot::snapshot::SAVED;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::session::SessionReader;
-use goodbot_lesson::Fault;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -115,9 +114,7 @@ impl Starter {
                 let log = text.session(*kind, sentence, number + time * text.sentences.len());
                 for session in SessionReader::new(log.as_bytes()) {
                     let session = session.map_err(|error| fault(&error))?;
-                    let refused =
-                        |faults: Vec<Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
-                    lessons.push(witness.lesson("starter", &session).map_err(refused)?);
+                    lessons.push(witness.lesson("starter", &session)?);
                 }
             }
         }

@@ -55,9 +55,5 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
 }
 
 fn read<T>(file: &str, parse: fn(&str) -> Result<T, PddlError>) -> Result<T, Failure> {
-    let name = input::name(file);
-    let refused = |fault: Fault| Failure::Input(fault.to_string());
-    let bytes = input::bytes(file).map_err(refused)?;
-    let text = String::from_utf8(bytes).map_err(|_| refused(Fault::new(name, "is no text in UTF-8")))?;
-    parse(&text).map_err(|error| refused(Fault::on_line(name, error.line, error.message)))
+    parse(&input::text(file)?).map_err(|error| Fault::on_line(input::name(file), error.line, error.message).into())
 }

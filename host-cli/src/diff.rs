@@ -112,7 +112,7 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
 }
 
 fn known(file: &Path) -> Result<Known, Failure> {
-    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let tasks = paper_tasks()?;
     let agent = restored::agent(file, &tasks)?;
     let lexicon = Lexicon::of(agent.language());
     let full = FullWords::new(agent.language().settings().letters_kept());

@@ -10,7 +10,7 @@ use goodbot_console::learner;
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::whole_file::read_model;
 use std::path::{Path, PathBuf};
 
@@ -48,15 +48,14 @@ Example:
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
-    let target =
-        Output::model(&options.out, [&options.first, &options.second].into_iter().filter_map(|path| path.to_str()), options.force)?;
+    let target = Output::new(Kind::Model, &options.out, [&options.first, &options.second], options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
-    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let tasks = paper_tasks()?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
     let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
-    let mut agent = Agent::new(memory, &tasks, Options::PAPER).map_err(|error| Failure::Input(error.to_string()))?;
+    let mut agent = Agent::new(memory, &tasks, Options::PAPER)?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     // What is believed of the trainer, and how, has nothing to do with how words were learned.
@@ -64,7 +63,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
-    let model = agent.saved().map_err(|error| Failure::Input(error.to_string()))?;
+    let model = agent.saved()?;
     target.write(&match kinds(&options.first, &first, &options.second, &second)? {
         Some(kinds) => with_kinds(model, &kinds),
         None => model,

@@ -13,7 +13,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::refusal::InWords;
 use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
@@ -64,8 +64,8 @@ pub struct MicrobitOptions {
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
-    let inputs = [options.hex.to_str(), options.model.to_str(), options.home.as_deref()];
-    let target = Output::microbit(&options.out, inputs.into_iter().flatten(), options.force)?;
+    let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(Path::new));
+    let target = Output::new(Kind::Microbit, &options.out, inputs, options.force)?;
     let mut file =
         MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &format!("{error}; {HOW_TO_GET_IT}")))?;
     let (slots, sessions) = slots(&options.model)?;
@@ -88,18 +88,18 @@ fn refused(path: &Path, error: &dyn std::fmt::Display) -> Failure {
 
 fn read_text(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
-    let file = File::open(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => refused(path, &format!("is not there; {HOW_TO_GET_IT}")),
-        _ => refused(path, &format!("cannot be read ({error}); check that you may read it")),
-    })?;
-    let read = file.take(MOST_BYTES).read_to_string(&mut text);
-    read.map_err(|_| refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}")))?;
-    Ok(text)
+    let read = File::open(path).and_then(|file| file.take(MOST_BYTES).read_to_string(&mut text));
+    match read.map_err(|error| (error.kind(), error)) {
+        Ok(_) => Ok(text),
+        Err((ErrorKind::NotFound, _)) => Err(refused(path, &format!("is not there; {HOW_TO_GET_IT}"))),
+        Err((ErrorKind::InvalidData, _)) => Err(refused(path, &format!("is no micro:bit program; {HOW_TO_GET_IT}"))),
+        Err((_, error)) => Err(refused(path, &format!("cannot be read ({error}); check its name and that you may read it"))),
+    }
 }
 
 /// A home that the board has room for.
 fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
-    let environment = input::home(name).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let environment = input::home(name)?;
     let mut memory = HomeHeap::new(&CAPACITIES);
     match home::build(&environment, Moves::Push, &mut memory) {
         Ok(_) => Ok(environment),
@@ -111,7 +111,7 @@ fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile
 fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let file = read_model(path)?;
     if let Some(kinds) = kept(path, &file)? {
-        let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+        let tasks = paper_tasks()?;
         let [theirs, own] = [texts(&kinds), texts(&tasks)].map(|texts| texts.join("; "));
         let message = format!(
             "was learned for the kinds of task {theirs}, and a micro:bit has {own} alone; learn a model without --task and --routes"
@@ -123,12 +123,12 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     if contents.options.language.model != Model::Roles {
         return Err(refused(path, &"was learned as in the paper, and the micro:bit has the role model alone"));
     }
-    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
-    let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+    let tasks = paper_tasks()?;
+    let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT)?;
     let is_layered = contents.options.language.layer;
     if contents.strategies.len() > 1 || is_layered {
         let room = CAPACITIES.at_least(contents.sizes);
-        let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT).map_err(|error| Failure::Input(error.to_string()))?;
+        let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT)?;
         learned.restore(&model).map_err(|error| refused(path, &error))?;
         if contents.strategies.len() > 1 {
             // The board's robot expects the paper's trainer.

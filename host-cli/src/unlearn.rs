@@ -8,7 +8,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::whole_file::read_model;
 use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
@@ -47,9 +47,9 @@ pub struct UnlearnArgs {
 /// # Errors
 /// [`Failure`] names the file and what is wrong with it.
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
-    let inputs = [args.model.to_str(), args.log.as_deref()].into_iter().flatten();
-    let target = Output::model(&args.out, inputs, args.force)?;
-    let tasks = paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+    let inputs = [Some(args.model.as_path()), args.log.as_deref().map(Path::new)];
+    let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
+    let tasks = paper_tasks()?;
     let mut agent = restored::agent(&args.model, &tasks)?;
     let kinds = kept(&args.model, &read_model(&args.model)?)?;
     let commands = sessions::commands(&agent);
@@ -62,7 +62,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
         return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
     }
     restored::learn_fully(&mut agent);
-    let model = agent.saved().map_err(|error| Failure::Input(error.to_string()))?;
+    let model = agent.saved()?;
     target.write(&match kinds {
         Some(kinds) => with_kinds(model, &kinds),
         None => model,
@@ -86,10 +86,10 @@ fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
 /// The position of a session that is named by its id in the log of all that was learned.
 fn position_in_log(model: &Path, log: &str, id: &str, count: usize) -> Result<usize, Failure> {
     let name = input::name(log);
-    let opened = input::log(log).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let opened = input::log(log)?;
     let mut ids = Vec::new();
     for session in SessionReader::new(opened) {
-        let session = session.map_err(|error| Failure::Input(Fault::from_format(name, error).to_string()))?;
+        let session = session.map_err(|error| Fault::from_format(name, error))?;
         if session.learn {
             ids.push(session.header.id);
         }

@@ -1,5 +1,6 @@
 //! Whether what is said to be 80 % sure is right in 8 of 10: answers by how sure they were, and a picture of that.
 
+use crate::canvas::{GREEN, draw as canvas};
 use crate::mean::wilson;
 use plotters::prelude::*;
 use std::error::Error;
@@ -57,11 +58,8 @@ pub fn error(ranges: &[Range]) -> f64 {
 /// # Errors
 /// What the plotting library says.
 pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<String, Box<dyn Error>> {
-    let mut svg = String::new();
-    {
-        let canvas = SVGBackend::with_string(&mut svg, (560, 560)).into_drawing_area();
-        canvas.fill(&WHITE)?;
-        let mut chart = ChartBuilder::on(&canvas)
+    canvas((560, 560), |area| {
+        let mut chart = ChartBuilder::on(area)
             .caption(caption, ("sans-serif", 18))
             .margin(16)
             .x_label_area_size(44)
@@ -70,18 +68,16 @@ pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<S
         chart.configure_mesh().x_desc(across).y_desc(up).draw()?;
         let gray = RGBColor(150, 150, 150);
         chart.draw_series(LineSeries::new([(0.0, 0.0), (100.0, 100.0)], gray.stroke_width(1)))?;
-        let color = RGBColor(76, 140, 86);
         for range in ranges.iter().filter(|range| range.count > 0) {
             let (x, y) = (100.0 * range.certainty(), 100.0 * range.accuracy());
             let (low, high) = wilson(range.right, range.count);
-            chart.draw_series(LineSeries::new([(x, 100.0 * low), (x, 100.0 * high)], color.stroke_width(1)))?;
-            chart.draw_series(std::iter::once(Circle::new((x, y), 4, color.filled())))?;
+            chart.draw_series(LineSeries::new([(x, 100.0 * low), (x, 100.0 * high)], GREEN.stroke_width(1)))?;
+            chart.draw_series(std::iter::once(Circle::new((x, y), 4, GREEN.filled())))?;
             let label = Text::new(range.count.to_string(), (x - 1.5, (100.0 * high + 4.0).min(107.0)), ("sans-serif", 12));
             chart.draw_series(std::iter::once(label))?;
         }
-        canvas.present()?;
-    }
-    Ok(svg)
+        Ok(())
+    })
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@
 //! | [`questions`] | simulates sessions with questions and without |
 //! | [`ways`] | simulates how the robot learns commands with a way |
 //!
-//! They share [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
+//! They share [`recorded`] for what real trainers saw and said, [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
 
 #![forbid(unsafe_code)]
 // Each command lists its own rooms, for who reads the source.
@@ -21,5 +21,6 @@ pub mod evaluate;
 pub mod fit_trainers;
 pub mod mean;
 pub mod questions;
+pub mod recorded;
 pub mod study;
 pub mod ways;

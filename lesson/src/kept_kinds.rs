@@ -5,8 +5,7 @@
 
 use goodbot::oomdp::Schema;
 use goodbot::snapshot::KINDS_MAGIC;
-use goodbot::task::{LiftedProposition, LiftedTask, Part};
-use goodbot_formats::task_text::{LiftedAtomText, LiftedTaskText, WayText};
+use goodbot::task::{LiftedProposition, LiftedTask, Piece, Wording};
 use std::fmt;
 
 /// Bytes of the magic and the length, and of the check at the end.
@@ -81,27 +80,16 @@ fn crc(bytes: &[u8]) -> u32 {
 /// # Ok::<(), goodbot::task::TaskTextError>(())
 /// ```
 pub fn text(kind: &LiftedTask, schema: &Schema<'_>) -> String {
-    let atom = |part: LiftedProposition| {
-        let named = |&variable: &u8| char::from(b'a' + variable).to_string();
-        let variables = part.variables.iter().take(schema.parameters(part.proposition).len()).map(named);
-        LiftedAtomText::new(schema.proposition_name(part.proposition), variables)
-    };
-    let (mut goal, mut way) = (Vec::new(), WayText::default());
-    for (part, proposition) in kind.parts() {
-        let Ok(atom) = atom(proposition) else { continue };
-        let place = |lists: &mut Vec<Vec<LiftedAtomText>>, position: u8, atom| {
-            let position = usize::from(position);
-            lists.resize(lists.len().max(position + 1), vec![]);
-            lists[position].push(atom);
-        };
-        match part {
-            Part::Goal => goal.push(atom),
-            Part::Before(position) => place(&mut way.before, position, atom),
-            Part::Through(position) => place(&mut way.through, position, atom),
-            Part::Avoiding => way.avoiding.push(atom),
+    let mut text = String::new();
+    Wording::FILES.tell(kind.parts(), |piece| match piece {
+        Piece::Between(sign) => text.push_str(sign),
+        Piece::Proposition(_, LiftedProposition { proposition, variables }) => {
+            let count = schema.parameters(proposition).len();
+            let named: Vec<String> = variables.iter().take(count).map(|variable| format!("?{}", char::from(b'a' + variable))).collect();
+            text += &format!("{}({})", schema.proposition_name(proposition), named.join(","));
         }
-    }
-    LiftedTaskText::with_way(goal, way).map(|text| text.to_string()).unwrap_or_default()
+    });
+    text
 }
 
 /// Whether two lists have the same kinds, in any order.

@@ -16,11 +16,14 @@ use goodbot::language::{Meaning, Synonyms};
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::Progress;
 use goodbot::session::{Evidence, Phase};
-use goodbot::snapshot::{Contents, SAVED};
+use goodbot::snapshot::Contents;
 use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{AgentError, Capacities, Options};
+use goodbot_console::lessons::restored::{room_for, room_for_tasks};
+use goodbot_console::output::Kind;
+use goodbot_console::whole_file::{MOST_BYTES, write_whole};
 use goodbot_lesson::first_words;
 use goodbot_lesson::kept_kinds;
 use goodbot_lesson::world::robot as world;
@@ -28,15 +31,13 @@ use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyString};
 use std::collections::HashMap;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, TryLockError};
 
 /// The most that any table may hold, whatever a file says.
 const MOST_OF_A_FIELD: usize = 1 << 24;
-/// The most bytes of a model file.
-const MOST_BYTES: u64 = 64 << 20;
 
 pub const fn evidence_name(evidence: Evidence) -> &'static str {
     match evidence {
@@ -173,13 +174,8 @@ impl Agent {
     fn restored(py: Python<'_>, bytes: &[u8], kinds: Kinds, seed: u64) -> PyResult<Self> {
         let read = catch_unwind(AssertUnwindSafe(|| -> PyResult<Mind> {
             let contents = Contents::read(bytes).map_err(|refused| error::restore(py, refused))?;
-            let mut most = Capacities::STANDARD;
-            for capacity in SAVED {
-                most.set(capacity, MOST_OF_A_FIELD);
-            }
-            let capacities = Capacities::STANDARD.at_least(contents.sizes.at_most(most));
-            let tasks = contents.possible.len().saturating_add(Capacities::STANDARD.pairs);
-            let mut mind = Mind::new(&capacities, tasks, kinds, contents.options, seed).map_err(|refused| error::agent(py, refused))?;
+            let mut mind = Mind::new(&room_for(&contents), room_for_tasks(&contents), kinds, contents.options, seed)
+                .map_err(|refused| error::agent(py, refused))?;
             mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
             mind.learn(py)?;
             Ok(mind)
@@ -210,23 +206,13 @@ fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_
     }
 }
 
-/// Writes a file as a whole or not at all. What is there and is no model is not replaced, unless that is asked for.
+/// Writes a model as the command line does. Another file is not replaced unless `force` says so.
 fn write_model(path: &Path, bytes: &[u8], force: bool) -> PyResult<()> {
-    let mut head = [0; 8];
-    let is_other = std::fs::File::open(path).is_ok_and(|mut file| file.read_exact(&mut head).is_err() || head != *b"goodbot\0");
-    if is_other && !force {
+    if !force && !Kind::Model.may_replace(path) {
         let message = format!("{} is there and is no model; name another file, or say force=True", path.display());
         return Err(PyFileExistsError::new_err(message));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    Ok(write_whole(path, bytes)?)
 }
 
 #[pymethods]

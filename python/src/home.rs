@@ -4,15 +4,15 @@ use crate::error::{format, full, misformed, value};
 use crate::options::{as_dict, capacities_of};
 use crate::place::{action_of, task_name};
 use goodbot::capacity::{Capacity, CapacityError};
-use goodbot::home::{self, Area, BLOCK, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
+use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId, PushGrid, apply};
 use goodbot::task::{GroundedTask, LiftedTask, ground};
 use goodbot::{Capacities, home::SCHEMA};
 use goodbot_course::{Exercise, HomeName, Layout, generator};
-use goodbot_formats::environment::{EnvironmentFile, ObjectRecord, object_line};
+use goodbot_formats::environment::{EnvironmentFile, object_line};
 use goodbot_formats::map;
-use goodbot_lesson::home::Flaw;
+use goodbot_lesson::home::{Flaw, environment};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -51,29 +51,6 @@ pub struct Home {
     pub rooms: Rooms,
     pub start: HomeState,
     mark: u64,
-}
-
-/// The objects of a home where they are in a state.
-pub fn environment(rooms: &Rooms, state: &HomeState) -> EnvironmentFile {
-    let objects = rooms.objects();
-    let record = |id: ObjectId| {
-        let (name, area) = (objects.name(id).to_owned(), rooms.area(id));
-        let Area { left, bottom, right, top } = area;
-        let (color, shape) = (objects.value(id, COLOR).to_owned(), objects.value(id, SHAPE).to_owned());
-        match objects.get(id).map(|object| object.class) {
-            Some(ROOM) => ObjectRecord::Room { name, left, bottom, right, top, color },
-            Some(DOOR) => ObjectRecord::Door { name, left, bottom, right, top },
-            Some(BLOCK) => {
-                let cell = rooms.block_cell(state, id).unwrap_or(Cell::new(left, bottom));
-                ObjectRecord::Block { name, x: cell.x, y: cell.y, color, shape }
-            }
-            _ => {
-                let cell = rooms.agent_cell(state);
-                ObjectRecord::Agent { name, x: cell.x, y: cell.y }
-            }
-        }
-    };
-    EnvironmentFile { derived: rooms.tells_derived(), ..EnvironmentFile::new(objects.iter().map(|(id, _)| record(id)).collect()) }
 }
 
 const fn moves(pull: bool) -> Moves {

@@ -3,7 +3,7 @@
 use crate::agent::{Agent, evidence_name};
 use crate::arrays::array;
 use crate::error::{self, format, value};
-use crate::home::{Home, Rooms, environment};
+use crate::home::{Home, Rooms};
 use crate::mind::{Mind, PART, warn};
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
@@ -54,7 +54,7 @@ fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecor
 pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader {
     let names = || rooms.actions().iter().map(|kind| kind.name.to_owned()).collect();
     let actions = (rooms.moves() == Moves::PushAndPull).then(names);
-    SessionHeader { actions, ..SessionHeader::new(Kind::Feedback, environment(rooms, state), command.to_owned()) }
+    SessionHeader { actions, ..SessionHeader::new(Kind::Feedback, home::environment(rooms, state), command.to_owned()) }
 }
 
 /// The sessions of a log, as bytes of JSON Lines.

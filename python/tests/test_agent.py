@@ -151,6 +151,19 @@ def test_a_file_that_is_no_model_is_not_replaced(tmp_path: Path) -> None:
     goodbot.Agent().save(file)
 
 
+def test_a_model_is_written_as_the_command_line_writes_it(tmp_path: Path) -> None:
+    model, link, empty = tmp_path / "mine.goodbot", tmp_path / "link", tmp_path / "empty"
+    goodbot.Agent().save(model)
+    model.chmod(0o600)
+    link.symlink_to(model)
+    empty.touch()
+    goodbot.Agent().save(link)
+    assert link.is_symlink() and model.stat().st_mode & 0o777 == 0o600
+    goodbot.Agent().save(empty)
+    goodbot.Agent().save(Path("/dev/null"))
+    assert not Path("/dev/null").is_file()
+
+
 def test_damaged_models_are_model_errors() -> None:
     good = goodbot.Agent().to_bytes()
     damaged = bytearray(good)

@@ -25,6 +25,15 @@ def test_a_log_is_written_as_it_was_read(root: Path, tmp_path: Path) -> None:
     assert len(goodbot.read_log(file)) == 2 * len(sessions)
 
 
+def test_a_session_begins_on_a_line_of_its_own_though_the_log_was_left_in_the_middle_of_one(root: Path, tmp_path: Path) -> None:
+    source = root / "docs/examples/sessions.jsonl"
+    sessions = goodbot.read_log(source)
+    file = tmp_path / "cut.jsonl"
+    file.write_text(source.read_text().rstrip())
+    goodbot.write_log(file, sessions, append=True)
+    assert goodbot.read_log(file) == sessions + sessions
+
+
 def test_a_fault_in_a_log_names_file_line_and_field(root: Path, tmp_path: Path) -> None:
     lines = (root / "docs/examples/sessions.jsonl").read_text().splitlines()
     file = tmp_path / "faulty.jsonl"

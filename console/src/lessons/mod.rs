@@ -17,7 +17,7 @@ use crate::believes::Believes;
 use crate::load::content::Content;
 use crate::load::input;
 use crate::load::limit::Limit;
-use crate::messages::{bar, counted, counting, printable, say, summed};
+use crate::messages::{bar, counted, counting, say, summed};
 use crate::outcome::Failure;
 use evidence::{Witness, told_pairs};
 use goodbot::Options;
@@ -137,12 +137,12 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     let mut left = told.limit.count();
     let progress = counting("reading sessions");
     for file in files {
-        let opened = input::log(file).map_err(|fault| Failure::Input(fault.to_string()))?;
+        let opened = input::log(file)?;
         let name = input::name(file);
         let is_of_homes = Content::of(opened.buffer()) != Content::Worlds;
         if *homes.get_or_insert(is_of_homes) != is_of_homes {
             let message = "does not mix with the log before it: one has homes, the other has worlds; learn from each by itself";
-            return Err(Failure::Input(Fault::new(name, message).to_string()));
+            return Err(Fault::new(name, message).into());
         }
         if !is_of_homes {
             worlds::read(name, opened, options, told.believes.as_ref(), plans, &mut left, |lesson| {
@@ -233,11 +233,10 @@ fn too_many(name: &str) -> Failure {
 }
 
 fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(), Failure> {
-    let text: Vec<String> = faults.iter().map(ToString::to_string).collect();
     if !keep_going {
-        return Err(Failure::Input(text.join("\n")));
+        return Err(faults.to_vec().into());
     }
-    eprintln!("{}", printable(&text.join("\n")));
+    input::tell(faults);
     *skipped += 1;
     if *skipped > MOST_FAULTS {
         let message = format!("more than {MOST_FAULTS} sessions are at fault; check with goodbot check that this is a session log");

@@ -3,9 +3,11 @@
 use super::content::Content;
 use crate::messages::printable;
 use crate::whole_file::MOST_BYTES;
+use goodbot_formats::FormatError;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_formats::world::{WorldFile, field_line};
+use goodbot_formats::session::{RecordedSession, SessionReader};
+use goodbot_formats::world::{Line, WorldFile, WorldReader, field_line};
 use goodbot_lesson::{Fault, home};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
@@ -35,6 +37,19 @@ pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
         return Err(Fault::new(name(file), message));
     }
     Ok(opened)
+}
+
+/// The sessions of a log, be it of homes or of worlds.
+pub fn sessions<'l>(mut log: impl BufRead + 'l) -> Box<dyn Iterator<Item = Result<RecordedSession, FormatError>> + 'l> {
+    // What cannot be read is told when it is read.
+    if !log.fill_buf().is_ok_and(|head| Content::of(head) == Content::Worlds) {
+        return Box::new(SessionReader::new(log));
+    }
+    Box::new(WorldReader::new(log).filter_map(|line| match line {
+        Ok(Line::Session(session)) => Some(Ok(session.session)),
+        Ok(Line::World(_) | Line::Command(_)) => None,
+        Err(error) => Some(Err(error)),
+    }))
 }
 
 /// Whether this is the beginning of a home as JSON, be it on one line or on many.
@@ -131,6 +146,14 @@ pub fn tell(faults: &[Fault]) {
 /// All of a file.
 pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
     rest(file, open(file)?)
+}
+
+/// All of a file, as text.
+///
+/// # Errors
+/// Where it cannot be read, or is not UTF-8.
+pub fn text(file: &str) -> Result<String, Fault> {
+    String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), Problem::NotUtf8))
 }
 
 /// All that is left of an opened file.

@@ -30,7 +30,7 @@ impl TaskKinds {
     /// # Errors
     /// [`Failure::Input`] where they are too many.
     pub fn lifted(&self) -> Result<Vec<LiftedTask>, Failure> {
-        let paper = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
+        let paper = home::paper_tasks()?;
         let mut lifted = if self.only_these_tasks { vec![] } else { paper.to_vec() };
         for kind in &self.kinds {
             if !lifted.contains(kind) {

@@ -2,7 +2,6 @@
 
 use super::input;
 use crate::outcome::Failure;
-use crate::refusal;
 use clap::{Args, ValueHint};
 use goodbot::capacity::CapacityError;
 use goodbot::language::{LanguageRef, Synonyms};
@@ -17,48 +16,21 @@ pub struct SynonymOptions {
     synonyms: Option<String>,
 }
 
-/// The file of a table, which [`SynonymFile::table`] reads.
-#[derive(Debug, Default)]
-pub struct SynonymFile {
-    name: String,
-    bytes: Vec<u8>,
-}
-
 impl SynonymOptions {
     /// Whether a table is given.
     pub const fn is_given(&self) -> bool {
         self.synonyms.is_some()
     }
 
-    /// Reads the file; without one, it is empty.
+    /// The table; without a file, it is empty.
     ///
     /// # Errors
-    /// [`Failure::Input`] where it cannot be read.
-    pub fn read(&self) -> Result<SynonymFile, Failure> {
-        let Some(file) = &self.synonyms else { return Ok(SynonymFile::default()) };
-        let bytes = input::bytes(file).map_err(|fault| Failure::Input(fault.to_string()))?;
-        Ok(SynonymFile { name: input::name(file).to_owned(), bytes })
-    }
-}
-
-impl SynonymFile {
-    /// The table.
-    ///
-    /// # Errors
-    /// [`Failure::Input`] where the file is no such table.
-    pub fn table(&self) -> Result<Synonyms<'_>, Failure> {
-        let fault = |message: String| Failure::Input(Fault::new(&self.name, message).to_string());
-        let text = str::from_utf8(&self.bytes).map_err(|_| fault("is not UTF-8; write words in UTF-8".to_owned()))?;
-        Synonyms::new(text).map_err(|error| fault(error.to_string()))
-    }
-
-    /// The same, for as long as the program runs.
-    ///
-    /// # Errors
-    /// As [`table`](Self::table).
-    pub fn kept(self) -> Result<Synonyms<'static>, Failure> {
-        // A program reads one table.
-        Box::leak(Box::new(self)).table()
+    /// [`Failure::Input`] where the file cannot be read or is no such table.
+    pub fn read(&self) -> Result<Synonyms<'static>, Failure> {
+        let Some(file) = &self.synonyms else { return Ok(Synonyms::NONE) };
+        // A program reads one table, and uses it as long as it runs.
+        let text: &'static str = Box::leak(input::text(file)?.into());
+        Synonyms::new(text).map_err(|error| Fault::new(input::name(file), error).into())
     }
 }
 
@@ -85,5 +57,5 @@ pub fn said_in_known_words<'w>(synonyms: Synonyms<'_>, language: LanguageRef<'_>
 /// # Errors
 /// [`Failure::Input`] where the command is too long.
 pub fn in_known_words(synonyms: Synonyms<'_>, language: LanguageRef<'_>, command: &str) -> Result<String, Failure> {
-    synonyms.in_known_words(language, command).map_err(|error| Failure::Input(refusal::in_words(&error.into())))
+    Ok(synonyms.in_known_words(language, command)?)
 }

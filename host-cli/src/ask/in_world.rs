@@ -9,11 +9,8 @@ use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
-use goodbot_console::refusal;
-use goodbot_formats::Problem;
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::WorldFile;
-use goodbot_lesson::Fault;
 use goodbot_lesson::first_words::read;
 use goodbot_lesson::world::robot;
 use serde_json::json;
@@ -37,11 +34,10 @@ pub struct Questions {
 /// # Errors
 /// What is wrong with the file, or with the options.
 pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
-    let fault = |fault: Fault| Failure::Input(fault.to_string());
     // Standard input is read once: it has a home.
     let Some(file) = options.log.as_ref().or(options.environment.as_ref()).filter(|file| *file != "-") else { return Ok(None) };
     let name = input::name(file);
-    let mut opened = input::open(file).map_err(fault)?;
+    let mut opened = input::open(file)?;
     // What cannot be read is refused where it is read.
     if opened.fill_buf().map(Content::of).ok() != Some(Content::Worlds) {
         return Ok(None);
@@ -56,7 +52,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         let mut lessons = Vec::new();
         let mut left = usize::MAX;
         worlds::read(name, opened, agent, None, false, &mut left, |lesson| {
-            lessons.extend(lesson.map_err(fault)?);
+            lessons.extend(lesson?);
             Ok::<(), Failure>(())
         })?;
         lessons.retain(|lesson| options.session.as_ref().is_none_or(|id| lesson.header.id.as_ref() == Some(id)));
@@ -66,9 +62,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         let act = lessons.iter().all(|lesson| lesson.acts);
         return Ok(Some(Questions { act, lessons: lessons.into_iter().map(Ok).collect(), world: None }));
     }
-    let bytes = input::rest(name, opened).map_err(fault)?;
-    let text = String::from_utf8(bytes).map_err(|_| fault(Fault::new(name, Problem::NotUtf8)))?;
-    let world = WorldFile::parse(&text).map_err(|error| fault(Fault::from_format(name, error)))?;
+    let world = input::WorldInFile::parse(name, input::rest(name, opened)?)?.world;
     let commands = match options.command.as_slice() {
         [only] if only == "-" => lines()?,
         words => vec![words.join(" ")],
@@ -76,9 +70,9 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     let question = |command: &String| match worlds::question(name, &world, command, agent) {
         // The others are asked none the less.
         Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
-        question => question.map(Ok).map_err(fault),
+        question => Ok(Ok(question?)),
     };
-    let lessons = commands.iter().map(question).collect::<Result<_, _>>()?;
+    let lessons = commands.iter().map(question).collect::<Result<_, Failure>>()?;
     Ok(Some(Questions { lessons, act: !world.actions.is_empty(), world: Some(world).filter(|world| !world.actions.is_empty()) }))
 }
 
@@ -90,7 +84,6 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut model = restored::language(&options.with, &mut memory, questions.act)?;
     let synonyms = options.synonyms.read()?;
-    let synonyms = synonyms.table()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let mut refused = 0_usize;
     for (number, lesson) in questions.lessons.iter().enumerate() {
@@ -156,7 +149,7 @@ fn answer(
 ) -> Result<Answer, Failure> {
     let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
     let asked = Lesson { command: heard, ..lesson.clone() };
-    let posterior = training::posterior(model, &asked).map_err(|error| Failure::Input(refusal::in_words(&error.into())))?;
+    let posterior = training::posterior(model, &asked)?;
     let mut meanings: Vec<(String, f32)> =
         lesson.readings.iter().zip(&posterior).map(|(reading, &share)| (reading.name.to_string(), share)).collect();
     meanings.sort_by(|a, b| b.1.total_cmp(&a.1));

@@ -16,6 +16,7 @@ mod why;
 
 use clap::{Args, ValueHint};
 use following::{Followed, Step};
+use goodbot::Agent;
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::home::Map;
 use goodbot::home::{Home, HomeState, Moves};
@@ -23,7 +24,6 @@ use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
-use goodbot::{Agent, AgentError};
 use goodbot_console::lessons::restored;
 use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
@@ -31,7 +31,6 @@ use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, in_known_words};
 use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
-use goodbot_console::refusal;
 use goodbot_console::starter::StarterOptions;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::SessionReader;
@@ -42,7 +41,7 @@ use goodbot_lesson::{Fault, home};
 use meanings::{Heard, Meaning};
 use plan::{Plan, plan};
 use serde_json::json;
-use std::io::{BufRead, BufWriter, Write};
+use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use why::Word;
 
@@ -172,10 +171,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let lifted = options.kinds.of_model(&options.with)?;
     let starter = options.starter.of_model(&options.with, &lifted)?;
     let mut agent = restored::agent_beside(&options.with, &lifted, &starter)?;
-    let synonyms = options.synonyms.read()?;
-    let synonyms = synonyms.table()?;
-    let closed = options.closed_words.read()?;
-    let closed = closed.table()?;
+    let (synonyms, closed) = (options.synonyms.read()?, options.closed_words.read()?);
     let mut out = BufWriter::new(std::io::stdout().lock());
     let mut state = None;
     let questions = questions(options)?;
@@ -235,7 +231,6 @@ fn end(refused: usize, commands: usize) -> Result<(), Failure> {
 }
 
 fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
-    let fault = |fault: Fault| Failure::Input(fault.to_string());
     if let Some(log) = &options.log {
         return sessions(options, log);
     }
@@ -248,7 +243,7 @@ fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
         [only] if only == "-" => lines()?,
         words => vec![words.join(" ")],
     };
-    let environment = input::home(file).map_err(fault)?;
+    let environment = input::home(file)?;
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
     let question = |command| Question {
         session: None,
@@ -265,8 +260,7 @@ fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
 fn lines() -> Result<Vec<String>, Failure> {
     const MOST: usize = 100_000;
     let mut commands = Vec::new();
-    for line in input::bytes("-").map_err(|fault| Failure::Input(fault.to_string()))?.lines() {
-        let line = line.map_err(|_| Failure::Input("standard input: is not UTF-8; write commands in UTF-8".to_owned()))?;
+    for line in input::text("-")?.lines() {
         if !line.trim().is_empty() {
             commands.push(line.trim().to_owned());
         }
@@ -283,8 +277,8 @@ fn lines() -> Result<Vec<String>, Failure> {
 fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
     let name = input::name(log);
     let mut questions = Vec::new();
-    for recorded in SessionReader::new(input::log(log).map_err(|fault| Failure::Input(fault.to_string()))?) {
-        let recorded = recorded.map_err(|error| Failure::Input(Fault::from_format(name, error).to_string()))?;
+    for recorded in SessionReader::new(input::log(log)?) {
+        let recorded = recorded.map_err(|error| Fault::from_format(name, error))?;
         let header = recorded.header;
         if options.session.is_some() && header.id != options.session {
             continue;
@@ -317,7 +311,6 @@ fn answer(
     synonyms: Synonyms<'_>,
     closed: ClosedWords<'_>,
 ) -> Result<Answer, Failure> {
-    let fault = |error: AgentError| Failure::Input(refusal::in_words(&error));
     let first = first_words(&question.command);
     // The blank between is a part of the rest.
     let first = first.trim_end();
@@ -326,7 +319,7 @@ fn answer(
     let heard = in_known_words(synonyms, agent.language(), first)? + mark + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
-    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed).map_err(fault)?;
+    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
@@ -346,7 +339,7 @@ fn answer(
             match (grounded.zip(kind), position, done) {
                 (Some((grounded, kind)), Some(position), _) => {
                     let text = in_words(home, kind, grounded);
-                    let words = why::words(agent, home, start, read, position).map_err(fault)?;
+                    let words = why::words(agent, home, start, read, position)?;
                     Some((task.clone(), text, words))
                 }
                 (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
@@ -359,12 +352,12 @@ fn answer(
             }
         }
     };
-    let words = why::words(agent, home, start, read, best).map_err(fault)?;
+    let words = why::words(agent, home, start, read, best)?;
     let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
     let (plan, end) = match &followed {
         Some(followed) => (followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure), followed.end),
         None if tasks.is_empty() || !is_to_do => (None, *start),
-        None => plan(agent, home, *start, best).map_err(fault)?.map_or((None, *start), |(plan, end)| (Some(plan), end)),
+        None => plan(agent, home, *start, best)?.map_or((None, *start), |(plan, end)| (Some(plan), end)),
     };
     let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
     let unread = if followed.is_some() { 0 } else { unread };

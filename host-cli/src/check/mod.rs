@@ -17,7 +17,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, counting, printable, summed, summed_by};
-use goodbot_console::outcome;
+use goodbot_console::outcome::Failure;
 use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
 use goodbot_formats::environment::{self, EnvironmentFile};
@@ -92,14 +92,11 @@ impl Findings {
 }
 
 /// Runs the command.
-pub fn run(args: &CheckArgs) -> u8 {
-    let lifted = match args.kinds.lifted() {
-        Ok(lifted) => lifted,
-        Err(error) => {
-            eprintln!("error: {}", printable(&error.to_string()));
-            return 2;
-        }
-    };
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(args: &CheckArgs) -> Result<(), Failure> {
+    let lifted = args.kinds.lifted()?;
     let mut sound = true;
     for file in &args.files {
         let found = check(file, &lifted, args.limit).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
@@ -109,10 +106,10 @@ pub fn run(args: &CheckArgs) -> u8 {
         if let Err(error) = told
             && error.kind() != std::io::ErrorKind::BrokenPipe
         {
-            return outcome::exit_code(Err(error.into()));
+            return Err(error.into());
         }
     }
-    if sound { 0 } else { 2 }
+    if sound { Ok(()) } else { Err(Failure::Told) }
 }
 
 /// What a file is, where nothing is wrong with it.

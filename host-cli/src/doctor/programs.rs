@@ -4,13 +4,14 @@ use super::{Finding, State};
 use std::path::Path;
 
 /// Each program, and what uses it.
-const PROGRAMS: [(&str, &str); 9] = [
+const PROGRAMS: [(&str, &str); 10] = [
     ("git", "style checks"),
     ("gcc", "the C interface"),
     ("node", "the page"),
     ("npm", "the page"),
     ("python3", "the package for Python"),
     ("qemu-system-arm", "the firmware"),
+    ("qemu-system-riscv32", "the firmware on RISC-V"),
     ("arm-none-eabi-gcc", "C on controllers"),
     ("chromium-headless-shell", "the page"),
     ("firefox-esr", "the page"),
@@ -37,6 +38,18 @@ fn look_for(name: &str, why: &str, folders: &[impl AsRef<Path>]) -> Finding {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_program_that_the_tests_fetch_is_looked_for() {
+        let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../CONTRIBUTING.md")).unwrap();
+        let (_, table) = page.split_once("| program | for | download |").unwrap();
+        let named = table.lines().skip(2).map_while(|line| line.strip_prefix("| ")?.split_once(" |")).map(|(program, _)| program);
+        let named: Vec<&str> = named.filter_map(|program| program.split('`').nth(1)).filter(|name| *name != "rustup").collect();
+        assert!(named.contains(&"qemu-system-arm"), "{named:?}");
+        for name in named {
+            assert!(PROGRAMS.iter().any(|(known, _)| *known == name), "{name}");
+        }
+    }
 
     #[test]
     fn a_program_is_found_in_a_folder_of_the_path_or_told_with_what_it_is_for() {

@@ -4,9 +4,9 @@ use super::{Finding, State};
 use crate::teach::kept::Places;
 use goodbot::snapshot::Contents;
 use goodbot_console::load::content::Content;
+use goodbot_console::load::input;
 use goodbot_console::messages::counted;
 use goodbot_console::whole_file::{is_unfinished, read_model};
-use goodbot_formats::session::SessionReader;
 use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -71,7 +71,7 @@ fn robot(path: &Path) -> Finding {
         return Finding::new(State::Fine, format!("{}: {}, and no log", path.display(), counted(known, "session")));
     };
     let mut taught = 0;
-    for session in SessionReader::new(BufReader::new(file)) {
+    for session in input::sessions(BufReader::new(file)) {
         match session {
             Ok(session) => taught += usize::from(session.learn),
             Err(_) => {

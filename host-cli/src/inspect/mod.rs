@@ -47,9 +47,8 @@ pub struct InspectOptions {
 
 /// Runs the command.
 pub fn run(options: &InspectOptions) -> Result<(), Failure> {
-    let lifted = home::paper_tasks().map_err(|error| Failure::Input(error.to_string()))?;
-    let target =
-        options.plot.as_deref().map(|plot| Output::picture(plot, options.model.to_str().into_iter(), options.force)).transpose()?;
+    let lifted = home::paper_tasks()?;
+    let target = Output::picture(&options.plot, [&options.model], options.force)?;
     let agent = restored::agent(&options.model, &lifted)?;
     if options.sessions {
         let mut out = output::text(&[])?;
@@ -68,8 +67,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let mut out = output::text(&[target.as_ref()])?;
     // Before anything is printed: a reader who leaves must not cost the picture.
     if let Some(target) = &target {
-        let svg = plot::learned_words(&telling(&lexicon)).map_err(|error| Failure::Result(error.to_string()))?;
-        target.write(svg.as_bytes())?;
+        target.draw(plot::learned_words(&telling(&lexicon)))?;
     }
     if !options.json {
         let sessions = counted(agent.language().bitext().sessions(), "session");

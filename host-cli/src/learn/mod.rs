@@ -9,8 +9,7 @@ use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
-use goodbot_console::refusal;
+use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::starter::StarterOptions;
 use serde_json::json;
 use std::io::Write;
@@ -62,7 +61,7 @@ pub struct LearnOptions {
 /// Runs the command.
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
-    let target = Output::model(&options.out, options.files.iter().map(String::as_str), options.force)?;
+    let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
     let lessons::Lessons { mut lessons, skipped, with_way, no_task, long } =
         lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
@@ -77,7 +76,6 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let starter = options.starter.read(&lifted, options.learner.options())?;
     let own = lessons.len();
     lessons.extend(starter.beside(learned).cloned());
-    let fault = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let settings = options.learner.options().language;
     let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
@@ -85,15 +83,15 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let progress = working("learning what the words mean");
     let model = training::train(&mut memory, lessons.iter(), settings);
     progress.finish_and_clear();
-    let model = model.map_err(|error| Failure::Input(refusal::in_words(&error)))?;
-    let words = model.saved().map_err(|error| fault(&error))?;
+    let model = model?;
+    let words = model.saved()?;
     // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
     // What was learned in worlds from files is of no domain of the core's.
     let of_worlds = lessons.iter().any(|lesson| lesson.world.is_some());
     let tasks = if of_worlds { &[][..] } else { &lifted };
-    let mut agent = Agent::new(room(), tasks, options.learner.options()).map_err(|error| fault(&error))?;
-    let _ = agent.join(&words).map_err(|error| fault(&error))?;
-    let file = agent.saved().map_err(|error| fault(&error))?;
+    let mut agent = Agent::new(room(), tasks, options.learner.options())?;
+    let _ = agent.join(&words)?;
+    let file = agent.saved()?;
     // A world names its kinds of task itself.
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;

@@ -26,6 +26,7 @@ use goodbot_console::output::{self, Output};
 use goodbot_course::{LESSONS, TESTS};
 use options::PaperOptions;
 use std::io::Write;
+use std::path::Path;
 use summary::{Summary, run_to_json};
 use sweep::Setting;
 
@@ -34,7 +35,7 @@ use sweep::Setting;
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &PaperOptions) -> Result<(), Failure> {
-    let target = options.plot.as_deref().map(|plot| Output::picture(plot, std::iter::empty(), options.force)).transpose()?;
+    let target = Output::picture(&options.plot, [] as [&Path; 0], options.force)?;
     // Not written line by line: two hundred runs make two hundred lines.
     let mut out = output::text(&[target.as_ref()])?;
     if options.is_story() {
@@ -88,8 +89,7 @@ fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Wri
 }
 
 fn picture(target: &Output, drawing: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
-    let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-    target.write(drawing.as_bytes())?;
+    target.draw(drawing)?;
     say!("picture: {}", target.name());
     Ok(())
 }

@@ -10,12 +10,13 @@ use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::lessons::{evidence, restored};
 use goodbot_console::load::synonyms::said_in_known_words;
+use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::{SessionInWorld, WorldFile};
-use goodbot_lab::fit_trainers::walk::trainer_of;
+use goodbot_lab::recorded::trainer_of;
 use goodbot_lesson::checked::{CheckedSession, check_steps};
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Step;
@@ -176,17 +177,15 @@ impl History {
     }
 
     /// Makes the agent one whose commands may mean these tasks. What the words mean is taken along.
-    fn expect_tasks(&mut self, lifted: &[LiftedTask]) -> Result<(), String> {
+    fn expect_tasks(&mut self, lifted: &[LiftedTask]) -> Result<(), Failure> {
         if self.agent.lifted() == lifted {
             return Ok(());
         }
         let options = *self.agent.options();
         let memory = goodbot_console::learner::memory(&CAPACITIES, &options.language, CAPACITIES.pairs);
-        let mut agent = Agent::new(memory, lifted, options).map_err(|error| error.to_string())?;
+        let mut agent = Agent::new(memory, lifted, options)?;
         if self.learned + self.kept > 0 {
-            let model = self.agent.saved().map_err(|error| error.to_string())?;
-            let words = restored::words(&model).map_err(|error| error.to_string())?;
-            agent.join(&words).map_err(|error| error.to_string())?;
+            agent.join(&restored::words(&self.agent.saved()?)?)?;
             agent.learn_fully();
         }
         self.agent = agent;

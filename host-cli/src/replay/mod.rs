@@ -17,17 +17,18 @@ use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
-use goodbot_console::load::synonyms::{SynonymFile, SynonymOptions};
-use goodbot_console::messages::{counted, is_quiet, printable, say};
-use goodbot_console::output::Output;
+use goodbot_console::load::synonyms::SynonymOptions;
+use goodbot_console::messages::{counted, counting, say};
+use goodbot_console::outcome::Failure;
+use goodbot_console::output::{self, Output};
 use goodbot_formats::session::SessionReader;
 use goodbot_formats::world::{Line, WorldReader};
 use goodbot_lab::calibration;
 use goodbot_lesson::Fault;
 use history::{History, Learning, Outcome};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use report::Totals;
-use std::io::{self, BufWriter, Write};
+use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 
 /// Replay recorded sessions, and print the robot's belief after each step
@@ -95,82 +96,44 @@ impl ReplayArgs {
 }
 
 /// Runs the command.
-pub fn run(args: &ReplayArgs) -> u8 {
-    let replayed = Replay::new(args).and_then(|mut replay| {
-        let code = replay.files(args);
-        replay.progress.finish_and_clear();
-        code
-    });
-    match replayed {
-        Ok(code) => code,
-        Err(error) => {
-            let code = match error.downcast_ref::<io::Error>() {
-                Some(error) if error.kind() == io::ErrorKind::BrokenPipe => return 0,
-                Some(_) => 1,
-                None => 2,
-            };
-            let what = if code == 1 { "cannot write to standard output: " } else { "" };
-            eprintln!("error: {}", printable(&format!("{what}{error}")));
-            code
-        }
-    }
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
+    let plot = Output::picture(&args.plot, &args.files, args.force)?;
+    let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
+    let mut replay = Replay {
+        history: History::new(&args.kinds.lifted()?, args.options(), learning, args.believes.clone(), args.synonyms.read()?)?,
+        totals: Totals::default(),
+        progress: counting("sessions replayed"),
+        output: output::text(&[plot.as_ref()])?,
+        plot,
+        long: vec![],
+    };
+    let done = replay.files(args);
+    replay.progress.finish_and_clear();
+    done
 }
-
-type Failure = Box<dyn std::error::Error>;
 
 /// A replay under way.
 struct Replay {
     history: History,
     totals: Totals,
     progress: ProgressBar,
-    output: Box<dyn Write>,
+    output: BufWriter<Box<dyn Write>>,
     plot: Option<Output>,
     /// Commands with more words than are read.
     long: Vec<Fault>,
 }
 
 impl Replay {
-    fn new(args: &ReplayArgs) -> Result<Self, Failure> {
-        let files = args.files.iter().map(String::as_str);
-        let plot = args.plot.as_deref().map(|path| Output::picture(path, files, args.force)).transpose();
-        let plot = plot.map_err(|failure| failure.to_string())?;
-        let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
-        let style = ProgressStyle::with_template("{spinner} {pos} sessions, {elapsed}")?;
-        let progress = if is_quiet() { ProgressBar::hidden() } else { ProgressBar::new_spinner().with_style(style) };
-        Ok(Self {
-            history: History::new(
-                &args.kinds.lifted().map_err(|failure| failure.to_string())?,
-                args.options(),
-                learning,
-                args.believes.clone(),
-                args.synonyms.read().and_then(SynonymFile::kept).map_err(|failure| failure.to_string())?,
-            )?,
-            totals: Totals::default(),
-            progress,
-            // Where the picture goes to standard output, nothing else does.
-            output: if plot.as_ref().is_some_and(Output::is_standard) {
-                Box::new(io::sink())
-            } else {
-                Box::new(BufWriter::new(io::stdout()))
-            },
-            plot,
-            long: vec![],
-        })
-    }
-
-    fn files(&mut self, args: &ReplayArgs) -> Result<u8, Failure> {
+    fn files(&mut self, args: &ReplayArgs) -> Result<(), Failure> {
         let (mut commands, mut left) = (0, args.limit.count());
         for file in &args.files {
             if left == 0 {
                 break;
             }
-            let opened = match input::log(file) {
-                Ok(opened) => opened,
-                Err(fault) => {
-                    self.tell(&[fault]);
-                    return Ok(2);
-                }
-            };
+            let opened = input::log(file)?;
             let name = input::name(file);
             if Content::of(opened.buffer()) == Content::Worlds {
                 for line in WorldReader::new(opened) {
@@ -187,9 +150,7 @@ impl Replay {
                         Err(error) => Err(vec![Fault::from_format(name, error)]),
                     };
                     left -= 1;
-                    if !self.take_or_tell(args, replayed)? {
-                        return Ok(2);
-                    }
+                    self.take_or_tell(args, replayed)?;
                 }
                 continue;
             }
@@ -202,9 +163,7 @@ impl Replay {
                         Err(vec![Fault::from_format(name, error)])
                     }
                 };
-                if !self.take_or_tell(args, replayed)? {
-                    return Ok(2);
-                }
+                self.take_or_tell(args, replayed)?;
             }
         }
         tell_long(&self.long.iter().collect::<Vec<_>>());
@@ -215,15 +174,14 @@ impl Replay {
             );
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
-            eprintln!("error: the files have no session; name a session log, with one JSON object on each line");
-            return Ok(2);
+            let message = "the files have no session; name a session log, with one JSON object on each line";
+            return Err(Failure::Input(message.to_owned()));
         }
         if let Some(plot) = &self.plot {
             let rightness = self.totals.rightness();
             let caption = format!("How probable at the end, and how often meant: {}", counted(rightness.sessions(), "session"));
-            let svg =
-                calibration::draw(&rightness.reliability(), &caption, "% probable at the end, on average", "% meant, with 95 % interval")?;
-            plot.write(svg.as_bytes()).map_err(|failure| failure.to_string())?;
+            let (across, up) = ("% probable at the end, on average", "% meant, with 95 % interval");
+            plot.draw(calibration::draw(&rightness.reliability(), &caption, across, up))?;
         }
         if args.json {
             if args.believes.is_some() {
@@ -241,27 +199,24 @@ impl Replay {
             write!(self.output, "{}", self.totals)?;
         }
         self.output.flush()?;
-        Ok(if self.totals.sessions == 0 { 2 } else { 0 })
+        if self.totals.sessions == 0 { Err(Failure::Told) } else { Ok(()) }
     }
 
-    /// Takes in what became of a session. Gives whether to go on.
-    fn take_or_tell(&mut self, args: &ReplayArgs, replayed: Result<Outcome, Vec<Fault>>) -> Result<bool, Failure> {
+    /// Takes in what became of a session. One with faults ends the replay, unless it is to be skipped.
+    fn take_or_tell(&mut self, args: &ReplayArgs, replayed: Result<Outcome, Vec<Fault>>) -> Result<(), Failure> {
         self.progress.inc(1);
         match replayed {
-            Ok(outcome) => self.take(args, &outcome)?,
-            Err(faults) => {
-                self.tell(&faults);
-                self.totals.skipped += 1;
-                if !args.keep_going || self.totals.skipped > MOST_FAULTS {
-                    self.output.flush()?;
-                    if args.keep_going {
-                        eprintln!("error: more than {MOST_FAULTS} sessions are at fault; check that this is a session log");
-                    }
-                    return Ok(false);
-                }
-            }
+            Ok(outcome) => return self.take(args, &outcome),
+            Err(faults) => self.tell(&faults),
         }
-        Ok(true)
+        self.totals.skipped += 1;
+        if !args.keep_going {
+            return Err(Failure::Told);
+        }
+        if self.totals.skipped > MOST_FAULTS {
+            return Err(Failure::Input(format!("more than {MOST_FAULTS} sessions are at fault; check that this is a session log")));
+        }
+        Ok(())
     }
 
     fn take(&mut self, args: &ReplayArgs, outcome: &Outcome) -> Result<(), Failure> {
@@ -270,7 +225,7 @@ impl Replay {
         self.totals.add(outcome);
         if args.json {
             for line in &outcome.beliefs {
-                writeln!(self.output, "{}", line.to_json_line()?)?;
+                writeln!(self.output, "{}", line.to_json_line().map_err(|error| Failure::Input(error.to_string()))?)?;
             }
         } else {
             write!(self.output, "{outcome}")?;

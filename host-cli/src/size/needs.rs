@@ -8,7 +8,7 @@ use goodbot::oomdp::PushGrid;
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
-use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::capacities::bytes_32;
 use goodbot_console::lessons::{self, Lesson, Told, training};
 use goodbot_console::load::input::{self, Place, WorldInFile};
@@ -81,13 +81,13 @@ impl Needs {
             }
             Some(file) => {
                 let least = robot::with(&file.world, |robot, _| least_of_world(robot, &lessons, learner));
-                let least = least.flatten().map_err(|flaw| Failure::Input(file.fault(&flaw.field, &flaw.message).to_string()))?;
+                let least = least.flatten().map_err(|flaw| file.fault(&flaw.field, &flaw.message))?;
                 (0, Some(file.world.name.clone()), least)
             }
             None => {
                 let homes = build(homes, &log)?;
-                let mut agent = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner).map_err(refused)?;
-                let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons).map_err(refused)?;
+                let mut agent = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner)?;
+                let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons)?;
                 (homes.len(), None, least)
             }
         };
@@ -130,10 +130,6 @@ impl Needs {
     }
 }
 
-fn refused(error: AgentError) -> Failure {
-    Failure::Input(refusal::in_words(&error))
-}
-
 /// The least capacities of the robot of a world.
 ///
 /// # Errors
@@ -151,7 +147,7 @@ pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) ->
 /// Trains a robot on the log in this memory. Returns how many sessions it kept, and the machine commands that it has of them.
 fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(usize, Capacities), Failure> {
     let mut memory = goodbot_console::learner::memory(capacities, &learner.language, training::tasks(log));
-    let model = training::train(&mut memory, log.iter(), learner.language).map_err(refused)?;
+    let model = training::train(&mut memory, log.iter(), learner.language)?;
     let data = model.bitext();
     let command_tokens = (0..data.commands() as u16).map(|command| data.command(command).len()).sum();
     Ok((data.sessions(), Capacities { commands: data.commands(), command_tokens, pairs: data.pairs().len(), ..Capacities::NONE }))
@@ -164,7 +160,7 @@ type Named<'l> = Vec<(&'l str, EnvironmentFile)>;
 fn places(files: &[String]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Failure> {
     let (mut homes, mut world) = (Vec::new(), None);
     for file in files {
-        match input::place(file).map_err(|fault| Failure::Input(fault.to_string()))? {
+        match input::place(file)? {
             Place::Home(home) => homes.push((input::name(file), home)),
             Place::World(_) if world.is_some() => {
                 return Err(Failure::Input(format!("{}: is a second world; ask for each by itself", input::name(file))));

@@ -58,9 +58,9 @@ pub struct TableOptions {
 /// [`Failure`]: what is wrong with the file, or with the output.
 pub fn run(options: &TableOptions) -> Result<(), Failure> {
     let name = input::name(&options.world);
-    let file = input::world(&options.world).map_err(|fault| Failure::Input(fault.to_string()))?;
+    let file = input::world(&options.world)?;
     let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
-    let refused = |flaw: Flaw| Failure::Input(file.fault(&flaw.field, &flaw.message).to_string());
+    let refused = |flaw: Flaw| file.fault(&flaw.field, &flaw.message);
     let text = robot::with(&file.world, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())?;

@@ -5,7 +5,8 @@ use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
 use super::site::{Recorded, Site};
-use super::trainer::{Heard, Meaning, Refusal, Trainer};
+use super::trainer::{Heard, Meaning, Trainer};
+use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::live::Lesson;
@@ -50,7 +51,7 @@ fn add_once(said: &mut Vec<String>, command: &str) {
 
 impl Classroom {
     /// A robot as its files have it. With a tour, it is in the tour's home.
-    pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Refusal> {
+    pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Failure> {
         let mut words = FullWords::new(trainer.word_letters());
         let (mut sessions, mut said) = (0, Vec::new());
         let kept = match kept {
@@ -58,7 +59,9 @@ impl Classroom {
             Some((kept, past)) => {
                 if let Some(model) = &past.model {
                     let name = kept.places().model.display();
-                    trainer.restore(model).map_err(|refusal| Refusal(format!("{name}: {refusal}; name another file with --model")))?;
+                    trainer
+                        .restore(model)
+                        .map_err(|refusal| Failure::Input(format!("{name}: {refusal}; name another file with --model")))?;
                 }
                 words = FullWords::new(trainer.word_letters());
                 past.commands.iter().for_each(|command| words.hear(command));
@@ -73,7 +76,7 @@ impl Classroom {
         Ok(classroom)
     }
 
-    fn enter_tour(&mut self) -> Result<(), Refusal> {
+    fn enter_tour(&mut self) -> Result<(), Failure> {
         self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.trainer.enter(&home))
     }
 
@@ -83,7 +86,7 @@ impl Classroom {
     }
 
     /// Says a command. In the tour everything is put back before, and what is meant is known.
-    pub fn say(&mut self, command: &str) -> Result<Heard, Refusal> {
+    pub fn say(&mut self, command: &str) -> Result<Heard, Failure> {
         self.forget()?;
         let stop = self.tour.as_ref().and_then(Tour::stop);
         if stop.is_some() {
@@ -102,24 +105,27 @@ impl Classroom {
 
     /// Notes what the trainer means by the command under way: a task as logs write it or in words, or else the likeliest. The log tells it;
     /// nothing is learned from it.
-    pub fn mean(&mut self, task: Option<&str>) -> Result<Meaning, Refusal> {
+    pub fn mean(&mut self, task: Option<&str>) -> Result<Meaning, Failure> {
         if self.tour.as_ref().and_then(Tour::stop).is_some() {
-            return Err(Refusal("in the tour the intended task is known".to_owned()));
+            return Err(Failure::Input("in the tour the intended task is known".to_owned()));
         }
         let named = |meaning: &Meaning| task.is_none_or(|task| meaning.name == task || meaning.words == task);
         let meanings = self.trainer.meanings();
         let Some(first) = meanings.first().map(|meaning| meaning.words.clone()) else {
-            return Err(Refusal("no session is under way; give a command first".to_owned()));
+            return Err(Failure::Input("no session is under way; give a command first".to_owned()));
         };
         let meant = meanings.into_iter().find(named).ok_or_else(|| {
-            Refusal(format!("{:?} is no task here; name one of the tasks that were told, such as: {first}", task.unwrap_or_default()))
+            Failure::Input(format!(
+                "{:?} is no task here; name one of the tasks that were told, such as: {first}",
+                task.unwrap_or_default()
+            ))
         })?;
         self.trainer.mean(meant.position);
         Ok(meant)
     }
 
     /// Hears the rest of the utterance, once a part is over and learned from; `None` if there is no rest.
-    pub fn hear_rest(&mut self) -> Result<Option<Heard>, Refusal> {
+    pub fn hear_rest(&mut self) -> Result<Option<Heard>, Failure> {
         self.trainer.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }
 
@@ -129,7 +135,7 @@ impl Classroom {
     }
 
     /// What to teach next.
-    pub fn next_lesson(&self) -> Result<Next, Refusal> {
+    pub fn next_lesson(&self) -> Result<Next, Failure> {
         propose(&self.trainer, if self.wanted.is_empty() { &self.said } else { &self.wanted })
     }
 
@@ -142,7 +148,7 @@ impl Classroom {
     }
 
     /// A test is over: on to the next.
-    pub fn pass_test(&mut self, right: bool) -> Result<(), Refusal> {
+    pub fn pass_test(&mut self, right: bool) -> Result<(), Failure> {
         self.trainer.forget();
         if let Some(tour) = &mut self.tour {
             tour.pass(right);
@@ -152,7 +158,7 @@ impl Classroom {
 
     /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done. Gives how many older sessions gave way
     /// because memory was full.
-    pub fn finish(&mut self) -> Result<usize, Refusal> {
+    pub fn finish(&mut self) -> Result<usize, Failure> {
         let before = self.trainer.save()?;
         let (record, finished) = self.trainer.finish()?;
         self.learning = Some((record, before));
@@ -160,7 +166,7 @@ impl Classroom {
     }
 
     /// Goes on learning. Gives whether it is done; what was learned is then kept, and the tour goes on.
-    pub fn learn(&mut self, budget: u32) -> Result<bool, Refusal> {
+    pub fn learn(&mut self, budget: u32) -> Result<bool, Failure> {
         if !self.trainer.learn(budget) {
             return Ok(false);
         }
@@ -171,7 +177,7 @@ impl Classroom {
         let kept = match &mut self.kept {
             Some(kept) => {
                 let model = self.trainer.save()?;
-                kept.keep(&record, Some(model)).map_err(|failure| Refusal(failure.to_string()))
+                kept.keep(&record, Some(model))
             }
             None => {
                 self.before.push(before);
@@ -186,18 +192,18 @@ impl Classroom {
     }
 
     /// Ends the session under way without learning from it; it is written to the log all the same. Gives whether there was one.
-    pub fn forget(&mut self) -> Result<bool, Refusal> {
+    pub fn forget(&mut self) -> Result<bool, Failure> {
         let under_way = self.trainer.lesson().is_under_way();
         let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
         if let (Some(record), Some(kept), false) = (self.trainer.forget(), &mut self.kept, testing) {
             self.sessions += 1;
-            kept.keep(&record, None).map_err(|failure| Refusal(failure.to_string()))?;
+            kept.keep(&record, None)?;
         }
         Ok(under_way)
     }
 
     /// The visit is over: what was being learned is learned to its end, and a session under way is written down.
-    pub fn leave(&mut self) -> Result<(), Refusal> {
+    pub fn leave(&mut self) -> Result<(), Failure> {
         let learned = loop {
             match self.learn(u32::MAX) {
                 Ok(false) => {}
@@ -208,7 +214,7 @@ impl Classroom {
         // What could not be written is tried once more: perhaps there is room again.
         let written = self.kept.as_mut().map_or(Ok(0), Kept::write_what_is_left);
         learned.and(forgotten)?;
-        written.map(|_| ()).map_err(|failure| Refusal(failure.to_string()))
+        written.map(drop)
     }
 
     /// Whether a session of this visit taught something that can be taken back.
@@ -217,10 +223,10 @@ impl Classroom {
     }
 
     /// Takes back what the last session of this visit taught. Gives `false` where there is none.
-    pub fn unlearn(&mut self) -> Result<bool, Refusal> {
+    pub fn unlearn(&mut self) -> Result<bool, Failure> {
         self.forget()?;
         let before = match &mut self.kept {
-            Some(kept) => kept.take_back().map_err(|failure| Refusal(failure.to_string()))?,
+            Some(kept) => kept.take_back()?,
             None => self.before.pop().map(Some),
         };
         let Some(before) = before else { return Ok(false) };
@@ -237,13 +243,13 @@ impl Classroom {
     }
 
     /// Begins another conversation, or goes on with one, by its name. A session under way ends unlearned.
-    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Refusal> {
+    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         self.forget()?;
         self.trainer.converse(id)
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
-    pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Refusal> {
+    pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Failure> {
         self.forget()?;
         self.trainer.enter(home)
     }

@@ -16,7 +16,7 @@ use goodbot_formats::world::{Line, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
 use goodbot_lesson::first_words::words_read;
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{BufReader, Seek, SeekFrom, Write};
+use std::io::{BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -91,7 +91,7 @@ impl Past {
 struct Written {
     start: u64,
     text: String,
-    /// The line of the world, where the text begins with it.
+    /// What the text begins with before the session.
     introduction: Option<String>,
     /// The model of before.
     model: Option<Vec<u8>>,
@@ -108,7 +108,7 @@ pub struct Kept {
     /// Sessions that the log had no room for, and the model that its file had none for.
     unwritten: String,
     newest: Option<Vec<u8>>,
-    /// The line of the world, where the log does not have it yet.
+    /// What the log lacks before its next session: the end of its last line, the line of the world.
     introduction: Option<String>,
 }
 
@@ -136,6 +136,17 @@ fn open_log(path: &Path) -> Result<File, Failure> {
         // Some file systems cannot lock; then nobody is kept out.
         Ok(()) | Err(TryLockError::Error(_)) => Ok(log),
     }
+}
+
+/// The end of a log's last line, where it has none: another program may have left it so.
+fn missing_line_end(mut log: &File) -> std::io::Result<&'static str> {
+    let mut last = *b"\n";
+    if log.seek(SeekFrom::End(0))? > 0 {
+        log.seek(SeekFrom::End(-1))?;
+        log.read_exact(&mut last)?;
+    }
+    log.rewind()?;
+    Ok(if last == *b"\n" { "" } else { "\n" })
 }
 
 impl Kept {
@@ -168,6 +179,8 @@ impl Kept {
         if are_one(&kept.places.model, &kept.places.log) {
             return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
         }
+        let line_end = missing_line_end(&kept.log).map_err(|error| cannot(&kept.places.log, "read", error))?;
+        kept.introduction = Some(line_end).filter(|end| !end.is_empty()).map(str::to_owned);
         let refused = |error: FormatError| {
             Failure::Input(format!("{}\nthis log is not written to; mend it, or name another with --log", Fault::from_format(&name, error)))
         };
@@ -186,7 +199,7 @@ impl Kept {
             }
         }
         if known.as_ref() != Some(world) {
-            kept.introduction = Some(world.to_json_line().map_err(refused)? + "\n");
+            kept.introduction = Some(format!("{line_end}{}\n", world.to_json_line().map_err(refused)?));
         }
         Ok((kept, past))
     }
@@ -319,6 +332,18 @@ mod tests {
         let (_, past) = Kept::open(places(&folder), None).unwrap();
         assert_eq!((past.sessions, past.model.as_deref()), (1, Some(&b"model"[..])));
         assert_eq!((past.commands, past.learned), (vec!["go".to_owned()], vec!["said-1".to_owned()]));
+    }
+
+    #[test]
+    fn a_session_begins_on_a_line_of_its_own_though_the_log_was_left_in_the_middle_of_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let places = places(&folder);
+        std::fs::write(&places.log, SESSION.trim_end()).unwrap();
+        let (mut kept, _) = Kept::open(places.clone(), None).unwrap();
+        kept.keep(&session(), Some(b"model".to_vec())).unwrap();
+        assert_eq!(std::fs::read_to_string(&places.log).unwrap(), SESSION.repeat(2));
+        kept.take_back().unwrap();
+        assert_eq!(std::fs::read_to_string(&places.log).unwrap(), SESSION.trim_end());
     }
 
     #[test]

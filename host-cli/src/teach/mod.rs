@@ -36,12 +36,11 @@ use goodbot_console::load::kinds;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use goodbot_console::starter::StarterOptions;
 use goodbot_console::whole_file::read_model;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
-use goodbot_lesson::Fault;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::world::robot::{self, Tables};
 use kept::{Kept, Places};
@@ -135,7 +134,7 @@ pub struct TeachOptions {
 pub fn run(options: &TeachOptions) -> Result<(), Failure> {
     let seed = options.seed.unwrap_or(1);
     if let Some(file) = &options.picture {
-        let output = Output::picture(file, std::iter::empty(), options.force)?;
+        let output = Output::new(Kind::Picture, file, [] as [&Path; 0], options.force)?;
         return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
     }
     let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
@@ -165,7 +164,7 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
         let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
         let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
     }
-    written.map_err(|refusal| Failure::Result(refusal.0))?;
+    written.map_err(|refusal| Failure::Result(refusal.to_string()))?;
     match shown {
         Err(error) if stdout().is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
         _ => Ok(()),
@@ -177,10 +176,9 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const SIZE: (u16, u16) = (80, 24);
     const LESSON: usize = 5;
     const STEPS: usize = 3;
-    let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
-    let trainer = Trainer::new(&Setting::Home(first_home()?), seed, false, None).map_err(refuse)?;
+    let trainer = Trainer::new(&Setting::Home(first_home()?), seed, false, None)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
-    let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour)).map_err(refuse)?, Pace::Normal, seed);
+    let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour))?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
     loop {
         let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
@@ -199,7 +197,6 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
 
 /// The robot with its files, in its home.
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
-    let refuse = |refusal: trainer::Refusal| Failure::Input(refusal.0);
     let home = setting(options)?;
     let world = if let Setting::World(world) = &home { Some(world) } else { None };
     let name = options.home.as_deref().map(input::name);
@@ -214,13 +211,13 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
     }
     let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
-    let trainer = trainer.with_starter(starter).map_err(refuse)?;
-    let trainer = trainer.with_closed_words(options.closed_words.read()?.kept()?).with_synonyms(options.synonyms.read()?.kept()?);
+    let trainer = trainer.with_starter(starter)?;
+    let trainer = trainer.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
     let kept = places.map(|places| Kept::open(places, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
-    let mut classroom = Classroom::new(trainer, kept, tour).map_err(refuse)?;
+    let mut classroom = Classroom::new(trainer, kept, tour)?;
     let known = classroom.trainer.lessons_learned();
     if let Some(Places { model, log }) = classroom.kept().map(Kept::places).filter(|_| known < in_log) {
         let (model, log) = (model.display(), log.display());
@@ -256,7 +253,7 @@ fn of_kept_kinds(options: &TeachOptions, trainer: Trainer, model: &Path) -> Resu
     let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(trainer) };
     let asked = options.routes.then(|| trainer.lesson().agent.lifted().to_vec());
     let kinds = kinds::agreed(model, kinds, asked, "--routes")?;
-    trainer.with_kinds(&kinds).map_err(|refusal| Failure::Input(refusal.0))
+    trainer.with_kinds(&kinds)
 }
 
 /// What is expected of the trainer. There is no log whose sessions could say so.
@@ -297,14 +294,13 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
-    let refused = |fault: Fault| Failure::Input(fault.to_string());
-    match input::world(file).map_err(refused)? {
+    match input::world(file)? {
         Some(read) => {
             // What is wrong with the robot is told in its place.
             let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
-            robot.map_err(|flaw| refused(read.fault(&flaw.field, &flaw.message)))?;
+            robot.map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
             Ok(Setting::World(Arc::new(read.world)))
         }
-        None => input::home(file).map(Setting::Home).map_err(refused),
+        None => Ok(input::home(file).map(Setting::Home)?),
     }
 }

@@ -1,7 +1,8 @@
 //! What to teach next, and why.
 
 use super::lessons::{course_lessons, home_named};
-use super::trainer::{Refusal, Trainer, refused};
+use super::trainer::Trainer;
+use goodbot_console::outcome::Failure;
 use goodbot_course::next_lesson::next_lesson;
 use goodbot_formats::environment::EnvironmentFile;
 
@@ -45,7 +46,7 @@ pub enum Next {
 }
 
 /// The lesson that teaches most of what is wanted, of all that can be taught in the course's homes, and of the wanted commands themselves.
-pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Refusal> {
+pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Failure> {
     if wanted.is_empty() {
         return Ok(Next::NothingWanted);
     }
@@ -56,7 +57,7 @@ pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Refusal> {
     lessons.extend(own.into_iter().map(|command| (None, command)));
     let [commands, wanted]: [Vec<&str>; 2] =
         [lessons.iter().map(|(_, command)| command.as_str()).collect(), wanted.iter().map(String::as_str).collect()];
-    let found = next_lesson(&commands, &wanted, |word| trainer.times_heard(word)).map_err(refused)?;
+    let found = next_lesson(&commands, &wanted, |word| trainer.times_heard(word))?;
     let Some((next, (home, command))) = found.filter(|next| !next.is_known()).and_then(|next| Some((next, lessons.get(next.lesson)?)))
     else {
         return Ok(Next::LittleLeft);

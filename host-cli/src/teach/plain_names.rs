@@ -1,17 +1,15 @@
 //! Tasks, objects and ideas as a person calls them.
 
 use super::site::Site;
-use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, ROOM, SHAPE};
-use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId, World};
 use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot_lesson::name::{place_in_words, way_in_words};
+use goodbot_lesson::name::{in_words, object_in_words, way_in_words};
 
 /// A task as a person says it: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`. In a world from a
 /// file it is told by the names there: `lamp on: red kitchen lamp`.
 pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> String {
     match site {
-        Site::Home(home) => task_in_home(home, lifted, task),
+        Site::Home(home) => in_words(home, lifted, task),
         Site::World(robot) => {
             let told = |part: GroundProposition| {
                 let schema = robot.world().schema;
@@ -28,7 +26,7 @@ pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> Stri
 /// An object as a person calls it.
 pub fn object_words(site: &Site, id: ObjectId) -> String {
     match site {
-        Site::Home(home) => object_in_home(home, id),
+        Site::Home(home) => object_in_words(home, id),
         Site::World(robot) => looks(robot, id),
     }
 }
@@ -43,29 +41,6 @@ pub fn looks<D: Domain>(domain: &D, id: ObjectId) -> String {
     let alike = objects.of_class(of).filter(|&other| values(other).eq(values(id))).count();
     let told = values(id).chain([schema.class_name(of)]).collect::<Vec<_>>().join(" ");
     if alike > 1 { format!("{told} ({})", objects.name(id)) } else { told }
-}
-
-fn task_in_home(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    let goal = |part: GroundProposition| {
-        let [subject, room, _] = part.arguments;
-        let room = object_in_home(home, room);
-        if part.proposition == BLOCK_IN_ROOM {
-            format!("take the {} to the {room}", object_in_home(home, subject))
-        } else {
-            format!("go to the {room}")
-        }
-    };
-    way_in_words(lifted, task, goal, |it| place_in_words(home, it, |object| format!("the {}", object_in_home(home, object))))
-}
-
-/// An object by its looks; where another looks alike, by its name too.
-fn object_in_home(home: &Home<impl HomeMemory>, id: ObjectId) -> String {
-    let objects = home.world().objects;
-    let looks = |id: ObjectId| (objects.get(id).map(|object| object.class), objects.value(id, COLOR), objects.value(id, SHAPE));
-    let (class, color, shape) = looks(id);
-    let kind = if class == Some(ROOM) { "room" } else { shape };
-    let alike = objects.iter().filter(|&(other, _)| looks(other) == looks(id)).count();
-    if alike > 1 { format!("{color} {kind} ({})", objects.name(id)) } else { format!("{color} {kind}") }
 }
 
 /// A machine token in plain words: `roomIsGreen` is `room is green`, and a kind of task is what a person would ask for.
@@ -112,11 +87,25 @@ pub fn percent(probability: f32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use goodbot::home::{Moves, paper_tasks};
+    use goodbot::task::ground;
+    use goodbot_lesson::home as homes;
 
     #[test]
     fn a_probability_is_certain_only_where_it_is() {
         let shown = [0.0, 0.004, 0.5, 0.994, 0.999, 1.0].map(percent);
         assert_eq!(shown, ["0 %", "<1 %", "50 %", ">99 %", ">99 %", "100 %"]);
+    }
+
+    #[test]
+    fn what_shall_not_be_is_told_as_that() {
+        let rooms = homes::parse("home", "#########\n#rrr#ggg#\n#r@r+ggg#\n#rrr#ggg#\n#########\n").unwrap();
+        let (home, start) = homes::build(&rooms, Moves::Push, homes::memory()).unwrap();
+        let (kinds, mut tasks) = (paper_tasks().unwrap(), [GroundedTask::UNUSED; 4]);
+        ground(&home, &kinds, &start, &mut tasks).unwrap();
+        let (site, go) = (Site::Home(home), tasks[0]);
+        let told = [go, go.negated(&kinds[0]).unwrap()].map(|task| task_words(&site, &kinds[0], &task));
+        assert_eq!(told, ["go to the green room", "stay out of the green room"]);
     }
 
     #[test]

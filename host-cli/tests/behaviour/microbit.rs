@@ -107,6 +107,13 @@ fn a_board_gets_the_role_model_of_what_the_default_learner_learned() {
 }
 
 #[test]
+fn a_folder_in_the_place_of_the_program_is_refused_with_what_the_system_says() {
+    let folder = folder();
+    let run = run(folder.path(), &["microbit", "--hex", folder.path().to_str().unwrap(), "-m", "MODEL", "-o", "OUT"]);
+    assert!(run.code == 2 && run.messages.contains("cannot be read ("), "{}", run.messages);
+}
+
+#[test]
 fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     let folder = folder();
     for (arguments, problem) in [

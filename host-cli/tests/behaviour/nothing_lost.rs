@@ -82,6 +82,26 @@ fn an_input_is_not_replaced_through_a_link() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn an_input_is_not_replaced_whatever_letters_its_name_has() {
+    use std::os::unix::ffi::OsStrExt;
+    let place = Place::new();
+    let odd = place.folder.path().join(std::ffi::OsStr::from_bytes(b"m\xff"));
+    fs::copy(place.path("model"), &odd).unwrap();
+    for command in [&["inspect"][..], &["unlearn"], &["merge"]] {
+        let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"));
+        program.args(command).arg(&odd);
+        match command {
+            ["inspect"] => program.arg("--plot").arg(&odd),
+            ["unlearn"] => program.arg("1").arg("--out").arg(&odd),
+            _ => program.arg(place.path("model")).arg("--out").arg(&odd),
+        };
+        let run = program.arg("--force").output().unwrap();
+        assert!(String::from_utf8_lossy(&run.stderr).contains(READ), "{command:?}: {}", String::from_utf8_lossy(&run.stderr));
+    }
+}
+
+#[test]
 fn a_foreign_file_is_replaced_only_when_it_is_said() {
     let place = Place::new();
     fs::write(place.path("notes.txt"), "what I must not forget").unwrap();
@@ -135,6 +155,8 @@ fn a_dash_is_standard_output_and_the_text_then_goes_beside_it() {
     assert!(run.messages.contains("accuracy"), "{}", run.messages);
     let inspected = place.run(&["inspect", "model", "--plot", "-"]);
     assert!(inspected.output.starts_with("<svg") && inspected.messages.contains("4 sessions"), "{}", inspected.messages);
+    let replayed = place.run(&["replay", "log.jsonl", "--plot", "-"]);
+    assert!(replayed.output.starts_with("<svg") && replayed.messages.contains("4 learned from"), "{}", replayed.messages);
     let both = place.run(&["evaluate", "log.jsonl", "--plot", "-", "--curve", "-"]);
     assert_eq!((both.code, both.output.as_str()), (2, ""));
     assert!(both.messages.contains("cannot both go to standard output"), "{}", both.messages);

@@ -124,6 +124,21 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn the_doctor_finds_nothing_wrong_with_a_robot_in_a_world() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let robots = folder.path().join("goodbot");
+    std::fs::create_dir(&robots).expect("a folder");
+    let lamps = COURSES.get(1).expect("a course");
+    let _ = taught(&robots, lamps);
+    let mut doctor = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"));
+    let told = doctor.arg("doctor").env("XDG_DATA_HOME", folder.path()).output().expect("the program");
+    let told = String::from_utf8(told.stdout).expect("UTF-8");
+    let robot = told.lines().find(|line| line.contains("lamps.goodbot")).expect("a robot");
+    assert!(robot.trim_start().starts_with("ok") && robot.ends_with("4 sessions"), "{told}");
+}
+
+#[test]
 fn a_command_in_a_world_that_is_refused_keeps_no_other_from_being_asked() {
     let folder = tempfile::tempdir().expect("a folder");
     let course = COURSES.first().expect("a course");

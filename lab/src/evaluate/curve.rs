@@ -1,7 +1,8 @@
 //! Accuracy against the number of sessions that were trained on.
 
-use super::folds::{ask, no_room, shuffled};
+use super::folds::{ask, shuffled};
 use super::method::{Method, Trained};
+use crate::canvas::{GREEN, draw as canvas};
 use goodbot::language::Settings;
 use goodbot_console::lessons::{Lesson, training};
 use goodbot_console::messages::bar;
@@ -48,7 +49,7 @@ pub fn points(
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
                     let taught = taught.iter().filter_map(|&taught| lessons.get(taught)).chain(starter.beside(sessions));
-                    let mut trained = Trained::on(method, memory, taught, settings).map_err(no_room)?;
+                    let mut trained = Trained::on(method, memory, taught, settings)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {
@@ -73,12 +74,9 @@ pub fn points(
 /// # Errors
 /// What the plotting library says.
 pub fn draw(points: &[Point], runs: usize) -> Result<String, Box<dyn Error>> {
-    let mut svg = String::new();
-    {
-        let canvas = SVGBackend::with_string(&mut svg, (720, 440)).into_drawing_area();
-        canvas.fill(&WHITE)?;
+    canvas((720, 440), |area| {
         let most = points.last().map_or(1, |point| point.sessions) as f64;
-        let mut chart = ChartBuilder::on(&canvas)
+        let mut chart = ChartBuilder::on(area)
             .caption(format!("Commands understood, mean of {runs} orders of the sessions"), ("sans-serif", 18))
             .margin(16)
             .x_label_area_size(44)
@@ -88,11 +86,9 @@ pub fn draw(points: &[Point], runs: usize) -> Result<String, Box<dyn Error>> {
         let edge =
             |sign: f64| move |point: &Point| (point.sessions as f64, (100.0 * (point.mean + sign * point.deviation)).clamp(0.0, 100.0));
         let band: Vec<(f64, f64)> = points.iter().map(edge(1.0)).chain(points.iter().rev().map(edge(-1.0))).collect();
-        let color = RGBColor(76, 140, 86);
-        chart.draw_series(std::iter::once(Polygon::new(band, color.mix(0.2).filled())))?;
-        chart.draw_series(LineSeries::new(points.iter().map(edge(0.0)), color.stroke_width(2)))?;
-        chart.draw_series(points.iter().map(|point| Circle::new(edge(0.0)(point), 3, color.filled())))?;
-        canvas.present()?;
-    }
-    Ok(svg)
+        chart.draw_series(std::iter::once(Polygon::new(band, GREEN.mix(0.2).filled())))?;
+        chart.draw_series(LineSeries::new(points.iter().map(edge(0.0)), GREEN.stroke_width(2)))?;
+        chart.draw_series(points.iter().map(|point| Circle::new(edge(0.0)(point), 3, GREEN.filled())))?;
+        Ok(())
+    })
 }

@@ -3,7 +3,6 @@
 use super::method::{Method, Trained};
 use super::novel::Novel;
 use super::wordless::Wordless;
-use goodbot::AgentError;
 use goodbot::language::{Settings, Synonyms};
 use goodbot_console::lessons::{Lesson, Reading, training};
 use goodbot_console::messages::bar;
@@ -84,7 +83,7 @@ impl Experiment<'_> {
                     let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
                     let wordless = Wordless::of(others());
                     let lessons = others().chain(self.starter.beside(others().count()));
-                    let mut trained = Trained::on(method, memory, lessons, settings).map_err(no_room)?;
+                    let mut trained = Trained::on(method, memory, lessons, settings)?;
                     let answers = self.ask_part(&mut trained, &wordless, part, method == Method::Action);
                     progress.inc(1);
                     answers
@@ -130,11 +129,6 @@ impl Experiment<'_> {
     }
 }
 
-/// A core's refusal as a person reads it.
-pub fn no_room(error: AgentError) -> Failure {
-    Failure::Input(goodbot_console::refusal::in_words(&error))
-}
-
 /// The most likely task, the first in order of equals, and the one meant.
 fn best_and_meant(posterior: &[f32], lesson: &Lesson) -> (usize, usize) {
     let best = posterior.iter().enumerate().fold((0, f32::MIN), |best, (task, &p)| if p > best.1 { (task, p) } else { best }).0;
@@ -152,7 +146,7 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
     let posterior = trained.posterior(lesson)?;
     let (best, meant) = best_and_meant(&posterior, lesson);
     let name = |task: usize| lesson.readings.get(task).map_or_else(Default::default, |it| (it.name.to_string(), it.label.clone()));
-    let telling = if best == meant { vec![] } else { trained.telling(lesson, best, meant).map_err(|error| no_room(error.into()))? };
+    let telling = if best == meant { vec![] } else { trained.telling(lesson, best, meant)? };
     Ok(Some(Answer {
         id: lesson.id.clone(),
         command: lesson.command.clone(),

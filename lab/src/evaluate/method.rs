@@ -1,6 +1,5 @@
 //! The learners that are compared.
 
-use super::folds::no_room;
 use clap::ValueEnum;
 use goodbot::capacity::CapacityError;
 use goodbot::home::Moves;
@@ -117,15 +116,15 @@ impl<'m> Trained<'m> {
     /// [`Failure::Input`] where the command has no room.
     pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, Failure> {
         match self {
-            Self::Model2(model) => training::posterior(model, lesson).map_err(|error| no_room(error.into())),
-            Self::Bags(bags) => bags.posterior(lesson).map_err(|error| no_room(error.into())),
+            Self::Model2(model) => Ok(training::posterior(model, lesson)?),
+            Self::Bags(bags) => Ok(bags.posterior(lesson)?),
             Self::Robot(agent) => {
                 let header = &lesson.header;
                 let moves = checked::moves(header.action_names()).unwrap_or(Moves::Push);
                 let mut memory = home::memory();
                 let (home, start) = home::build(&header.environment, moves, &mut memory)
                     .map_err(|flaw| Failure::Input(format!("{}: {}", lesson.id, flaw.message(&header.environment))))?;
-                agent.hear(&home, &start, &lesson.command).map_err(no_room)?;
+                agent.hear(&home, &start, &lesson.command)?;
                 let posterior = (0..agent.tasks().len()).map(|task| agent.belief().probability(task)).collect();
                 agent.forget();
                 Ok(posterior)

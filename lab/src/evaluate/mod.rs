@@ -161,9 +161,9 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
         return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
     }
-    let inputs = || options.files.iter().chain(&options.test).map(String::as_str).chain(options.with.iter().filter_map(|it| it.to_str()));
-    let output = |path: &Option<PathBuf>| path.as_deref().map(|path| Output::picture(path, inputs(), options.force)).transpose();
-    let (plot, curve) = (output(&options.plot)?, output(&options.curve)?);
+    let inputs = || options.files.iter().chain(&options.test).map(Path::new).chain(options.with.as_deref());
+    let [plot, curve] = [&options.plot, &options.curve].map(|path| Output::picture(path, inputs(), options.force));
+    let (plot, curve) = (plot?, curve?);
     let mut out = output::text(&[plot.as_ref(), curve.as_ref()])?;
     if options.ablation {
         return ablation(options, &lifted, &mut out);
@@ -181,8 +181,7 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if let Some(curve) = &curve {
         let runs = options.runs.unwrap_or(10);
         let points = curve::points(&sessions.taught.lessons, &sessions.starter, options.learner, agent.language, runs, options.seed())?;
-        let svg = curve::draw(&points, runs).map_err(|error| Failure::Result(error.to_string()))?;
-        curve.write(svg.as_bytes())?;
+        curve.draw(curve::draw(&points, runs))?;
         if !options.json {
             report::print_curve(&mut out, &points)?;
         }
@@ -202,8 +201,7 @@ const RIGHT: &str = "% right, with 95 % interval";
 fn reliability(plot: Option<&Output>, summary: &Summary) -> Result<(), Failure> {
     let Some(plot) = plot else { return Ok(()) };
     let caption = format!("How sure, and how often right: {}", counted(summary.score.asked, "command"));
-    let svg = calibration::draw(&summary.ranges, &caption, SURE, RIGHT).map_err(|error| Failure::Result(error.to_string()))?;
-    plot.write(svg.as_bytes())
+    plot.draw(calibration::draw(&summary.ranges, &caption, SURE, RIGHT))
 }
 
 fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Write) -> Result<(), Failure> {
@@ -234,14 +232,13 @@ fn with_model(
     let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
     let asked = lessons::read(&files, lifted, agent, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
-    let synonyms = options.synonyms.read()?;
     let about = sessions.about()?;
     let experiment = Experiment {
         taught: &[],
         asked: sessions.asked(),
         rounds: vec![(vec![], (0..sessions.asked().len()).collect())],
         copies: vec![None; sessions.asked().len()],
-        synonyms: synonyms.table()?,
+        synonyms: options.synonyms.read()?,
         starter: &Starter::default(),
         novel: options.novel(lifted, agent)?,
     };
@@ -347,16 +344,14 @@ impl Sessions {
             Some(_) => vec![None; self.asked().len()],
             None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
         };
-        let synonyms = options.synonyms.read()?;
-        let novel = options.novel(lifted, agent)?;
         let experiment = Experiment {
             taught: &self.taught.lessons,
             asked: self.asked(),
             rounds,
             copies,
-            synonyms: synonyms.table()?,
+            synonyms: options.synonyms.read()?,
             starter: &self.starter,
-            novel,
+            novel: options.novel(lifted, agent)?,
         };
         let answers = experiment.run(method, agent.language)?;
         let summary = Summary::of(&answers, about);

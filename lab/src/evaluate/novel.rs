@@ -1,6 +1,5 @@
 //! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks are elsewhere.
 
-use super::folds::no_room;
 use goodbot::Options;
 use goodbot::task::LiftedTask;
 use goodbot_console::lessons::Lesson;
@@ -46,7 +45,7 @@ impl<'l> Novel<'l> {
         let free = self.witnesses.lock().ok().and_then(|mut witnesses| witnesses.pop());
         let mut witness = match free {
             Some(witness) => witness,
-            None => Witness::new(self.lifted, self.options, None, false).map_err(no_room)?,
+            None => Witness::new(self.lifted, self.options, None, false)?,
         };
         let mut random = goodbot_course::generator(self.seed.wrapping_add(position as u64));
         let done = (0..self.count).try_for_each(|_| each(&elsewhere(&mut witness, lesson, &mut random)?));

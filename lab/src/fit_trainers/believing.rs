@@ -1,7 +1,7 @@
 //! What a robot that expects certain trainers would have believed in recorded sessions, and how right that was.
 
-use super::walk::Walk;
 use crate::calibration::{self, RANGES, Range, ranges};
+use crate::recorded::Walk;
 use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, Judged, LAGS, Strategy};
 use goodbot::probability::Scaled;
 use serde_json::{Value, json};

@@ -1,6 +1,6 @@
 //! How often trainers end a session: at the intended goal and elsewhere, by rests in a row and by the last word.
 
-use super::walk::{Walk, WalkStep};
+use crate::recorded::{Walk, WalkStep};
 use goodbot::feedback::{Ending, Feedback, Hazard};
 
 /// The hazard of each moment is drawn to that of all moments by this many steps.

@@ -4,7 +4,7 @@
 //! in a row as the noise of somebody who talks much.
 
 use super::believing::{self, Expectation};
-use super::walk::Walk;
+use crate::recorded::Walk;
 use goodbot::feedback::{Strategy, population};
 
 /// The shares of all trainers that exact ones may have: none of twelve was recorded, so not more than about one in ten.

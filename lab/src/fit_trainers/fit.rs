@@ -6,7 +6,7 @@
 //! as if each had said a few more words, as all do on average ([`Fit::hold`]). Their number is chosen inside the training data, by
 //! leaving one trainer out.
 
-use super::walk::Walk;
+use crate::recorded::Walk;
 use goodbot::feedback::{Feedback, Judged, LAGS, Strategy};
 use std::collections::BTreeMap;
 

@@ -10,8 +10,8 @@ pub mod believing;
 mod ends;
 mod exact;
 pub mod fit;
-pub mod walk;
 
+use crate::recorded::{self, Walk};
 use believing::{Expectation, Rightness};
 use clap::{Args, ValueHint};
 use fit::{Fit, Heard, Shape};
@@ -24,7 +24,6 @@ use goodbot_console::output;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::io::Write;
-use walk::Walk;
 
 /// The options of `goodbot fit-trainers`.
 #[derive(Debug, Args)]
@@ -63,8 +62,7 @@ pub struct FitOptions {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &FitOptions) -> Result<(), Failure> {
-    let faults = |faults: Vec<goodbot_lesson::Fault>| Failure::Input(faults.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"));
-    let walks = walk::read(&options.files, &options.kinds.lifted()?).map_err(faults)?;
+    let walks = recorded::read(&options.files, &options.kinds.lifted()?)?;
     let trainers = fit::by_trainer(&walks);
     if trainers.len() < 3 {
         let found = counted(trainers.len(), "trainer");

@@ -4,6 +4,7 @@
 
 pub mod simulation;
 
+use crate::mean::Mean;
 use clap::Args;
 use goodbot::asking::{Asking, CHOICES};
 use goodbot::{Capacities, HeapMemory};
@@ -78,14 +79,6 @@ fn cost(spent: &Spent, kappa: f32) -> f64 {
     f64::from(spent.steps) + asked
 }
 
-/// The mean of differences, and how far the 95 % interval goes to each side.
-fn interval(differences: &[f64]) -> (f64, f64) {
-    let count = differences.len().max(1) as f64;
-    let mean = differences.iter().sum::<f64>() / count;
-    let variance = differences.iter().map(|difference| (difference - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
-    (mean, 1.96 * (variance / count).sqrt())
-}
-
 /// Runs the command.
 ///
 /// # Errors
@@ -130,8 +123,8 @@ pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
         }
         let plain = without.unwrap_or(row);
         let pairs = plain.sessions.iter().zip(&row.sessions);
-        let saved: Vec<f64> = pairs.map(|(plain, asked)| cost(plain, asking.kappa) - cost(asked, asking.kappa)).collect();
-        let ((saved, wide), cost, never) = (interval(&saved), row.cost(asking.kappa), plain.cost(asking.kappa));
+        let Mean { mean: saved, half: wide } = Mean::of(pairs.map(|(plain, asked)| cost(plain, asking.kappa) - cost(asked, asking.kappa)));
+        let (cost, never) = (row.cost(asking.kappa), plain.cost(asking.kappa));
         let (steps, questions) = (row.mean(|spent| spent.steps.into()), row.mean(|spent| spent.questions.into()));
         let (words, understood) = (row.mean(|spent| spent.words.into()), row.mean(|spent| f64::from(u8::from(spent.understood))));
         if options.json {

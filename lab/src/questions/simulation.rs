@@ -126,6 +126,7 @@ pub fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl 
     if count == 0 {
         return if question.yes.contains(intended) != wrong { Answer::Yes } else { Answer::No };
     }
+    // One of the choices, or at the end none of them.
     let right = question.choices.iter().take(count).position(|choice| choice.contains(intended)).unwrap_or(count);
     let given = if wrong { (right + 1 + below(count, random)) % (count + 1) } else { right };
     if given == count { Answer::No } else { Answer::This(given as u8) }

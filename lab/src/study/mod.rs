@@ -200,8 +200,8 @@ impl StudyOptions {
     }
 
     /// The files that are read.
-    fn inputs(&self) -> impl Iterator<Item = &str> {
-        self.merge.iter().chain(&self.fit).map(String::as_str)
+    fn inputs(&self) -> impl Iterator<Item = &String> {
+        self.merge.iter().chain(&self.fit)
     }
 }
 
@@ -213,8 +213,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     if let Some(page) = &options.report {
         return report::write(page, options);
     }
-    let inputs = options.inputs();
-    let target = options.plot.as_deref().map(|plot| Output::picture(plot, inputs, options.force)).transpose()?;
+    let target = Output::picture(&options.plot, options.inputs(), options.force)?;
     let mut out = output::text(&[target.as_ref()])?;
     if !options.fit.is_empty() {
         likeness::show(&mut out, options)?;
@@ -227,9 +226,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     let (plan, runs) = options.runs()?;
     let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
     if let Some(target) = &target {
-        let drawing = picture::of(&plan, &rows, options.column);
-        let drawing = drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
-        target.write(drawing.as_bytes())?;
+        target.draw(picture::of(&plan, &rows, options.column))?;
         say!("picture: {}", target.name());
     }
     if options.json {

@@ -136,10 +136,9 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     let mut runs = Vec::new();
     let mut parts = Vec::new();
     for file in files {
-        let fault = |fault: Fault| Failure::Input(fault.to_string());
         let mut plan: Option<Plan> = None;
-        for (line, number) in input::open(file).map_err(fault)?.lines().zip(1..) {
-            let wrong = |message: String| fault(Fault::on_line(input::name(file), number, message));
+        for (line, number) in input::open(file)?.lines().zip(1..) {
+            let wrong = |message: String| Fault::on_line(input::name(file), number, message);
             let line = line.map_err(|error| wrong(format!("cannot be read ({error}); check that it is text")))?;
             let line: Value = serde_json::from_str(&line).map_err(|error| wrong(format!("is no JSON ({error})")))?;
             match &plan {
@@ -149,7 +148,7 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
                 Some(plan) => runs.push(run_from_json(plan, &line).map_err(wrong)?),
             }
         }
-        let plan = plan.ok_or_else(|| fault(Fault::new(input::name(file), "is empty; name what goodbot study --json has written")))?;
+        let plan = plan.ok_or_else(|| Fault::new(input::name(file), "is empty; name what goodbot study --json has written"))?;
         parts.push((input::name(file).to_owned(), plan.shard));
         match &whole {
             None => whole = Some((input::name(file).to_owned(), Plan { shard: Shard::WHOLE, ..plan })),

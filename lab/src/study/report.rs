@@ -11,7 +11,7 @@ use crate::study::trial::{CERTAIN, MOST_STEPS, TEST_STEPS};
 use crate::study::tuning::{SEEDS, TRAINED_BY, TUNED};
 use goodbot_console::messages::say;
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::Output;
+use goodbot_console::output::{Kind, Output};
 use std::path::Path;
 
 /// The agents of the tables of all trainers.
@@ -26,18 +26,17 @@ const DRAWN: [&str; 2] = ["balanced", "mute"];
 /// # Errors
 /// [`Failure`].
 pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
-    let text = Output::page(page, options.inputs(), options.force)?;
+    let text = Output::new(Kind::Page, page, options.inputs(), options.force)?;
     if text.is_standard() {
         return Err(Failure::Input("the picture goes beside the page; name a file for it".to_owned()));
     }
     let beside = page.with_extension("svg");
-    let target = Output::picture(&beside, options.inputs(), options.force)?;
+    let target = Output::new(Kind::Picture, &beside, options.inputs(), options.force)?;
     let checks = if options.fit.is_empty() { None } else { Some(likeness::markdown(options)?) };
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
     let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
-    let drawing = picture::of(&plan, &drawn, Column::Tests);
-    target.write(drawing.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?.as_bytes())?;
+    target.draw(picture::of(&plan, &drawn, Column::Tests))?;
     let picture = beside.file_name().unwrap_or_default().to_string_lossy().into_owned();
     text.write(markdown(&plan, &runs, &rows, &picture, checks.as_deref()).as_bytes())?;
     say!("page: {}", text.name());

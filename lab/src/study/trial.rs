@@ -3,17 +3,16 @@
 //! What happens by chance comes from four generators of the seed: the homes, who the trainer is, what the trainer says, and how the agent
 //! draws. So all agents meet the same homes and the same people.
 
+use crate::questions::simulation::answer;
 use crate::study::agent::{Learner, Learns, Now};
 use crate::study::course::Course;
 use crate::study::place::Place;
 use crate::study::trainer::habits::{Habits, Listening};
 use goodbot::AgentError;
-use goodbot::asking::{Answer, Question};
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, ActionSet, apply};
 use goodbot::planning::OptimalSet;
-use goodbot::random::{below, unit};
 use goodbot_course::{CourseError, generator};
 use rand_pcg::Pcg32;
 
@@ -175,19 +174,6 @@ fn ask(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, habits: 
         answers += 1;
     }
     Ok(answers)
-}
-
-/// What the trainer answers.
-fn answer(question: &Question, intended: usize, mistaken: f32, random: &mut Pcg32) -> Answer {
-    let is_wrong = unit(random) < mistaken;
-    let others = usize::from(question.subject.choices());
-    if others == 0 {
-        return if question.yes.contains(intended) != is_wrong { Answer::Yes } else { Answer::No };
-    }
-    // One of the choices, or at the end none of them.
-    let right = question.choices.iter().take(others).position(|choice| choice.contains(intended)).unwrap_or(others);
-    let chosen = if is_wrong { (right + 1 + below(others, random)) % (others + 1) } else { right };
-    if chosen == others { Answer::No } else { Answer::This(chosen as u8) }
 }
 
 /// Whether the agent is certain of a wrong task.

@@ -23,7 +23,7 @@ use rayon::prelude::*;
 use serde_json::json;
 use simulation::{Learned, Setting, simulate};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The options of `goodbot ways`.
 #[derive(Debug, Args)]
@@ -72,9 +72,9 @@ pub struct WaysOptions {
 pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     let asking = Asking { kappa: options.kappa, ..Asking::DEFAULT };
     asking.check().map_err(|error| Failure::Input(error.to_string()))?;
-    let task = LiftedTask::single(AGENT_IN_ROOM, &SCHEMA).map_err(|error| Failure::Result(error.to_string()))?;
-    let lifted = with_routes(&[task]).map_err(|error| Failure::Result(error.to_string()))?.to_vec();
-    let plot = options.plot.as_deref().map(|plot| Output::picture(plot, std::iter::empty(), options.force)).transpose()?;
+    let task = LiftedTask::single(AGENT_IN_ROOM, &SCHEMA)?;
+    let lifted = with_routes(&[task])?.to_vec();
+    let plot = Output::picture(&options.plot, [] as [&Path; 0], options.force)?;
     let mut out = output::text(&[plot.as_ref()])?;
     let progress = bar(2 * options.runs as usize, "simulating robots");
     let robots = [("none", Asking::NEVER), ("asked", asking)].map(|(name, asking)| {
@@ -96,7 +96,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     let robots = [silent?, asking?];
     // The picture comes first: a reader who leaves must not cost it.
     if let Some(plot) = plot {
-        plot.write(picture::draw(&robots, options).map_err(|error| Failure::Result(error.to_string()))?.as_bytes())?;
+        plot.draw(picture::draw(&robots, options))?;
     }
     if !options.json {
         writeln!(out, "questions  lessons  right of {} commands, 95 %      robots with 9 of 10 right", options.tests)?;

@@ -5,7 +5,7 @@ use crate::questions::simulation::answer;
 use goodbot::asking::Asking;
 use goodbot::feedback::Strategy;
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, AgentError, HeapMemory, Options};
+use goodbot::{Agent, HeapMemory, Options};
 use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseTrainer, Lesson, Turn, generator};
 
@@ -45,8 +45,8 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
     let mut random = generator(seed);
     // Tests are drawn apart, so that they are the same with questions and without.
     let mut drawn = generator(seed ^ TESTS);
-    let mut agent = Agent::new(&mut memory.agent, &setting.lifted, Options::DEFAULT).map_err(refused)?;
-    agent.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(refused)?;
+    let mut agent = Agent::new(&mut memory.agent, &setting.lifted, Options::DEFAULT)?;
+    agent.set_strategies(&[(Strategy::BALANCED, 1.0)])?;
     let mut learned = Learned::default();
     for lesson in 0..=setting.lessons {
         if lesson % setting.every.max(1) == 0 || lesson == setting.lessons {
@@ -54,7 +54,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
             for _ in 0..setting.tests {
                 let home = ThreeStoreys::random(&mut memory.home, &mut drawn).map_err(|error| Failure::Result(error.to_string()))?;
                 let exercise = Exercise::random(&home, &mut drawn);
-                agent.hear(&home.home, &home.start, &exercise.command).map_err(refused)?;
+                agent.hear(&home.home, &home.start, &exercise.command)?;
                 let meant = exercise.find(&agent, &home);
                 right += usize::from(meant.is_some() && agent.most_likely() == meant);
             }
@@ -65,17 +65,17 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
         }
         let home = ThreeStoreys::random(&mut memory.home, &mut random).map_err(|error| Failure::Result(error.to_string()))?;
         let exercise = Exercise::random(&home, &mut random);
-        agent.hear(&home.home, &home.start, &exercise.command).map_err(refused)?;
+        agent.hear(&home.home, &home.start, &exercise.command)?;
         let Some(meant) = exercise.find(&agent, &home) else {
             return Err(Failure::Result(format!("no task of the home is what \"{}\" means", exercise.command)));
         };
         let mut under_way = Lesson::meaning(&home.start, meant);
         let report = loop {
             let state = *under_way.state();
-            agent.plan_fully(&home.home, &state).map_err(refused)?;
-            while let Some(question) = agent.question(&home.home, &state, &setting.asking).map_err(refused)? {
+            agent.plan_fully(&home.home, &state)?;
+            while let Some(question) = agent.question(&home.home, &state, &setting.asking)? {
                 learned.questions += 1;
-                let _ = agent.answer(answer(&question, meant, setting.asking.eta, &mut random)).map_err(refused)?;
+                let _ = agent.answer(answer(&question, meant, setting.asking.eta, &mut random))?;
             }
             match under_way.act(&mut agent, &home.home, &CourseTrainer::BALANCED, &mut random) {
                 Ok(Turn::Acted(_)) => {}
@@ -83,7 +83,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
                 Err(error) => return Err(Failure::Result(error.to_string())),
             }
         };
-        let _ = agent.finish(&home.home).map_err(refused)?;
+        let _ = agent.finish(&home.home)?;
         agent.learn_fully();
         learned.steps += usize::from(report.steps);
         learned.words += (report.feedback.reward + report.feedback.punish) as usize;
@@ -93,7 +93,3 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
 
 /// Tells the tests' seed from the lessons'.
 const TESTS: u64 = 0x7e57_7e57_7e57_7e57;
-
-fn refused(error: AgentError) -> Failure {
-    Failure::Result(goodbot_console::refusal::in_words(&error))
-}

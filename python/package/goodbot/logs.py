@@ -30,9 +30,12 @@ def write_log(path: str | os.PathLike[str], sessions: Iterable[Session], *, appe
 
     Raises `FormatError` where a session could not be read again, and `FileExistsError`.
     """
-    lines = [line for session in sessions for line in session.lines()]
-    with open(path, "a" if append else "x", encoding="utf-8", newline="\n") as file:
-        file.writelines(line + "\n" for line in lines)
+    text = "".join(line + "\n" for session in sessions for line in session.lines()).encode()
+    with open(path, "a+b" if append else "xb") as file:
+        # The last line of a log may have no end.
+        if append and file.seek(0, os.SEEK_END) and file.seek(-1, os.SEEK_END) >= 0 and file.read() != b"\n":
+            text = b"\n" + text
+        file.write(text)
 
 
 @dataclass(frozen=True)

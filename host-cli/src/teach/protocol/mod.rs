@@ -8,12 +8,13 @@ use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
 use crate::teach::table::Table;
 use crate::teach::trainer::Judged;
-use crate::teach::trainer::{Heard, Meaning, Refusal};
+use crate::teach::trainer::{Heard, Meaning};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
 use goodbot::talk::Said;
 use goodbot::talk::{Class, Hypothesis};
+use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
 use serde_json::{Map, Value, json};
@@ -35,9 +36,15 @@ struct Misunderstood {
     instead: &'static str,
 }
 
-impl From<Refusal> for Misunderstood {
-    fn from(refusal: Refusal) -> Self {
-        Self { message: refusal.0, instead: "send help for all requests" }
+impl<E: Into<Failure>> From<E> for Misunderstood {
+    fn from(refused: E) -> Self {
+        Self::told(refused, "send help for all requests")
+    }
+}
+
+impl Misunderstood {
+    fn told(refused: impl Into<Failure>, instead: &'static str) -> Self {
+        Self { message: refused.into().to_string(), instead }
     }
 }
 
@@ -182,7 +189,7 @@ impl Speaker<'_> {
             "log": places.map(|places| places.log.display().to_string()),
         });
         if let (Some(failure), Value::Object(fields)) = (failure, &mut bye) {
-            fields.insert("error".to_owned(), json!(failure.0));
+            fields.insert("error".to_owned(), json!(failure.to_string()));
         }
         bye
     }
@@ -287,7 +294,7 @@ impl Speaker<'_> {
         Ok(judged)
     }
 
-    fn support(&self) -> Result<Vec<Value>, Refusal> {
+    fn support(&self) -> Result<Vec<Value>, Failure> {
         let meanings = self.classroom.trainer.meanings();
         let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
         let word = |word: crate::teach::trainer::WordSupport| {
@@ -306,7 +313,7 @@ impl Speaker<'_> {
             });
         }
         let trainer = &mut self.classroom.trainer;
-        trainer.go_on()?;
+        trainer.lesson_mut().go_on()?;
         trainer.plan_fully()?;
         let meanings = trainer.meanings();
         let acted = trainer.act()?.clone();
@@ -330,7 +337,7 @@ impl Speaker<'_> {
         let Some(action) = trainer.lesson().acted().map(|acted| acted.action.clone()) else {
             return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
         };
-        let judged = trainer.judge(feedback)?;
+        let judged = trainer.lesson_mut().judge(feedback)?;
         let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::As(Evidence::Used) | Judged::AsBefore)});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
@@ -373,7 +380,7 @@ impl Speaker<'_> {
     fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
         let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let trainer = &mut self.classroom.trainer;
-        let evidence = trainer.answer(given).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        let evidence = trainer.lesson_mut().answer(given).map_err(|refused| Misunderstood::told(refused, instead))?;
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
         self.add_tasks(&mut told);
         Ok(vec![told])
@@ -381,7 +388,7 @@ impl Speaker<'_> {
 
     fn intended(&mut self, task: &str) -> Answers {
         let instead = "send intended and one of the tasks, such as: intended go to the red room";
-        let meant = self.classroom.mean(Some(task)).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        let meant = self.classroom.mean(Some(task)).map_err(|refused| Misunderstood::told(refused, instead))?;
         Ok(vec![json!({"type": "intended", "task": meant.name, "words": meant.words})])
     }
 
@@ -410,10 +417,10 @@ impl Speaker<'_> {
 
     fn back(&mut self) -> Answers {
         let trainer = &mut self.classroom.trainer;
-        if !trainer.take_back()? {
+        if !trainer.lesson_mut().take_back()? {
             return Err(Misunderstood { message: "no step was taken yet".to_owned(), instead: "send step" });
         }
-        trainer.plan_again()?;
+        trainer.lesson_mut().walk_on()?;
         let mut answer = json!({"type": "back"});
         self.add_cells(&mut answer);
         self.add_tasks(&mut answer);
@@ -468,14 +475,14 @@ impl Speaker<'_> {
         } else {
             EnvironmentFile::parse(text).map_err(|error| refuse(error.to_string()))?
         };
-        self.classroom.enter(&home).map_err(|refusal| refuse(refusal.0))?;
+        self.classroom.enter(&home).map_err(|refused| Misunderstood::told(refused, instead))?;
         Ok(vec![self.place("home")])
     }
 
     fn conversation(&mut self, id: &str) -> Answers {
         let instead = "send conversation and an id that heard gave, or conversation alone for a new one";
         let id = Some(id).filter(|id| !id.is_empty());
-        self.classroom.converse(id).map_err(|refusal| Misunderstood { message: refusal.0, instead })?;
+        self.classroom.converse(id).map_err(|refused| Misunderstood::told(refused, instead))?;
         let lesson = self.classroom.lesson();
         let known: Vec<&str> = lesson.conversations().collect();
         Ok(vec![json!({"type": "conversation", "id": lesson.conversation().id, "known": known})])

@@ -1,13 +1,13 @@
 //! What the robot asks, and what it is answered.
 
-use super::{Refusal, Trainer, no_session, refused};
+use super::{Trainer, no_session};
 use crate::teach::plain_names::{in_plain_words, object_words, task_words};
 use crate::teach::site::Site;
-use goodbot::asking::{Answer, Asking, Question, Subject};
+use goodbot::asking::{Asking, Question, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::oomdp::Domain;
-use goodbot::session::Evidence;
 use goodbot::task::{LiftedTask, Part};
+use goodbot_console::outcome::Failure;
 
 /// A question as a person hears it.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,11 +22,11 @@ pub struct Asks {
 
 impl Trainer {
     /// What the robot asks here, where a question teaches it more than acting does. The plan must be done.
-    pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Refusal> {
+    pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Failure> {
         if !self.lesson.is_under_way() {
             return Err(no_session());
         }
-        let question = self.lesson.ask(asking).map_err(refused)?;
+        let question = self.lesson.ask(asking)?;
         Ok(question.and_then(|question| self.in_words(&question)))
     }
 
@@ -60,11 +60,6 @@ impl Trainer {
             Subject::WhichTask(tasks, count) => (which, tasks.iter().take(usize::from(count)).filter_map(|&at| task(at)).collect()),
         };
         Some(Asks { text, choices, tasks: question.yes.iter().collect() })
-    }
-
-    /// Takes in the answer to the question that was asked last.
-    pub fn answer(&mut self, answer: Answer) -> Result<Evidence, Refusal> {
-        self.lesson.answer(answer).map_err(refused)
     }
 }
 

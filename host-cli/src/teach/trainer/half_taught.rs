@@ -2,7 +2,6 @@
 //!
 //! The sentences are in the robot's mind alone. What is saved of it are its own sessions, as without a starter.
 
-use super::{Refusal, refused};
 use goodbot::memory::AgentHeap;
 use goodbot::session::Finished;
 use goodbot::{Agent, Capacities};
@@ -52,19 +51,19 @@ impl HalfTaught {
     }
 
     /// Takes the sentences into a mind that has its own sessions alone.
-    pub fn join(&mut self, mind: &mut Agent<AgentHeap>) -> Result<(), Refusal> {
+    pub fn join(&mut self, mind: &mut Agent<AgentHeap>) -> Result<(), Failure> {
         if !self.is_on() {
             return Ok(());
         }
         let own = mind.language().bitext().sessions();
-        self.own = mind.saved().map_err(refused)?;
-        let joined = self.starter.join(mind, own).map_err(|failure: Failure| Refusal(failure.to_string()))?;
+        self.own = mind.saved()?;
+        let joined = self.starter.join(mind, own)?;
         self.places = own..own + joined;
         Ok(())
     }
 
     /// The mind has learned from a session of its own, and others may have given way: it keeps fewer sentences.
-    pub fn fade(&mut self, mind: &mut Agent<AgentHeap>, finished: &Finished) -> Result<(), Refusal> {
+    pub fn fade(&mut self, mind: &mut Agent<AgentHeap>, finished: &Finished) -> Result<(), Failure> {
         if !self.is_on() {
             return Ok(());
         }

@@ -1,6 +1,5 @@
 //! The robot's mind and its home, each made anew when it is replaced during a visit.
 
-use super::{Refusal, refused};
 use crate::teach::site::{Setting, Site, SiteState};
 use goodbot::feedback::population;
 use goodbot::home::{self, Moves};
@@ -9,18 +8,19 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
+use goodbot_console::outcome::Failure;
 use goodbot_lesson::home as homes;
 use goodbot_lesson::world::robot::{self, Flaw, Tables};
 use std::sync::Arc;
 
 /// What commands may mean in a place. `ways` says whether that is tasks with a way too, in a home.
-pub fn kinds_of_task(site: &Site, ways: bool) -> Result<Vec<LiftedTask>, Refusal> {
+pub fn kinds_of_task(site: &Site, ways: bool) -> Result<Vec<LiftedTask>, Failure> {
     match site {
         Site::Home(_) => {
-            let paper = home::paper_tasks().map_err(refused)?;
-            Ok(if ways { home::with_routes(&paper).map_err(refused)?.to_vec() } else { paper.to_vec() })
+            let paper = home::paper_tasks()?;
+            Ok(if ways { home::with_routes(&paper)?.to_vec() } else { paper.to_vec() })
         }
-        Site::World(_) if ways => Err(Refusal("commands may mean ways in homes only; leave out --routes".to_owned())),
+        Site::World(_) if ways => Err(Failure::Input("commands may mean ways in homes only; leave out --routes".to_owned())),
         Site::World(robot) => robot::tasks(robot.file(), robot).map_err(flawed),
     }
 }
@@ -32,26 +32,26 @@ pub fn new_mind(
     tasks: usize,
     lifted: &[LiftedTask],
     believes: Option<&Believes>,
-) -> Result<Agent<AgentHeap>, Refusal> {
+) -> Result<Agent<AgentHeap>, Failure> {
     let options = Learner::Default.options();
-    let mut mind = Agent::new(learner::memory(capacities, &options.language, tasks), lifted, options).map_err(refused)?;
+    let mut mind = Agent::new(learner::memory(capacities, &options.language, tasks), lifted, options)?;
     expect(&mut mind, believes)?;
     Ok(mind)
 }
 
 /// Makes a mind expect this of its trainer, or else what real people do: it knows that the trainer ends its sessions.
-pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Result<(), Refusal> {
+pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Result<(), Failure> {
     let believes = believes.unwrap_or(&Believes::Population);
     let options = Options { drift: Options::DEFAULT.drift, ending: Options::DEFAULT.ending, ..*mind.options() };
-    mind.set_options(believes.options(options)).map_err(refused)?;
-    mind.set_strategies(believes.strategies().unwrap_or(&population::STRATEGIES)).map_err(refused)
+    mind.set_options(believes.options(options))?;
+    Ok(mind.set_strategies(believes.strategies().unwrap_or(&population::STRATEGIES))?)
 }
 
 /// The place of a file, and where everything is in it.
-pub fn build(file: &Setting) -> Result<(Site, SiteState), Refusal> {
+pub fn build(file: &Setting) -> Result<(Site, SiteState), Failure> {
     match file {
         Setting::Home(file) => {
-            let (home, start) = homes::build(file, Moves::Push, homes::memory()).map_err(|flaw| Refusal(flaw.message(file)))?;
+            let (home, start) = homes::build(file, Moves::Push, homes::memory()).map_err(|flaw| Failure::Input(flaw.message(file)))?;
             Ok((Site::Home(home), SiteState::Home(start)))
         }
         Setting::World(file) => {
@@ -62,6 +62,6 @@ pub fn build(file: &Setting) -> Result<(Site, SiteState), Refusal> {
     }
 }
 
-fn flawed(flaw: Flaw) -> Refusal {
-    Refusal(flaw.to_string())
+fn flawed(flaw: Flaw) -> Failure {
+    Failure::Input(flaw.to_string())
 }

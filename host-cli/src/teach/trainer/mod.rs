@@ -35,7 +35,7 @@ use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_t
 use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::load::synonyms::said_in_known_words;
 use goodbot_console::messages::say;
-use goodbot_console::refusal::InWords;
+use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
@@ -48,25 +48,9 @@ use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
 use std::borrow::Cow;
-use std::fmt;
 
-/// Why something was refused, in words for the trainer.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refusal(pub String);
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-/// An error of the core as a refusal.
-pub fn refused(error: impl InWords) -> Refusal {
-    Refusal(error.in_words())
-}
-
-fn no_session() -> Refusal {
-    Refusal("no session is under way; give a command first".to_owned())
+fn no_session() -> Failure {
+    Failure::Input("no session is under way; give a command first".to_owned())
 }
 
 /// The effect of words to the robot.
@@ -104,7 +88,7 @@ pub struct Trainer {
 impl Trainer {
     /// A robot that has learned nothing yet, in a home or another world. `seed` decides its draws among what is equally good, `ways` whether commands may mean
     /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
-    pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Refusal> {
+    pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Failure> {
         let (rooms, start) = build(file)?;
         let lifted = kinds_of_task(&rooms, ways)?;
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
@@ -125,14 +109,14 @@ impl Trainer {
     }
 
     /// The same robot, whose commands mean tasks of these kinds: it has learned nothing yet.
-    pub fn with_kinds(mut self, lifted: &[LiftedTask]) -> Result<Self, Refusal> {
+    pub fn with_kinds(mut self, lifted: &[LiftedTask]) -> Result<Self, Failure> {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
         self.lesson.replace_agent(mind);
         Ok(self)
     }
 
     /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
-    pub fn with_starter(mut self, starter: Starter) -> Result<Self, Refusal> {
+    pub fn with_starter(mut self, starter: Starter) -> Result<Self, Failure> {
         self.half_taught = HalfTaught::new(starter);
         self.start_anew()?;
         Ok(self)
@@ -151,21 +135,21 @@ impl Trainer {
     }
 
     /// What was said, as the robot hears it.
-    fn in_known_words<'w>(&self, words: &'w str) -> Result<Cow<'w, str>, Refusal> {
+    fn in_known_words<'w>(&self, words: &'w str) -> Result<Cow<'w, str>, Failure> {
         if self.synonyms == Synonyms::NONE {
             return Ok(Cow::Borrowed(words));
         }
-        said_in_known_words(self.synonyms, self.lesson.agent.language(), words).map_err(refused)
+        Ok(said_in_known_words(self.synonyms, self.lesson.agent.language(), words)?)
     }
 
     /// A mind that has learned nothing yet, with these capacities and room for a starter.
-    fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Refusal> {
+    fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Failure> {
         let (capacities, tasks) = (self.half_taught.room(*capacities), tasks + self.half_taught.tasks());
         new_mind(&capacities, tasks, self.lesson.agent.lifted(), self.believes.as_ref())
     }
 
     /// Gives the robot a mind that has its own sessions alone: a starter's sentences come beside them.
-    fn take_mind(&mut self, mut mind: Agent<AgentHeap>) -> Result<(), Refusal> {
+    fn take_mind(&mut self, mut mind: Agent<AgentHeap>) -> Result<(), Failure> {
         self.half_taught.join(&mut mind)?;
         learn_fully(&mut mind);
         self.lesson.replace_agent(mind);
@@ -173,14 +157,14 @@ impl Trainer {
     }
 
     /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
-    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let contents = Contents::read(bytes).map_err(refused)?;
+    pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        let contents = Contents::read(bytes)?;
         let mut mind = self.new_mind(&room_for(&contents), room_for_tasks(&contents))?;
         if contents.vocabulary == 0 || contents.vocabulary == mind.vocabulary() {
-            mind.restore(bytes).map_err(refused)?;
+            mind.restore(bytes)?;
         } else {
             say!("this model was learned elsewhere: what it knows of words is taken along, and what it believes of its trainer is not");
-            let _ = mind.join(&restored::words(bytes).map_err(refused)?).map_err(refused)?;
+            let _ = mind.join(&restored::words(bytes)?)?;
         }
         if self.believes.is_some() {
             expect(&mut mind, self.believes.as_ref())?;
@@ -189,26 +173,26 @@ impl Trainer {
     }
 
     /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
-    pub fn start_anew(&mut self) -> Result<(), Refusal> {
+    pub fn start_anew(&mut self) -> Result<(), Failure> {
         let mind = self.new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs)?;
         self.take_mind(mind)
     }
 
     /// What the robot has learned, as the bytes of a model file with its kinds of task. It must not be learning. A starter's sentences are not in it.
-    pub fn save(&self) -> Result<Vec<u8>, Refusal> {
+    pub fn save(&self) -> Result<Vec<u8>, Failure> {
         let model = match self.half_taught.own() {
             Some(own) => own.to_vec(),
-            None => self.lesson.agent.saved().map_err(refused)?,
+            None => self.lesson.agent.saved()?,
         };
         // A world names its kinds of task itself.
         Ok(if self.lesson.home().home().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
-    pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Refusal> {
+    pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Failure> {
         if self.lesson.home().robot().is_some() {
             let message = "this robot is in a world from a file, and its commands mean nothing in a home; teach another one there";
-            return Err(Refusal(message.to_owned()));
+            return Err(Failure::Input(message.to_owned()));
         }
         let (rooms, start) = build(&Setting::Home(file.clone()))?;
         self.start = start;
@@ -242,6 +226,11 @@ impl Trainer {
         &self.lesson
     }
 
+    /// The same, to plan, to judge and to go on.
+    pub const fn lesson_mut(&mut self) -> &mut Lesson<Site> {
+        &mut self.lesson
+    }
+
     /// The position of the task that the trainer means, where that is known.
     pub fn intended(&self) -> Option<usize> {
         self.intended.filter(|_| self.lesson.is_under_way())
@@ -267,15 +256,15 @@ impl Trainer {
     ///
     /// With some lessons, the robot listens: it begins with what there is to do. Said once more, words for which there was nothing to do are a
     /// command all the same, unless they say what shall not be.
-    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Refusal> {
+    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Failure> {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
         let command = &self.in_known_words(command)?;
         let environment = self.lesson.environment();
-        let read = read(command).map_err(refused)?;
+        let read = read(command)?;
         self.unread = read.long().map_or(0, |long| long.unread());
         if let Some(intention) = intention {
-            self.lesson.hear(read.words, environment).map_err(refused)?;
+            self.lesson.hear(read.words, environment)?;
             self.intended = intention.find(&self.lesson.agent, self.lesson.home());
             return Ok(Heard::Command);
         }
@@ -288,10 +277,10 @@ impl Trainer {
         self.listened = match self.lesson.tell(told, environment.clone()) {
             // Said once more, it is a command all the same.
             Err(LiveError::Agent(AgentError::Capacity(full))) if full.capacity == Capacity::WordsPerCommand => {
-                self.lesson.hear(read.words, environment).map_err(refused)?;
+                self.lesson.hear(read.words, environment)?;
                 None
             }
-            told => told.map_err(refused)?,
+            told => told?,
         };
         if self.listened.is_some_and(|listened| listened.rest.is_some()) {
             self.unread = 0;
@@ -300,10 +289,10 @@ impl Trainer {
     }
 
     /// Hears the rest of the utterance, where the robot is now; `None` if there is no rest.
-    pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Refusal> {
+    pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Failure> {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
-        let listened = self.lesson.listen_on(environment).map_err(refused)?;
+        let listened = self.lesson.listen_on(environment)?;
         (self.listened, self.unread) = (listened, 0);
         Ok(listened.map(|listened| self.heard(&listened)))
     }
@@ -343,66 +332,41 @@ impl Trainer {
     }
 
     /// What a person's words ask for, at this point of the conversation.
-    pub fn said(&self, words: &str) -> Result<Said, Refusal> {
+    pub fn said(&self, words: &str) -> Result<Said, Failure> {
         // In a session, words that are too long are refused: their first ones could end it.
         let words = if self.lesson.is_under_way() { words } else { words_read(words) };
-        self.lesson.said(&self.in_known_words(words)?).map_err(refused)
+        Ok(self.lesson.said(&self.in_known_words(words)?)?)
     }
 
     /// Takes in words that turn the robot on its way round.
-    pub fn correct(&mut self, words: &str) -> Result<Evidence, Refusal> {
+    pub fn correct(&mut self, words: &str) -> Result<Evidence, Failure> {
         let words = &self.in_known_words(words)?;
-        self.lesson.correct(words).map_err(refused)
+        Ok(self.lesson.correct(words)?)
     }
 
     /// Learns what is said along with a button.
-    pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Refusal> {
-        self.lesson.learn_voice(words, feedback).map_err(refused)
+    pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Failure> {
+        Ok(self.lesson.learn_voice(words, feedback)?)
     }
 
     /// Begins another conversation, or goes on with one, by its name.
-    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Refusal> {
+    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         match id {
             None => self.lesson.converse_anew(),
-            Some(id) => self.lesson.converse(id).map_err(refused)?,
+            Some(id) => self.lesson.converse(id)?,
         }
         Ok(())
     }
 
-    /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the robot can act.
-    pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
-        self.lesson.plan(budget).map_err(refused)
-    }
-
     /// Plans to the end.
-    pub fn plan_fully(&mut self) -> Result<(), Refusal> {
-        while !self.plan(u32::MAX)? {}
+    pub fn plan_fully(&mut self) -> Result<(), Failure> {
+        while !self.lesson.plan(u32::MAX)? {}
         Ok(())
     }
 
-    /// Where something was taken back, walks the session again to the end.
-    pub fn plan_again(&mut self) -> Result<(), Refusal> {
-        self.lesson.walk_on().map_err(refused)
-    }
-
     /// Decides on an action and does it. The plan must be done, and what was done before must be over: [`go_on`](Self::go_on).
-    pub fn act(&mut self) -> Result<&Acted, Refusal> {
-        self.lesson.act(&mut self.random).map_err(refused)
-    }
-
-    /// Takes in what the trainer says to the last step. It replaces what was said to it before.
-    pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, Refusal> {
-        self.lesson.judge(feedback).map_err(refused)
-    }
-
-    /// The last step is over: where nothing was said to it, that was silence.
-    pub fn go_on(&mut self) -> Result<(), Refusal> {
-        self.lesson.go_on().map_err(refused)
-    }
-
-    /// Takes back the last step, and what was said to it. [`plan`](Self::plan) until that is done. Gives `false` where there is none.
-    pub fn take_back(&mut self) -> Result<bool, Refusal> {
-        self.lesson.take_back().map_err(refused)
+    pub fn act(&mut self) -> Result<&Acted, Failure> {
+        Ok(self.lesson.act(&mut self.random)?)
     }
 
     /// What a simulated trainer who means the intended task says to the last step; `None` where nothing is intended or done.
@@ -418,10 +382,10 @@ impl Trainer {
 
     /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
     /// to which nothing was said is left out.
-    pub fn finish(&mut self) -> Result<(Recorded, Finished), Refusal> {
-        self.plan_again()?;
+    pub fn finish(&mut self) -> Result<(Recorded, Finished), Failure> {
+        self.lesson.walk_on()?;
         let record = self.record(true).ok_or_else(no_session)?;
-        let finished = self.lesson.finish().map_err(refused)?;
+        let finished = self.lesson.finish()?;
         self.half_taught.fade(&mut self.lesson.agent, &finished)?;
         Ok((record, finished))
     }

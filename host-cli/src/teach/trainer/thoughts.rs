@@ -1,12 +1,13 @@
 //! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
 
-use super::{Refusal, Trainer, no_session, refused};
+use super::{Trainer, no_session};
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
 use goodbot_console::lessons::evidence;
+use goodbot_console::outcome::Failure;
 
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,7 +73,7 @@ impl Trainer {
 
     /// Which word of the command speaks for which task: for each word and task, how probable the word alone is under the task, the mean
     /// over the task's machine commands.
-    pub fn word_support(&self) -> Result<Vec<WordSupport>, Refusal> {
+    pub fn word_support(&self) -> Result<Vec<WordSupport>, Failure> {
         let command = self.lesson.command().ok_or_else(no_session)?;
         let (agent, home) = (&self.lesson.agent, self.lesson.home());
         let (language, sentence) = (agent.language(), agent.sentence());
@@ -80,7 +81,7 @@ impl Trainer {
         let mut rows = vec![Vec::new(); sentence.len()];
         let Some(start) = agent.started_from(home) else { return Err(no_session()) };
         for task in agent.tasks() {
-            let commands = evidence::commands(home, agent.lifted(), task, &start, agent.options()).map_err(refused)?;
+            let commands = evidence::commands(home, agent.lifted(), task, &start, agent.options())?;
             if agent.options().language.model == Model::Roles {
                 let description = commands.first().map(|command| evidence::description_symbols(language, command)).unwrap_or_default();
                 rows.iter_mut().for_each(|row| row.push(Scaled::ZERO));
@@ -102,15 +103,10 @@ impl Trainer {
             }
         }
         let mut said = Vec::new();
-        agent
-            .options()
-            .language
-            .model
-            .for_each_word(command, |word| {
-                said.push(word.to_owned());
-                Ok(())
-            })
-            .map_err(refused)?;
+        agent.options().language.model.for_each_word(command, |word| {
+            said.push(word.to_owned());
+            Ok(())
+        })?;
         let support = |((word, row), heard): ((String, Vec<Scaled>), &Option<Symbol>)| {
             let whole = total(row.iter().copied());
             let even = 1.0 / row.len().max(1) as f32;

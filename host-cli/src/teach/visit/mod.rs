@@ -12,13 +12,14 @@ use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::trainer::Judged;
-use crate::teach::trainer::{Acted, Heard, Refusal, WordSupport};
+use crate::teach::trainer::{Acted, Heard, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
 use goodbot::planning::Judgement;
 use goodbot::session::Evidence;
 use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
 use std::time::Duration;
 
 /// How much of the work is done between two looks at the keyboard.
@@ -178,11 +179,11 @@ impl Visit {
     /// Does what the person wants, at a time since the visit began.
     pub fn take(&mut self, intent: Intent, now: Duration) {
         if let Err(refusal) = self.obey(intent, now) {
-            self.message = sentence(&refusal.0);
+            self.message = sentence(&refusal.to_string());
         }
     }
 
-    fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Refusal> {
+    fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Failure> {
         let in_session = self.classroom.lesson().is_under_way();
         match intent {
             Intent::Leave => self.left = true,
@@ -224,7 +225,7 @@ impl Visit {
             }
             Intent::AnotherHome => {
                 self.homes = self.homes.wrapping_add(1);
-                let home = random_home(self.homes).ok_or_else(|| Refusal("no home could be drawn".to_owned()))?;
+                let home = random_home(self.homes).ok_or_else(|| Failure::Input("no home could be drawn".to_owned()))?;
                 self.classroom.enter(&home)?;
                 self.message = "Another home.".to_owned();
             }
@@ -280,7 +281,7 @@ impl Visit {
     }
 
     /// Writes what to teach next, goes where it can be taught, and says why.
-    fn propose(&mut self) -> Result<(), Refusal> {
+    fn propose(&mut self) -> Result<(), Failure> {
         self.message = match self.classroom.next_lesson()? {
             Next::NothingWanted => "Teach it something first. Then this proposes the lesson that teaches it most.".to_owned(),
             Next::LittleLeft => "It has heard every word of these commands often. There is little left to teach.".to_owned(),
@@ -297,7 +298,7 @@ impl Visit {
     }
 
     /// Says a command.
-    fn command(&mut self, command: &str) -> Result<(), Refusal> {
+    fn command(&mut self, command: &str) -> Result<(), Failure> {
         let heard = self.classroom.say(command)?;
         if heard != Heard::Command {
             // What was under way is over.
@@ -319,7 +320,7 @@ impl Visit {
     }
 
     /// A session begins.
-    fn begin(&mut self) -> Result<(), Refusal> {
+    fn begin(&mut self) -> Result<(), Failure> {
         self.support = self.classroom.trainer.word_support()?;
         (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
         (self.typing, self.paused, self.stepping, self.word_at) = (false, false, false, None);
@@ -332,7 +333,7 @@ impl Visit {
     }
 
     /// What the trainer says to the last step, if it can be judged.
-    fn judge(&mut self, feedback: Feedback, now: Duration) -> Result<(), Refusal> {
+    fn judge(&mut self, feedback: Feedback, now: Duration) -> Result<(), Failure> {
         if self.tested.is_some() {
             self.message = "This is a test: it hears no good and no bad. Enter goes on.".to_owned();
             return Ok(());
@@ -347,7 +348,7 @@ impl Visit {
             return Ok(());
         };
         let waits = self.wait(acted).is_none();
-        match self.classroom.trainer.judge(feedback)? {
+        match self.classroom.trainer.lesson_mut().judge(feedback)? {
             Judged::As(Evidence::Impossible) => {
                 self.message = "Your word is impossible under every task, so it was not counted.".to_owned()
             }
@@ -361,18 +362,18 @@ impl Visit {
     }
 
     /// Answers the robot's question.
-    fn answer(&mut self, answer: Answer) -> Result<(), Refusal> {
+    fn answer(&mut self, answer: Answer) -> Result<(), Failure> {
         if self.classroom.trainer.open_question().is_none() {
             self.message = "It has asked nothing. It asks where an answer would tell it more than its next steps.".to_owned();
             return Ok(());
         }
-        let _ = self.classroom.trainer.answer(answer)?;
+        let _ = self.classroom.trainer.lesson_mut().answer(answer)?;
         self.message = "It takes your answer into account.".to_owned();
         Ok(())
     }
 
     /// Asks, where a question teaches more than the next steps do. It does not wait for the answer.
-    fn ask(&mut self) -> Result<(), Refusal> {
+    fn ask(&mut self) -> Result<(), Failure> {
         if self.auto || self.tested.is_some() {
             return Ok(());
         }
@@ -387,7 +388,7 @@ impl Visit {
         Ok(())
     }
 
-    fn silence(&mut self, now: Duration) -> Result<(), Refusal> {
+    fn silence(&mut self, now: Duration) -> Result<(), Failure> {
         self.judge(Feedback::Neutral, now)?;
         if let (Phase::Waiting(_), None) = (self.phase, &self.tested) {
             self.phase = Phase::Waiting(Some(now));
@@ -406,12 +407,12 @@ impl Visit {
         }
     }
 
-    fn undo(&mut self) -> Result<(), Refusal> {
+    fn undo(&mut self) -> Result<(), Failure> {
         if self.phase == Phase::Learning || self.tested.is_some() {
             self.message = "Wait until this is over.".to_owned();
         } else if self.classroom.lesson().is_under_way() {
             (self.paused, self.auto, self.word_at) = (true, false, None);
-            let taken = self.classroom.trainer.take_back()?;
+            let taken = self.classroom.trainer.lesson_mut().take_back()?;
             self.message =
                 if taken { "One step back. o takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
             if taken {
@@ -427,9 +428,9 @@ impl Visit {
         Ok(())
     }
 
-    fn go_on(&mut self) -> Result<(), Refusal> {
+    fn go_on(&mut self) -> Result<(), Failure> {
         let rested = self.acted().map(|acted| acted.action == "noop");
-        self.classroom.trainer.go_on()?;
+        self.classroom.trainer.lesson_mut().go_on()?;
         match rested {
             Some(true) => self.rests = self.rests.saturating_add(1),
             Some(false) => self.rests = 0,
@@ -439,13 +440,13 @@ impl Visit {
         Ok(())
     }
 
-    fn finish(&mut self) -> Result<(), Refusal> {
+    fn finish(&mut self) -> Result<(), Failure> {
         self.gave_way = self.classroom.finish()?;
         (self.phase, self.message) = (Phase::Learning, "It learns …".to_owned());
         Ok(())
     }
 
-    fn pass_test(&mut self) -> Result<(), Refusal> {
+    fn pass_test(&mut self) -> Result<(), Failure> {
         let Some(Tested { heard, right }) = self.tested.take() else { return Ok(()) };
         self.classroom.pass_test(right)?;
         let verdict = if right { "Right: it understood" } else { "Wrong: it took it for" };

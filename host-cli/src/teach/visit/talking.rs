@@ -1,16 +1,17 @@
 //! What the person says in words: the one field takes commands and all that is said to a robot on its way.
 
 use super::{Phase, Visit, telling};
-use crate::teach::trainer::{Heard, Refusal};
+use crate::teach::trainer::Heard;
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
 use goodbot::talk::Class;
 use goodbot::talk::Said;
+use goodbot_console::outcome::Failure;
 use std::time::Duration;
 
 impl Visit {
     /// Says what is written.
-    pub(super) fn say(&mut self, now: Duration) -> Result<(), Refusal> {
+    pub(super) fn say(&mut self, now: Duration) -> Result<(), Failure> {
         let words = self.prompt.text().trim().to_owned();
         let in_session = self.classroom.lesson().is_under_way();
         if words.is_empty() {
@@ -55,7 +56,7 @@ impl Visit {
     }
 
     /// Words turn the robot round.
-    fn correct(&mut self, words: &str) -> Result<(), Refusal> {
+    fn correct(&mut self, words: &str) -> Result<(), Failure> {
         if self.tested.is_some() {
             self.message = "This is a test: it hears no words. Enter goes on.".to_owned();
             return Ok(());
@@ -74,7 +75,7 @@ impl Visit {
     }
 
     /// "Stop": it waits, and ends the session where it waits already.
-    fn stop_it(&mut self) -> Result<(), Refusal> {
+    fn stop_it(&mut self) -> Result<(), Failure> {
         if !self.classroom.lesson().is_under_way() {
             self.message = "It is doing nothing.".to_owned();
         } else if self.paused {
@@ -88,7 +89,7 @@ impl Visit {
     }
 
     /// A part of what was said is over: the next one begins. Gives `false` where there is none.
-    pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Refusal> {
+    pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Failure> {
         let rest = self.classroom.lesson().rest().map(str::to_owned);
         let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };
         if heard == Heard::Command {

@@ -1,9 +1,9 @@
 //! What happens by itself as time goes by.
 
 use super::{LEARN_BUDGET, PLAN_BUDGET, Phase, Visit, sentence};
-use crate::teach::trainer::Refusal;
 use goodbot::planning::OptimalSet;
 use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
 use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use std::time::Duration;
 
@@ -14,14 +14,14 @@ impl Visit {
             // What cannot go on is over; what was learned before is kept.
             if self.phase != Phase::Idle {
                 let _ = self.classroom.forget();
-                self.idle(sentence(&refusal.0));
+                self.idle(sentence(&refusal.to_string()));
             }
         }
     }
 
-    fn advance(&mut self, now: Duration) -> Result<(), Refusal> {
+    fn advance(&mut self, now: Duration) -> Result<(), Failure> {
         match self.phase {
-            Phase::Planning if self.classroom.trainer.plan(PLAN_BUDGET)? => self.act(now),
+            Phase::Planning if self.classroom.trainer.lesson_mut().plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
                 if self.go_on_with_the_rest()? {
                     return Ok(());
@@ -39,7 +39,7 @@ impl Visit {
         }
     }
 
-    fn act(&mut self, now: Duration) -> Result<(), Refusal> {
+    fn act(&mut self, now: Duration) -> Result<(), Failure> {
         if self.acted().is_none() {
             if self.holds() && !self.stepping {
                 self.phase = Phase::Waiting(None);
@@ -55,11 +55,11 @@ impl Visit {
         Ok(())
     }
 
-    fn wait_over(&mut self, until: Option<Duration>, now: Duration) -> Result<(), Refusal> {
+    fn wait_over(&mut self, until: Option<Duration>, now: Duration) -> Result<(), Failure> {
         if self.word_at.is_some_and(|at| at <= now) {
             self.word_at = None;
             if let Some(word) = self.classroom.trainer.simulated_word() {
-                self.classroom.trainer.judge(word)?;
+                self.classroom.trainer.lesson_mut().judge(word)?;
             }
             return Ok(());
         }

@@ -5,8 +5,9 @@ use goodbot::memory::AgentHeap;
 use goodbot::oomdp::Action;
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot::{Agent, Capacities, Options};
 use goodbot_console::load::input;
+use goodbot_console::outcome::Failure;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use goodbot_lesson::checked::check;
 use goodbot_lesson::replay::{Event, Replay, Rules};
@@ -15,6 +16,8 @@ use goodbot_lesson::{Fault, home};
 /// One step of a session.
 #[derive(Clone, Debug)]
 pub struct WalkStep {
+    /// Whether each task was done before it; nothing where that is not known.
+    pub began: Vec<Option<bool>>,
     /// What the action was for each task.
     pub judged: Vec<Judged>,
     /// What the trainer said to it.
@@ -28,6 +31,8 @@ pub struct WalkStep {
 /// A session.
 #[derive(Clone, Debug)]
 pub struct Walk {
+    /// Its id in the log.
+    pub id: Option<String>,
     /// Who trained: see [`trainer_of`].
     pub trainer: String,
     /// Whether it continued the one before.
@@ -56,15 +61,14 @@ pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
 ///
 /// # Errors
 /// What is wrong with the first that is at fault.
-pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Vec<Fault>> {
-    let refused = |error: AgentError| vec![Fault::new("", error)];
-    let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER).map_err(refused)?;
+pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Failure> {
+    let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER)?;
     let mut walks = vec![];
     for file in files {
-        let opened = input::log(file).map_err(|fault| vec![fault])?;
+        let opened = input::log(file)?;
         let name = input::name(file);
         for session in SessionReader::new(opened) {
-            let recorded = session.map_err(|error| vec![Fault::from_format(name, error)])?;
+            let recorded = session.map_err(|error| Fault::from_format(name, error))?;
             if recorded.header.kind == Kind::Feedback {
                 walks.push(walk(&mut agent, name, &recorded, lifted)?);
             }
@@ -78,7 +82,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     let session = check(file, recorded, lifted, home::memory())?;
     let mut replay = Replay::new(Rules::PLANS);
     let mut steps: Vec<WalkStep> = vec![];
-    let (mut began, mut moment) = (vec![], Moment::default());
+    let mut moment = Moment::default();
     loop {
         let event = replay.advance(agent, &session.walk, u32::MAX);
         let event = event.map_err(|refused| vec![Fault::on_line(file, refused.line, refused.error)])?;
@@ -91,17 +95,17 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
         let here: Vec<Option<bool>> = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
         if let Some(last) = steps.last_mut() {
             if last.moment.rests == 0 {
-                let inside = began.iter().zip(&here).map(|(began, here)| (*began, *here) == (Some(true), Some(true)));
+                let inside = last.began.iter().zip(&here).map(|(began, here)| (*began, *here) == (Some(true), Some(true)));
                 last.judged.iter_mut().zip(inside).filter(|(_, inside)| *inside).for_each(|(judged, _)| *judged = Judged::MovesInside);
             }
             last.at_goal.clone_from(&here);
         }
-        began = here;
         steps.extend(planned.map(|step| {
             let rests = step.action == Action::NOOP;
             moment = moment.acted(rests).heard(step.feedback);
             let judged = |task| Judged::of(agent.planned().judge(task, step.action), rests);
-            WalkStep { judged: (0..session.tasks.len()).map(judged).collect(), feedback: step.feedback, moment, at_goal: vec![] }
+            let judged = (0..session.tasks.len()).map(judged).collect();
+            WalkStep { began: here, judged, feedback: step.feedback, moment, at_goal: vec![] }
         }));
     }
     agent.forget();
@@ -111,7 +115,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
         None => task.prior,
     };
     let prior = session.tasks.iter().map(|(task, _)| prior(task)).collect();
-    Ok(Walk { trainer, continues: header.continues, prior, intended: session.intended, steps })
+    Ok(Walk { id: header.id.clone(), trainer, continues: header.continues, prior, intended: session.intended, steps })
 }
 
 /// Whether a task is done, as its plan says; nothing where that is not known.
