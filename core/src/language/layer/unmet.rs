@@ -27,7 +27,7 @@ use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
 /// What is known of a kind of task.
@@ -41,8 +41,10 @@ struct Kind<'d> {
     without_naming: f32,
     /// What the kind is weighed by.
     factor: f32,
-    /// Whether it is a kind that was never meant, without a way, and one that was meant adds a way to its goals.
-    is_without_its_way: bool,
+    /// Whether it was possible in some session.
+    was_possible: bool,
+    /// Whether it was never meant, but kinds that were tell how probable it is.
+    is_known_by_others: bool,
 }
 
 /// Weighs anew what the role model makes of kinds that were never meant. `description` gives the description of the task at a position, and
@@ -62,6 +64,7 @@ pub(super) fn weigh<'d>(
     if (0..tasks.len()).all(was_possible) {
         return;
     }
+    let forms: BTreeSet<Option<Symbol>> = (0..possible.commands() as u16).map(|task| form(possible.command(task))).collect();
     let mut kinds: BTreeMap<Option<Symbol>, Kind<'d>> = BTreeMap::new();
     for (position, task) in tasks.iter().enumerate() {
         let example = description(position);
@@ -71,7 +74,8 @@ pub(super) fn weigh<'d>(
             whole: 0.0,
             without_naming: 0.0,
             factor: 0.0,
-            is_without_its_way: false,
+            was_possible: forms.contains(&form(example)),
+            is_known_by_others: false,
         });
         if task.understood > 0.0 {
             kind.whole += task.understood;
@@ -86,13 +90,17 @@ pub(super) fn weigh<'d>(
     for (&form, kind) in &mut kinds {
         let root = square_root(if kind.without_naming > 0.0 { kind.whole / kind.without_naming } else { 0.0 });
         kind.factor = root * square_root(root);
-        let of_same_goals = || with_ways.iter().filter(|(other, _)| goals(other).eq(goals(kind.example))).map(|(_, share)| share);
-        let count = of_same_goals().count();
-        if !kind.met && !has_way(kind.example) && count > 0 {
-            let of_one = of_same_goals().sum::<f32>() / count as f32;
+        let is_like = |other: &[Symbol]| {
+            let is_of_same_goals = !kind.was_possible || goals(other).eq(goals(kind.example));
+            is_of_same_goals && (!has_way(kind.example) || (!kind.was_possible && way(other).eq(way(kind.example))))
+        };
+        let alike = || with_ways.iter().filter(|(other, _)| is_like(other)).map(|(_, share)| share);
+        let count = alike().count();
+        if !kind.met && count > 0 {
+            let of_one = alike().sum::<f32>() / count as f32;
             // A share may be too small for an f32.
             kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
-            kind.is_without_its_way = true;
+            kind.is_known_by_others = true;
         }
     }
     let kind = |position: usize| kinds.get(&form(description(position)));
@@ -105,7 +113,7 @@ pub(super) fn weigh<'d>(
     let of_met = if before > 0.0 { after / before } else { 0.0 };
     let mut whole = 0.0;
     for (position, task) in tasks.iter_mut().enumerate() {
-        task.understood *= if kind(position).is_some_and(|kind| kind.is_without_its_way) { factor(position) } else { of_met };
+        task.understood *= if kind(position).is_some_and(|kind| kind.is_known_by_others) { factor(position) } else { of_met };
         whole += task.understood;
     }
     if whole > 0.0 {
@@ -115,12 +123,21 @@ pub(super) fn weigh<'d>(
 
 /// The roles of a task's goals.
 fn goals(description: &[Symbol]) -> impl Iterator<Item = Role> {
-    let roles = groups(description).map(|group| group.marker.role);
+    roles(description, |kind| matches!(kind, RoleKind::Goal | RoleKind::Subject))
+}
+
+/// The roles of a task's way.
+fn way(description: &[Symbol]) -> impl Iterator<Item = Role> {
+    roles(description, |kind| kind.index() >= RoleKind::WITHOUT_WAYS)
+}
+
+/// The roles of some kinds.
+fn roles(description: &[Symbol], is_wanted: impl Fn(RoleKind) -> bool) -> impl Iterator<Item = Role> {
     let mut last = None;
-    roles.filter(move |&role| matches!(role.kind(), RoleKind::Goal | RoleKind::Subject) && last.replace(role) != Some(role))
+    groups(description).map(|group| group.marker.role).filter(move |&role| is_wanted(role.kind()) && last.replace(role) != Some(role))
 }
 
 /// Whether a task says how.
 fn has_way(description: &[Symbol]) -> bool {
-    groups(description).any(|group| group.marker.role.kind().index() >= RoleKind::WITHOUT_WAYS)
+    way(description).next().is_some()
 }
