@@ -18,7 +18,7 @@
 //! and all others by the mean of f over what was meant. Kinds that were meant keep their shares of what they have together: the layer has
 //! learned to tell those apart.
 
-use super::posterior::Weighed;
+use super::posterior::{Group, Weighed};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::forward::named;
 use crate::language::roles::kind::Kinds;
@@ -34,29 +34,28 @@ use alloc::vec::Vec;
 struct Kind<'d> {
     /// A task of it.
     example: &'d [Symbol],
-    met: bool,
+    group: Group,
     /// What its tasks have together.
     whole: f32,
     /// What they would have if the words named of each as much as they do for sure.
     without_naming: f32,
     /// What the kind is weighed by.
     factor: f32,
-    /// Whether it was possible in some session.
-    was_possible: bool,
-    /// Whether it was never meant, but kinds that were tell how probable it is.
-    is_known_by_others: bool,
+    /// Whether it is a kind that was never meant, without a way, and one that was meant adds a way to its goals.
+    is_without_its_way: bool,
 }
 
 /// Weighs anew what the role model makes of kinds that were never meant. `description` gives the description of the task at a position, and
 /// `possible` has the tasks of all sessions.
-pub(super) fn weigh<'d>(
+pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
     sentence: &[Option<Symbol>],
     description: impl Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
-    let is_mixed = tasks.iter().any(|task| task.met) && tasks.iter().any(|task| !task.met);
+    let is_met = |task: &Weighed| task.group == Group::Met;
+    let is_mixed = tasks.iter().any(is_met) && !tasks.iter().all(is_met);
     if !is_mixed || !tables.layout().has_ways() {
         return;
     }
@@ -64,60 +63,116 @@ pub(super) fn weigh<'d>(
     if (0..tasks.len()).all(was_possible) {
         return;
     }
-    let forms: BTreeSet<Option<Symbol>> = (0..possible.commands() as u16).map(|task| form(possible.command(task))).collect();
     let mut kinds: BTreeMap<Option<Symbol>, Kind<'d>> = BTreeMap::new();
-    for (position, task) in tasks.iter().enumerate() {
+    for (position, task) in tasks.iter_mut().enumerate() {
         let example = description(position);
+        let naming = named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
+        // The role model knows only of a kind that was meant how much of it is named.
+        if task.group != Group::Met {
+            task.understood *= naming;
+        }
         let kind = kinds.entry(form(example)).or_insert(Kind {
             example,
-            met: task.met,
+            group: task.group,
             whole: 0.0,
             without_naming: 0.0,
             factor: 0.0,
-            was_possible: forms.contains(&form(example)),
-            is_known_by_others: false,
+            is_without_its_way: false,
         });
         if task.understood > 0.0 {
             kind.whole += task.understood;
-            kind.without_naming += task.understood / named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
+            kind.without_naming += task.understood / naming;
         }
     }
     let known: Vec<Symbol> = sentence.iter().copied().flatten().filter(|word| word.index() < tables.words()).collect();
     let shares = Kinds::of(tables.layout(), tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
     let share = |kind: Option<Symbol>| kind.map_or(0.0, |kind| shares.share(tables.layout(), kind));
-    let with_ways: Vec<(&'d [Symbol], f32)> =
-        kinds.iter().filter(|(_, kind)| kind.met && has_way(kind.example)).map(|(&form, kind)| (kind.example, share(form))).collect();
+    let with_ways: Vec<(&'d [Symbol], f32)> = kinds
+        .iter()
+        .filter(|(_, kind)| kind.group == Group::Met && has_way(kind.example))
+        .map(|(&form, kind)| (kind.example, share(form)))
+        .collect();
     for (&form, kind) in &mut kinds {
         let root = square_root(if kind.without_naming > 0.0 { kind.whole / kind.without_naming } else { 0.0 });
-        kind.factor = root * square_root(root);
-        let is_like = |other: &[Symbol]| {
-            let is_of_same_goals = !kind.was_possible || goals(other).eq(goals(kind.example));
-            is_of_same_goals && (!has_way(kind.example) || (!kind.was_possible && way(other).eq(way(kind.example))))
-        };
-        let alike = || with_ways.iter().filter(|(other, _)| is_like(other)).map(|(_, share)| share);
-        let count = alike().count();
-        if !kind.met && count > 0 {
-            let of_one = alike().sum::<f32>() / count as f32;
+        kind.factor = if kind.group == Group::Met { root * square_root(root) } else { 1.0 };
+        let of_same_goals = || with_ways.iter().filter(|(other, _)| goals(other).eq(goals(kind.example))).map(|(_, share)| share);
+        let count = of_same_goals().count();
+        if kind.group != Group::Met && !has_way(kind.example) && count > 0 {
+            let of_one = of_same_goals().sum::<f32>() / count as f32;
             // A share may be too small for an f32.
             kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
-            kind.is_known_by_others = true;
+            kind.is_without_its_way = true;
         }
     }
     let kind = |position: usize| kinds.get(&form(description(position)));
     let factor = |position: usize| kind(position).map_or(1.0, |kind| kind.factor);
     let (mut before, mut after) = (0.0, 0.0);
-    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| task.met) {
+    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| is_met(task)) {
         before += task.understood;
         after += task.understood * factor(position);
     }
     let of_met = if before > 0.0 { after / before } else { 0.0 };
     let mut whole = 0.0;
     for (position, task) in tasks.iter_mut().enumerate() {
-        task.understood *= if kind(position).is_some_and(|kind| kind.is_known_by_others) { factor(position) } else { of_met };
+        task.understood *= if kind(position).is_some_and(|kind| kind.is_without_its_way) { factor(position) } else { of_met };
         whole += task.understood;
     }
     if whole > 0.0 {
         tasks.iter_mut().for_each(|task| task.understood /= whole);
+    }
+}
+
+/// Weighs kinds that no session could mean against all others, by whether there is a new word. `new_words` is the share of sessions with a
+/// word that no other has, and `description` gives the description of the task at a position.
+pub(super) fn weigh_impossible<'d>(
+    tables: TablesRef<'_>,
+    new_words: f32,
+    sentence: &[Option<Symbol>],
+    description: impl Fn(usize) -> &'d [Symbol],
+    tasks: &mut [Weighed],
+) {
+    let is_impossible = |task: &Weighed| task.group == Group::Impossible;
+    let (mut kinds, mut wholes) = ([const { BTreeSet::new() }; 2], [0.0_f32; 2]);
+    for (position, task) in tasks.iter().enumerate() {
+        let of = usize::from(is_impossible(task));
+        if let (Some(kinds), Some(whole)) = (kinds.get_mut(of), wholes.get_mut(of)) {
+            kinds.insert(form(description(position)));
+            *whole += task.understood;
+        }
+    }
+    let [others, these] = kinds.map(|kinds| kinds.len() as f32);
+    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
+    let of_new = |is_so: bool| if is_so { 1.0 - new_words } else { new_words };
+    let (others, these) = (others * of_new(!has_new_word), these * of_new(has_new_word));
+    let [of_others, of_these] = wholes;
+    if of_others <= 0.0 || of_these <= 0.0 {
+        return;
+    }
+    for task in tasks {
+        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
+        task.understood *= share / (these + others) / whole;
+    }
+}
+
+/// Makes the ways of kinds that no session could mean as probable among themselves as the same ways of kinds that were meant, by what is
+/// believed of those.
+pub(super) fn share_ways<'d>(description: impl Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
+    let mut ways: BTreeMap<Vec<Role>, [f32; 2]> = BTreeMap::new();
+    let way = |position: usize| way(description(position)).collect::<Vec<Role>>();
+    for (position, task) in tasks.iter().enumerate().filter(|(position, _)| has_way(description(*position))) {
+        let [met, impossible] = ways.entry(way(position)).or_default();
+        match task.group {
+            Group::Met => *met += task.believed,
+            Group::Impossible => *impossible += task.believed,
+            Group::Unmet => {}
+        }
+    }
+    ways.retain(|_, [met, impossible]| *met > 0.0 && *impossible > 0.0);
+    let (all, whole) = ways.values().fold((0.0, 0.0), |(all, whole), [met, impossible]| (all + met, whole + impossible));
+    for (position, task) in tasks.iter_mut().enumerate().filter(|(_, task)| task.group == Group::Impossible) {
+        if let Some([met, impossible]) = ways.get(&way(position)) {
+            task.believed *= whole * met / all / impossible;
+        }
     }
 }
 
