@@ -141,6 +141,8 @@ pub(super) struct Learned {
     pub said: f32,
     /// The share of sessions with a word that no other has.
     pub new_words: f32,
+    /// Whether the words of names tell the tasks.
+    is_told: bool,
     /// The kinds of task that were meant, by their tokens.
     met: [Option<Symbol>; LIFTED_TASKS],
     /// The kinds of task that some session could mean.
@@ -149,11 +151,12 @@ pub(super) struct Learned {
 
 #[cfg(feature = "layer")]
 impl Learned {
-    const NOTHING: Self = Self { done: false, said: 0.0, new_words: 0.0, met: [None; LIFTED_TASKS], possible: [None; LIFTED_TASKS] };
+    const NOTHING: Self =
+        Self { done: false, said: 0.0, new_words: 0.0, is_told: false, met: [None; LIFTED_TASKS], possible: [None; LIFTED_TASKS] };
 
     /// A training begins on these data. `possible` has the tasks of all sessions.
     pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>, possible: BitextRef<'_>) {
-        *self = Self { said: layout.words_said(bitext), new_words: new_words(bitext), ..Self::NOTHING };
+        *self = Self { said: layout.words_said(bitext), new_words: new_words(bitext), is_told: layout.has_names(), ..Self::NOTHING };
         let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
         for pair in bitext.pairs() {
             let Some(form) = form(bitext.command(pair.command)) else { continue };
@@ -171,11 +174,11 @@ impl Learned {
         self.possible.iter_mut().zip(possible).for_each(|(slot, form)| *slot = form);
     }
 
-    /// The group of a task: words can speak for or against a kind that was meant before.
+    /// The group of a task: words can speak for or against a kind that was meant before. Where tasks are told, a new kind may have known words.
     pub fn group(&self, description: &[Symbol]) -> Group {
         match form(description) {
             form if form.is_none() || self.met.contains(&form) => Group::Met,
-            form if self.possible.contains(&form) => Group::Unmet,
+            form if self.is_told || self.possible.contains(&form) => Group::Unmet,
             _ => Group::Impossible,
         }
     }

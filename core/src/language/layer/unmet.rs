@@ -1,7 +1,7 @@
-//! Kinds of task that were never meant, beside those that were, where tasks have ways and the scene is new.
+//! Kinds of task that were never meant, beside those that were.
 //!
-//! The role model gives a kind that was never meant what one session would. It also divides each kind's Pr(e|t) by three quarters of what
-//! they are together, so that how well the words fit a kind counts little against how often it was meant. That is right where the lessons
+//! **Ways.** The role model gives a kind that was never meant what one session would. It also divides each kind's Pr(e|t) by three quarters of
+//! what they are together, so that how well the words fit a kind counts little against how often it was meant. That is right where the lessons
 //! were given. In another scene, where only ways were heard before, "move to the red room" would avoid some room that nobody named. There
 //! two things are known better:
 //!
@@ -9,14 +9,27 @@
 //! - How much of a task the words name is the same question for all kinds, and counts whole.
 //!
 //! With q the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
-//! posterior, and n(t) how probable it is that so much of t is named as the words do, all tasks of l are multiplied by
+//! posterior, and n(t) how probable it is that so much of t is named as the words do, all tasks of a kind l without a way that was never meant
+//! are multiplied by
 //!
 //! ```text
-//! f(l) max(1, mean of q(k) over K / q(l)),   f(l) = (sum of a(t) / sum of a(t) / n(t))^(3/4) over the tasks t of l
+//! n(t) max(1, mean of q(k) over K / q(l)),
 //! ```
 //!
-//! and all others by the mean of f over what was meant. Kinds that were meant keep their shares of what they have together: the layer has
-//! learned to tell those apart.
+//! and all others by the mean of f over what was meant, f(l) = (sum of a(t) / sum of a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that
+//! were never meant are also multiplied by n(t). Kinds that were meant keep their shares of what they have together: the layer has learned to
+//! tell those apart.
+//!
+//! **Things.** A kind may be one that no session could mean, because it speaks of things that were in no scene. Nothing was learned of their
+//! words, so those are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and k the
+//! number of all others, they have together, after a command with a new word,
+//!
+//! ```text
+//! n (1 - r) / (n (1 - r) + k r),
+//! ```
+//!
+//! and after one without, the same with r and 1 - r exchanged. What those with a way have together is shared out as among the kinds that were
+//! meant with the same ways, after the layer has weighed them.
 
 use super::posterior::{Group, Weighed};
 use crate::language::bitext::BitextRef;
@@ -150,7 +163,8 @@ pub(super) fn weigh_impossible<'d>(
     }
     for task in tasks {
         let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
-        task.understood *= share / (these + others) / whole;
+        // A part of what is very little is a number still.
+        task.understood = task.understood / whole * share / (these + others);
     }
 }
 
@@ -171,7 +185,7 @@ pub(super) fn share_ways<'d>(description: impl Fn(usize) -> &'d [Symbol], tasks:
     let (all, whole) = ways.values().fold((0.0, 0.0), |(all, whole), [met, impossible]| (all + met, whole + impossible));
     for (position, task) in tasks.iter_mut().enumerate().filter(|(_, task)| task.group == Group::Impossible) {
         if let Some([met, impossible]) = ways.get(&way(position)) {
-            task.believed *= whole * met / all / impossible;
+            task.believed = task.believed / impossible * whole * met / all;
         }
     }
 }
