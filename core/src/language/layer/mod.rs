@@ -15,8 +15,8 @@
 //! the role model takes the word for one of several. A meaning told n times teaches there as much as the root of n.
 //!
 //! So it weighs the tasks of kinds that were meant before. The tasks of all other kinds are weighed among themselves: of those kinds nothing
-//! was learned, and they keep the probability that the role model gives them together. Where tasks have ways, a new scene is an exception
-//! (`unmet`): a command that names no way means none.
+//! was learned, and they keep the probability that the role model gives them together. There are two exceptions (`unmet`). Where tasks have
+//! ways, in a new scene, a command that names no way means none. And a kind that no session could mean is decided by new words.
 //!
 //! In a scene that was taught often (`scenes`), each task that was meant there is also a part of itself: U of it is a weight for each word
 //! in each stretch of the command, and for each word that is said several times. These weights only share out what such tasks have together.

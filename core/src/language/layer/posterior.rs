@@ -13,11 +13,22 @@ use alloc::vec::Vec;
 /// The probability, in equal parts, that is mixed into the role model's.
 const FLOOR: f32 = 0.03;
 
+/// Tasks that are weighed among themselves, by what is known of their kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Group {
+    /// It was meant before.
+    #[default]
+    Met,
+    /// It was never meant.
+    Unmet,
+    /// No session could mean it.
+    Impossible,
+}
+
 /// A task as the layer weighs it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Weighed {
-    /// Whether its kind was meant before.
-    pub met: bool,
+    pub group: Group,
     /// The role model's posterior.
     pub understood: f32,
     /// The logarithm of the role model's posterior among the tasks of its group, with the floor.
@@ -35,13 +46,13 @@ pub(super) struct Weighed {
     pub believed: f32,
 }
 
-/// Weighs the tasks against each other: those of kinds that were meant before, and the others, each among themselves. Nothing was learned for
-/// or against a kind that was never meant. So the two groups keep the probability that the role model gives them.
+/// Weighs the tasks against each other, each group among itself. Nothing was learned for or against a kind that was never meant. So the
+/// groups keep the probability that the role model gives them.
 pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
-    for met in [true, false] {
-        let of_group = |task: &&mut Weighed| task.met == met;
+    for group in [Group::Met, Group::Unmet, Group::Impossible] {
+        let of_group = |task: &&mut Weighed| task.group == group;
         let (mut count, mut mass) = (0_usize, 0.0_f32);
-        for task in tasks.iter().filter(|task| task.met == met) {
+        for task in tasks.iter().filter(|task| task.group == group) {
             (count, mass) = (count.saturating_add(1), mass + task.understood);
         }
         let share = |understood: f32| if mass > 0.0 { understood / mass } else { 0.0 };
@@ -104,14 +115,17 @@ impl LayerRef<'_> {
         let before = |weights: &[Scaled], group: &[(usize, usize)]| total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (first, group)) in groups().enumerate() {
-            let (met, understood) = (self.learned.has_met(description(first)), before(weights, group).over(whole));
+            let understood = before(weights, group).over(whole);
             let itself = parts.itself(position).copied();
-            tasks.push(Weighed { met, understood, itself, parts: parts.sum(position), ..Weighed::default() });
+            let group = self.learned.group(description(first));
+            tasks.push(Weighed { group, understood, itself, parts: parts.sum(position), ..Weighed::default() });
         }
         let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
         let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));
-        unmet::weigh(tables, self.possible, sentence, of_position, &mut tasks);
+        unmet::weigh_ways(tables, self.possible, sentence, of_position, &mut tasks);
+        unmet::weigh_impossible(tables, self.learned.new_words, sentence, of_position, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
+        unmet::share_ways(of_position, &mut tasks);
         for (task, (_, group)) in tasks.iter().zip(groups()) {
             let (before, after) = (before(weights, group), Scaled::new(task.believed));
             for &(_, task) in group {
@@ -133,7 +147,7 @@ mod tests {
 
     #[test]
     fn tasks_that_were_meant_in_a_scene_share_out_what_they_have_together() {
-        let task = |understood, itself| Weighed { met: true, understood, itself, ..Weighed::default() };
+        let task = |understood, itself| Weighed { understood, itself, ..Weighed::default() };
         let believed = |itself: [Option<f32>; 3]| {
             let mut tasks = [task(0.5, itself[0]), task(0.3, itself[1]), task(0.2, itself[2])];
             weigh(&mut tasks, 1.0);

@@ -1,6 +1,8 @@
 //! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
 
 #[cfg(feature = "layer")]
+use super::posterior::Group;
+#[cfg(feature = "layer")]
 use super::speaking::Found;
 #[cfg(feature = "layer")]
 use super::weights::CELLS;
@@ -21,6 +23,8 @@ use crate::memory::{BitextTables, BitextTablesRef};
 use crate::symbols::Symbol;
 #[cfg(feature = "layer")]
 use crate::task::description::form;
+#[cfg(feature = "layer")]
+use alloc::collections::{BTreeMap, BTreeSet};
 #[cfg(feature = "layer")]
 use alloc::{vec, vec::Vec};
 #[cfg(not(feature = "layer"))]
@@ -114,6 +118,19 @@ const LEAST_SESSIONS: usize = 8;
 #[cfg(feature = "layer")]
 const MET: f32 = 0.5;
 
+/// The share of sessions with a word that no other has, where one with and one without count beside.
+#[cfg(feature = "layer")]
+fn new_words(bitext: BitextRef<'_>) -> f32 {
+    let mut sessions_of: BTreeMap<Symbol, BTreeSet<u16>> = BTreeMap::new();
+    for session in 0..bitext.sessions() as u16 {
+        for &word in bitext.sentence(session) {
+            sessions_of.entry(word).or_default().insert(session);
+        }
+    }
+    let alone: BTreeSet<u16> = sessions_of.values().filter(|sessions| sessions.len() == 1).flatten().copied().collect();
+    (alone.len() as f32 + 1.0) / (bitext.sessions() as f32 + 2.0)
+}
+
 /// What a training left.
 #[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
@@ -122,17 +139,24 @@ pub(super) struct Learned {
     pub done: bool,
     /// How many words were said in the sessions trained on.
     pub said: f32,
+    /// The share of sessions with a word that no other has.
+    pub new_words: f32,
+    /// Whether the words of names tell the tasks.
+    is_told: bool,
     /// The kinds of task that were meant, by their tokens.
     met: [Option<Symbol>; LIFTED_TASKS],
+    /// The kinds of task that some session could mean.
+    possible: [Option<Symbol>; LIFTED_TASKS],
 }
 
 #[cfg(feature = "layer")]
 impl Learned {
-    const NOTHING: Self = Self { done: false, said: 0.0, met: [None; LIFTED_TASKS] };
+    const NOTHING: Self =
+        Self { done: false, said: 0.0, new_words: 0.0, is_told: false, met: [None; LIFTED_TASKS], possible: [None; LIFTED_TASKS] };
 
-    /// A training begins on these data.
-    pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>) {
-        *self = Self { said: layout.words_said(bitext), ..Self::NOTHING };
+    /// A training begins on these data. `possible` has the tasks of all sessions.
+    pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>, possible: BitextRef<'_>) {
+        *self = Self { said: layout.words_said(bitext), new_words: new_words(bitext), is_told: layout.has_names(), ..Self::NOTHING };
         let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
         for pair in bitext.pairs() {
             let Some(form) = form(bitext.command(pair.command)) else { continue };
@@ -146,11 +170,17 @@ impl Learned {
         }
         let met = meant.iter().filter(|(_, times)| *times >= MET).map(|(form, _)| *form);
         self.met.iter_mut().zip(met).for_each(|(slot, form)| *slot = Some(form));
+        let possible: BTreeSet<Option<Symbol>> = (0..possible.commands() as u16).map(|task| form(possible.command(task))).collect();
+        self.possible.iter_mut().zip(possible).for_each(|(slot, form)| *slot = form);
     }
 
-    /// Whether the kind of a task was meant before, so that words can speak for it or against it.
-    pub fn has_met(&self, description: &[Symbol]) -> bool {
-        form(description).is_some_and(|form| self.met.contains(&Some(form)))
+    /// The group of a task: words can speak for or against a kind that was meant before. Where tasks are told, a new kind may have known words.
+    pub fn group(&self, description: &[Symbol]) -> Group {
+        match form(description) {
+            form if form.is_none() || self.met.contains(&form) => Group::Met,
+            form if self.is_told || self.possible.contains(&form) => Group::Unmet,
+            _ => Group::Impossible,
+        }
     }
 }
 

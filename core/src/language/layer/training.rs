@@ -14,7 +14,7 @@
 //! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
 //! there were none of them.
 
-use super::posterior::{Weighed, weigh};
+use super::posterior::{Group, Weighed, weigh};
 use super::scenes;
 use super::speaking::{Found, Speaking};
 use super::tables::Room;
@@ -48,7 +48,7 @@ impl Room<'_> {
             Part::Clear => {
                 let mut weights = Weights::of(self.weights, 0.0);
                 weights.clear();
-                self.learned.begin(tables.layout(), bitext);
+                self.learned.begin(tables.layout(), bitext, self.possible.read());
                 let is_told = tables.layout().has_names();
                 *self.taught = if is_told { Vec::new() } else { scenes::taught(self.possible.read(), self.shares) };
                 *self.found = Found::NONE;
@@ -97,8 +97,8 @@ impl Room<'_> {
         let parts = &mut speaking.parts;
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
-            let (met, itself) = (self.learned.has_met(possible.command(pair.command)), parts.itself(position).copied());
-            tasks.push(Weighed { met, understood, itself, parts: parts.sum(position), ..Weighed::default() });
+            let (group, itself) = (self.learned.group(possible.command(pair.command)), parts.itself(position).copied());
+            tasks.push(Weighed { group, understood, itself, parts: parts.sum(position), ..Weighed::default() });
         }
         weigh(&mut tasks, 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0));
         let wanted = &mut *vec![0.0_f32; count];
@@ -107,7 +107,9 @@ impl Room<'_> {
         }
         normalise(wanted);
         // The words cannot change what is wanted of each group.
-        let wanted_of = |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| task.met == met).map(|(_, wanted)| wanted).sum::<f32>();
+        let is_met = |task: &Weighed| task.group == Group::Met;
+        let wanted_of =
+            |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| is_met(task) == met).map(|(_, wanted)| wanted).sum::<f32>();
         let (of_met, of_others) = (wanted_of(true), wanted_of(false));
         let of_scene: f32 = tasks.iter().zip(&*wanted).filter(|(task, _)| task.itself.is_some()).map(|(_, wanted)| wanted).sum();
 
@@ -118,7 +120,7 @@ impl Room<'_> {
         let counts = if whole > 0.0 { counts / whole } else { 1.0 };
         let mut of_trust = 0.0;
         for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
-            let slope = counts * (if task.met { of_met } else { of_others } * task.within - wanted);
+            let slope = counts * (if is_met(task) { of_met } else { of_others } * task.within - wanted);
             parts.add(position, slope);
             if let Some(itself) = parts.itself(position) {
                 *itself += counts * (of_scene * task.here - wanted);

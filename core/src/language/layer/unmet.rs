@@ -1,7 +1,7 @@
-//! Kinds of task that were never meant, beside those that were, where tasks have ways and the scene is new.
+//! Kinds of task that were never meant, beside those that were.
 //!
-//! The role model gives a kind that was never meant what one session would. It also divides each kind's Pr(e|t) by three quarters of what
-//! they are together, so that how well the words fit a kind counts little against how often it was meant. That is right where the lessons
+//! **Ways.** The role model gives a kind that was never meant what one session would. It also divides each kind's Pr(e|t) by three quarters of
+//! what they are together, so that how well the words fit a kind counts little against how often it was meant. That is right where the lessons
 //! were given. In another scene, where only ways were heard before, "move to the red room" would avoid some room that nobody named. There
 //! two things are known better:
 //!
@@ -9,16 +9,29 @@
 //! - How much of a task the words name is the same question for all kinds, and counts whole.
 //!
 //! With q the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
-//! posterior, and n(t) how probable it is that so much of t is named as the words do, all tasks of l are multiplied by
+//! posterior, and n(t) how probable it is that so much of t is named as the words do, all tasks of a kind l without a way that was never meant
+//! are multiplied by
 //!
 //! ```text
-//! f(l) max(1, mean of q(k) over K / q(l)),   f(l) = (sum of a(t) / sum of a(t) / n(t))^(3/4) over the tasks t of l
+//! n(t) max(1, mean of q(k) over K / q(l)),
 //! ```
 //!
-//! and all others by the mean of f over what was meant. Kinds that were meant keep their shares of what they have together: the layer has
-//! learned to tell those apart.
+//! and all others by the mean of f over what was meant, f(l) = (sum of a(t) / sum of a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that
+//! were never meant are also multiplied by n(t). Kinds that were meant keep their shares of what they have together: the layer has learned to
+//! tell those apart.
+//!
+//! **Things.** A kind may be one that no session could mean, because it speaks of things that were in no scene. Nothing was learned of their
+//! words, so those are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and k the
+//! number of all others, they have together, after a command with a new word,
+//!
+//! ```text
+//! n (1 - r) / (n (1 - r) + k r),
+//! ```
+//!
+//! and after one without, the same with r and 1 - r exchanged. What those with a way have together is shared out as among the kinds that were
+//! meant with the same ways, after the layer has weighed them.
 
-use super::posterior::Weighed;
+use super::posterior::{Group, Weighed};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::forward::named;
 use crate::language::roles::kind::Kinds;
@@ -27,14 +40,14 @@ use crate::probability::square_root;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
-use alloc::collections::BTreeMap;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
 /// What is known of a kind of task.
 struct Kind<'d> {
     /// A task of it.
     example: &'d [Symbol],
-    met: bool,
+    group: Group,
     /// What its tasks have together.
     whole: f32,
     /// What they would have if the words named of each as much as they do for sure.
@@ -47,14 +60,15 @@ struct Kind<'d> {
 
 /// Weighs anew what the role model makes of kinds that were never meant. `description` gives the description of the task at a position, and
 /// `possible` has the tasks of all sessions.
-pub(super) fn weigh<'d>(
+pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
     sentence: &[Option<Symbol>],
     description: impl Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
-    let is_mixed = tasks.iter().any(|task| task.met) && tasks.iter().any(|task| !task.met);
+    let is_met = |task: &Weighed| task.group == Group::Met;
+    let is_mixed = tasks.iter().any(is_met) && !tasks.iter().all(is_met);
     if !is_mixed || !tables.layout().has_ways() {
         return;
     }
@@ -63,11 +77,16 @@ pub(super) fn weigh<'d>(
         return;
     }
     let mut kinds: BTreeMap<Option<Symbol>, Kind<'d>> = BTreeMap::new();
-    for (position, task) in tasks.iter().enumerate() {
+    for (position, task) in tasks.iter_mut().enumerate() {
         let example = description(position);
+        let naming = named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
+        // The role model knows only of a kind that was meant how much of it is named.
+        if task.group != Group::Met {
+            task.understood *= naming;
+        }
         let kind = kinds.entry(form(example)).or_insert(Kind {
             example,
-            met: task.met,
+            group: task.group,
             whole: 0.0,
             without_naming: 0.0,
             factor: 0.0,
@@ -75,20 +94,23 @@ pub(super) fn weigh<'d>(
         });
         if task.understood > 0.0 {
             kind.whole += task.understood;
-            kind.without_naming += task.understood / named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
+            kind.without_naming += task.understood / naming;
         }
     }
     let known: Vec<Symbol> = sentence.iter().copied().flatten().filter(|word| word.index() < tables.words()).collect();
     let shares = Kinds::of(tables.layout(), tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
     let share = |kind: Option<Symbol>| kind.map_or(0.0, |kind| shares.share(tables.layout(), kind));
-    let with_ways: Vec<(&'d [Symbol], f32)> =
-        kinds.iter().filter(|(_, kind)| kind.met && has_way(kind.example)).map(|(&form, kind)| (kind.example, share(form))).collect();
+    let with_ways: Vec<(&'d [Symbol], f32)> = kinds
+        .iter()
+        .filter(|(_, kind)| kind.group == Group::Met && has_way(kind.example))
+        .map(|(&form, kind)| (kind.example, share(form)))
+        .collect();
     for (&form, kind) in &mut kinds {
         let root = square_root(if kind.without_naming > 0.0 { kind.whole / kind.without_naming } else { 0.0 });
-        kind.factor = root * square_root(root);
+        kind.factor = if kind.group == Group::Met { root * square_root(root) } else { 1.0 };
         let of_same_goals = || with_ways.iter().filter(|(other, _)| goals(other).eq(goals(kind.example))).map(|(_, share)| share);
         let count = of_same_goals().count();
-        if !kind.met && !has_way(kind.example) && count > 0 {
+        if kind.group != Group::Met && !has_way(kind.example) && count > 0 {
             let of_one = of_same_goals().sum::<f32>() / count as f32;
             // A share may be too small for an f32.
             kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
@@ -98,7 +120,7 @@ pub(super) fn weigh<'d>(
     let kind = |position: usize| kinds.get(&form(description(position)));
     let factor = |position: usize| kind(position).map_or(1.0, |kind| kind.factor);
     let (mut before, mut after) = (0.0, 0.0);
-    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| task.met) {
+    for (position, task) in tasks.iter().enumerate().filter(|(_, task)| is_met(task)) {
         before += task.understood;
         after += task.understood * factor(position);
     }
@@ -113,14 +135,78 @@ pub(super) fn weigh<'d>(
     }
 }
 
+/// Weighs kinds that no session could mean against all others, by whether there is a new word. `new_words` is the share of sessions with a
+/// word that no other has, and `description` gives the description of the task at a position.
+pub(super) fn weigh_impossible<'d>(
+    tables: TablesRef<'_>,
+    new_words: f32,
+    sentence: &[Option<Symbol>],
+    description: impl Fn(usize) -> &'d [Symbol],
+    tasks: &mut [Weighed],
+) {
+    let is_impossible = |task: &Weighed| task.group == Group::Impossible;
+    let (mut kinds, mut wholes) = ([const { BTreeSet::new() }; 2], [0.0_f32; 2]);
+    for (position, task) in tasks.iter().enumerate() {
+        let of = usize::from(is_impossible(task));
+        if let (Some(kinds), Some(whole)) = (kinds.get_mut(of), wholes.get_mut(of)) {
+            kinds.insert(form(description(position)));
+            *whole += task.understood;
+        }
+    }
+    let [others, these] = kinds.map(|kinds| kinds.len() as f32);
+    let has_new_word = sentence.iter().any(|word| word.is_none_or(|word| word.index() >= tables.words()));
+    let of_new = |is_so: bool| if is_so { 1.0 - new_words } else { new_words };
+    let (others, these) = (others * of_new(!has_new_word), these * of_new(has_new_word));
+    let [of_others, of_these] = wholes;
+    if of_others <= 0.0 || of_these <= 0.0 {
+        return;
+    }
+    for task in tasks {
+        let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
+        // A part of what is very little is a number still.
+        task.understood = task.understood / whole * share / (these + others);
+    }
+}
+
+/// Makes the ways of kinds that no session could mean as probable among themselves as the same ways of kinds that were meant, by what is
+/// believed of those.
+pub(super) fn share_ways<'d>(description: impl Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
+    let mut ways: BTreeMap<Vec<Role>, [f32; 2]> = BTreeMap::new();
+    let way = |position: usize| way(description(position)).collect::<Vec<Role>>();
+    for (position, task) in tasks.iter().enumerate().filter(|(position, _)| has_way(description(*position))) {
+        let [met, impossible] = ways.entry(way(position)).or_default();
+        match task.group {
+            Group::Met => *met += task.believed,
+            Group::Impossible => *impossible += task.believed,
+            Group::Unmet => {}
+        }
+    }
+    ways.retain(|_, [met, impossible]| *met > 0.0 && *impossible > 0.0);
+    let (all, whole) = ways.values().fold((0.0, 0.0), |(all, whole), [met, impossible]| (all + met, whole + impossible));
+    for (position, task) in tasks.iter_mut().enumerate().filter(|(_, task)| task.group == Group::Impossible) {
+        if let Some([met, impossible]) = ways.get(&way(position)) {
+            task.believed = task.believed / impossible * whole * met / all;
+        }
+    }
+}
+
 /// The roles of a task's goals.
 fn goals(description: &[Symbol]) -> impl Iterator<Item = Role> {
-    let roles = groups(description).map(|group| group.marker.role);
+    roles(description, |kind| matches!(kind, RoleKind::Goal | RoleKind::Subject))
+}
+
+/// The roles of a task's way.
+fn way(description: &[Symbol]) -> impl Iterator<Item = Role> {
+    roles(description, |kind| kind.index() >= RoleKind::WITHOUT_WAYS)
+}
+
+/// The roles of some kinds.
+fn roles(description: &[Symbol], is_wanted: impl Fn(RoleKind) -> bool) -> impl Iterator<Item = Role> {
     let mut last = None;
-    roles.filter(move |&role| matches!(role.kind(), RoleKind::Goal | RoleKind::Subject) && last.replace(role) != Some(role))
+    groups(description).map(|group| group.marker.role).filter(move |&role| is_wanted(role.kind()) && last.replace(role) != Some(role))
 }
 
 /// Whether a task says how.
 fn has_way(description: &[Symbol]) -> bool {
-    groups(description).any(|group| group.marker.role.kind().index() >= RoleKind::WITHOUT_WAYS)
+    way(description).next().is_some()
 }
