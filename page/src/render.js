@@ -59,8 +59,8 @@ export function render() {
     $(id).setAttribute('aria-pressed', given);
     $(id).querySelector('small').textContent = given && session?.decided ? acted(session.decided.action === 'noop' ? 'stayed' : session.decided.action) : '';
   }
-  const to = !session || !session.decided ? t('train.to') : session.recorded ? t(/^[rp]/.test(session.feedback || '') ? 'judge.given' : 'it', { word: feedbackWord(session.feedback), did: acted(session.decided.action) }) : session.looking ? t('told.testTold')
-    : t(session.feedback === 'reward' ? 'train.saidGood' : session.feedback === 'punish' ? 'train.saidBad' : 'train.silent', { it: t('it', { did: acted(session.decided.action) }) });
+  const to = session?.looking && !session.recorded ? t('told.testTold') : !session || !session.decided ? t('train.to') : session.recorded ? t(/^[rp]/.test(session.feedback || '') ? 'judge.given' : 'it', { word: feedbackWord(session.feedback), did: acted(session.decided.action) }) :
+    t(session.feedback === 'reward' ? 'train.saidGood' : session.feedback === 'punish' ? 'train.saidBad' : 'train.silent', { it: t('it', { did: acted(session.decided.action) }) });
   $('to').replaceChildren(to);
   $('pause').textContent = t(session && session.paused ? 'train.goOn' : 'train.pause');
   $('pause').disabled = $('next').disabled = !session || busy;

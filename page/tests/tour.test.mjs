@@ -96,6 +96,26 @@ test('“50 % sure” is not understood, and who said nothing is told so at the 
   await close(page);
 });
 
+test('a test asks nothing that nobody can answer, and says from the beginning that it takes no feedback', async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  await page.click('#dots li:nth-child(8) button');
+  await page.evaluate(() => {
+    const said = [];
+    const look = () => { if (document.body.hasAttribute('data-session')) said.push(document.getElementById('to').textContent, document.getElementById('say').textContent); };
+    new MutationObserver(look).observe(document.body, { subtree: true, childList: true });
+    Object.assign(window, { said });
+  });
+  await page.click('#lesson');
+  await page.locator('#verdict:visible').waitFor();
+  await page.waitForFunction(() => !document.body.hasAttribute('data-session'));
+  const said = await page.evaluate(() => window.said);
+  assert.ok(said.includes('A test: no feedback.'));
+  assert.ok(said.some(text => /^(I am in|Done)/.test(text)), said.join(' '));
+  assert.deepEqual(said.filter(text => /Was that it|Your word goes/.test(text)), []);
+  await close(page);
+});
+
 test('what feedback was worth is seen at the end, and all steps are a table with one click', async () => {
   const page = await open(browser);
   await page.selectOption('#speed', 'once');

@@ -86,7 +86,7 @@ test('there is one number of certainty, and it says for what', async () => {
   await play(page, 'A');
   await tell(page, 'go to the red room');
   assert.match(await page.textContent('#say'), /\d+\s?% sure of it/);
-  assert.match(await page.textContent('#to'), /^It (moved (up|down|left|right)|stayed where it is)\. Good or Bad\?$/, 'and no child needs to know where north is');
+  assert.match(await page.textContent('#to'), /^It (moved (up|down|left|right)|stayed where it was)\. Good or Bad\?$/, 'and no child needs to know where north is');
   assert.ok(!/%/.test(await page.textContent('#sure')), 'and no second one beside it');
   await close(page);
 });
