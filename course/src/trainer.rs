@@ -45,6 +45,10 @@ impl CourseTrainer {
     /// The mirror image: rewards nearly every action that it takes for correct, and never punishes.
     pub const REWARD_ONLY: Self = Self { punishes: false, ..Self::of(Strategy::REWARD_ONLY) };
 
+    /// The three, by their names.
+    pub const NAMED: [(&'static str, Self); 3] =
+        [("balanced", Self::BALANCED), ("punish-only", Self::PUNISH_ONLY), ("reward-only", Self::REWARD_ONLY)];
+
     /// A trainer who withholds nothing.
     pub const fn of(strategy: Strategy) -> Self {
         Self { strategy, rewards: true, punishes: true }

@@ -1,6 +1,6 @@
 //! Lines of a file, one in memory at a time.
 
-use std::io::{BufRead, ErrorKind};
+use std::io::{BufRead, Read as _};
 
 use crate::error::{FormatError, Problem};
 
@@ -8,7 +8,7 @@ use crate::error::{FormatError, Problem};
 pub const MAX_LINE_BYTES: usize = 16 << 20;
 
 /// The bytes of a longer line that are skipped, at most, to find the next one. A file beyond that has no lines, and is not read on.
-const MOST_PASSED_OVER: usize = 8 * MAX_LINE_BYTES;
+const MOST_PASSED_OVER: u64 = 8 * MAX_LINE_BYTES as u64;
 
 /// A file, line by line.
 pub(crate) struct Lines<R> {
@@ -41,53 +41,27 @@ impl<R: BufRead> Lines<R> {
             return None;
         }
         let mut bytes = Vec::new();
-        let mut length = 0usize;
-        let mut started = false;
-        let mut problem = None;
-        loop {
-            let buffer = match self.input.fill_buf() {
-                Ok(buffer) => buffer,
-                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => {
-                    self.failed = true;
-                    started = true;
-                    problem = Some(Problem::Read(error.to_string()));
-                    break;
-                }
-            };
-            if buffer.is_empty() {
-                break;
-            }
-            started = true;
-            let end = buffer.iter().position(|&b| b == b'\n');
-            let part = &buffer[..end.unwrap_or(buffer.len())];
-            // One byte more than a line may have, in case that it is the end's CR.
-            let room = (MAX_LINE_BYTES + 1).saturating_sub(bytes.len());
-            bytes.extend_from_slice(&part[..part.len().min(room)]);
-            length = length.saturating_add(part.len());
-            let used = part.len() + usize::from(end.is_some());
-            self.input.consume(used);
-            if end.is_some() {
-                break;
-            }
-            if length > MOST_PASSED_OVER {
-                self.failed = true;
-                break;
-            }
-        }
-        if !started {
+        // Besides the line there may be a byte order mark, and the line's end.
+        let mut read = self.input.by_ref().take(MAX_LINE_BYTES as u64 + 5).read_until(b'\n', &mut bytes);
+        if matches!(read, Ok(0)) {
             return None;
         }
         self.read += 1;
-        if bytes.len() == length && bytes.last() == Some(&b'\r') {
+        if bytes.last() == Some(&b'\n') {
             bytes.pop();
-            length -= 1;
+        } else if bytes.len() > MAX_LINE_BYTES {
+            read = read.and_then(|_| self.input.by_ref().take(MOST_PASSED_OVER).skip_until(b'\n'));
+            self.failed = read.as_ref().is_ok_and(|&skipped| skipped as u64 == MOST_PASSED_OVER);
+        }
+        let mut problem = read.err().map(|error| Problem::Read(error.to_string()));
+        self.failed |= problem.is_some();
+        if bytes.last() == Some(&b'\r') {
+            bytes.pop();
         }
         if self.read == 1 && bytes.starts_with("\u{feff}".as_bytes()) {
             bytes.drain(..3);
-            length -= 3;
         }
-        if problem.is_none() && length > MAX_LINE_BYTES {
+        if problem.is_none() && bytes.len() > MAX_LINE_BYTES {
             problem = Some(Problem::LineTooLong { limit: MAX_LINE_BYTES });
         }
         let mut column = None;

@@ -1,25 +1,17 @@
 //! A recorded session, checked against its home or its world, and walked through before anything is believed of it.
 
-#[cfg(feature = "talk")]
 use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
-#[cfg(feature = "talk")]
-use crate::first_words::{self, Long, read};
+use crate::first_words::{Long, read, too_long, words_read};
 use crate::home;
 use crate::name::task_name;
-#[cfg(feature = "talk")]
-use crate::walk::Listening;
-use crate::walk::{Expected, SessionAnswer, Step, Walk};
-#[cfg(not(feature = "talk"))]
-use goodbot::capacity::Capacity;
+use crate::walk::{Expected, Listening, SessionAnswer, Step, Walk};
 use goodbot::capacity::{CapacityError, PROPOSITIONS_PER_TASK};
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, Moves};
-#[cfg(not(feature = "talk"))]
-use goodbot::language::for_each_piece;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
-use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
+use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground, ground_with_done};
 use goodbot::{AgentError, Capacities};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StepRecord, StrategyRecord};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
@@ -34,7 +26,6 @@ pub struct CheckedSession<D: Domain> {
     /// The task that was meant, by its position, where the record names one of the tasks.
     pub intended: Option<usize>,
     /// That not all words of the command are read, where it is so.
-    #[cfg(feature = "talk")]
     pub long: Option<Long>,
 }
 
@@ -148,10 +139,8 @@ impl Checker<'_> {
         self.intended_task(&home, &start, &tasks, lifted.iter().any(LiftedTask::has_way));
         let meant = header.meant().and_then(Result::ok);
         let walk = Walk {
-            command: words_read(&header.command),
-            #[cfg(feature = "talk")]
+            command: words_read(&header.command).to_owned(),
             listening: self.listening(&home, &start, lifted),
-            #[cfg(feature = "talk")]
             closed: self.closed_words(),
             kind: header.kind,
             continues: header.continues,
@@ -168,13 +157,7 @@ impl Checker<'_> {
             return Err(self.faults);
         }
         let intended = meant.and_then(|meant| tasks.iter().position(|(_, name)| name.is_same(&meant)));
-        Ok(CheckedSession {
-            walk,
-            tasks,
-            intended,
-            #[cfg(feature = "talk")]
-            long: read(&header.command).ok().and_then(|read| read.long()),
-        })
+        Ok(CheckedSession { walk, tasks, intended, long: read(&header.command).ok().and_then(|read| read.long()) })
     }
 
     /// What is wrong with it so far.
@@ -186,16 +169,15 @@ impl Checker<'_> {
         let header = &self.recorded.header;
         let said = header.utterance.iter().map(|utterance| ("utterance", utterance));
         for (field, text) in std::iter::once(("command", &header.command)).chain(said) {
-            match words_of(text) {
-                Err(message) => self.fault(field, message),
-                Ok(0) => self.fault(field, AgentError::EmptyCommand),
+            match read(text) {
+                Err(error) => self.fault(field, too_long(error)),
+                Ok(read) if read.count == 0 => self.fault(field, AgentError::EmptyCommand),
                 Ok(_) => {}
             }
         }
     }
 
     /// How the session began where the robot listened.
-    #[cfg(feature = "talk")]
     fn listening<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Option<Listening> {
         let header = &self.recorded.header;
         let utterance = header.utterance.clone()?;
@@ -212,7 +194,6 @@ impl Checker<'_> {
     }
 
     /// The words that speak about commands.
-    #[cfg(feature = "talk")]
     fn closed_words(&mut self) -> goodbot::talk::ClosedWords<'static> {
         let table = self.recorded.header.closed_words.as_deref().map(crate::listening::kept_table);
         match table {
@@ -226,7 +207,6 @@ impl Checker<'_> {
     }
 
     /// The conversation that the session is part of.
-    #[cfg(feature = "talk")]
     fn conversation<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Conversing {
         let Some(record) = &self.recorded.header.conversation else { return Conversing::default() };
         let named = self.tasks(home, start, lifted);
@@ -305,7 +285,8 @@ impl Checker<'_> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
         let (field, things) = self.place;
         let grounded = match self.recorded.header.utterance {
-            Some(_) => ground_with_done(home, lifted, start, &mut tasks),
+            // Where the robot listens, those that are done already are among them.
+            Some(_) => ground_with_done(home, lifted, start, &mut tasks, f32::MIN_POSITIVE),
             None => ground(home, lifted, start, &mut tasks),
         };
         let count = match grounded {
@@ -391,8 +372,7 @@ impl Checker<'_> {
                 yes,
                 eta,
                 others,
-                #[cfg(feature = "talk")]
-                words: answer.words.as_deref().map(words_read),
+                words: answer.words.as_deref().map(|words| words_read(words).to_owned()),
             });
         }
         answers
@@ -432,19 +412,6 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
     )
 }
 
-/// The tasks of a robot that listens: those that are done already are among them.
-fn ground_with_done<D: Domain>(
-    home: &D,
-    lifted: &[LiftedTask],
-    start: &D::State,
-    tasks: &mut [GroundedTask],
-) -> Result<usize, CapacityError> {
-    #[cfg(feature = "talk")]
-    return goodbot::task::ground_with_done(home, lifted, start, tasks, f32::MIN_POSITIVE);
-    #[cfg(not(feature = "talk"))]
-    ground(home, lifted, start, tasks)
-}
-
 /// Whether a proposition is about what is here; what is wrong with it otherwise.
 pub fn known_atom(home: &impl Domain, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     if atom.is_negated() {
@@ -473,38 +440,4 @@ pub fn known_atom(home: &impl Domain, atom: &GroundAtomText) -> Result<goodbot::
         }
     }
     Ok(arguments)
-}
-
-/// How many words of a text are read; what is wrong with it otherwise.
-#[cfg(feature = "talk")]
-fn words_of(text: &str) -> Result<usize, String> {
-    read(text).map(|read| read.count).map_err(too_long)
-}
-
-/// The same: without the feature, longer texts are faults.
-#[cfg(not(feature = "talk"))]
-fn words_of(text: &str) -> Result<usize, String> {
-    let mut words = 0_usize;
-    let counted = for_each_piece(text, |_| {
-        words += 1;
-        Ok(())
-    });
-    counted.map(|()| words).map_err(|error| match error {
-        CapacityError { capacity: Capacity::WordsPerCommand, limit, given } => {
-            format!("has {given} words, and {limit} are the most; shorten it")
-        }
-        error => too_long(error),
-    })
-}
-
-/// The words of a text that are read.
-fn words_read(text: &str) -> String {
-    // What cannot be read is a fault already. Without the feature, so is a longer text.
-    #[cfg(feature = "talk")]
-    let text = first_words::words_read(text);
-    text.to_owned()
-}
-
-fn too_long(error: CapacityError) -> String {
-    format!("has a word of more than {} bytes; shorten it", error.limit)
 }

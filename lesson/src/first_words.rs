@@ -1,7 +1,7 @@
 //! Commands with more words than a robot reads: their first words are read, and what is not read is said.
 
 use goodbot::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
-use goodbot::language::{first_words, for_each_piece};
+use goodbot::language::{Model, first_words, for_each_piece};
 use std::fmt;
 
 /// A command as it is read.
@@ -70,6 +70,30 @@ pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
         Err(error) => Err(error),
         Ok(()) => Ok(Read { words: command, count }),
     }
+}
+
+/// What is wrong with a command that [`read`] refuses, in words.
+pub fn too_long(error: CapacityError) -> String {
+    format!("has a word of more than {} bytes; shorten it", error.limit)
+}
+
+/// The words of a command in order, as a model hears them.
+///
+/// ```
+/// use goodbot::language::Model;
+/// assert_eq!(goodbot_lesson::first_words::heard(Model::Roles, "Go to the RED room!")?, ["go", "to", "the", "red", "room"]);
+/// # Ok::<(), goodbot::capacity::CapacityError>(())
+/// ```
+///
+/// # Errors
+/// A [`CapacityError`] where there are too many words, or one is too long.
+pub fn heard(model: Model, command: &str) -> Result<Vec<String>, CapacityError> {
+    let mut words = Vec::new();
+    model.for_each_word(command, |word| {
+        words.push(word.to_owned());
+        Ok(())
+    })?;
+    Ok(words)
 }
 
 /// The words of a text that are read. What cannot be read stays as it is, and is refused where it is heard.

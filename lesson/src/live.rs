@@ -6,7 +6,6 @@
 //! A word counts at once, and of several words to one step the last one counts. To take a step back, the session is walked again up to
 //! there: the same steps and the same words give the same belief.
 
-#[cfg(feature = "talk")]
 use crate::asking::Asked;
 use crate::name::task_name;
 use crate::place::Place;
@@ -19,12 +18,10 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, Domain, action_name, action_named};
 use goodbot::planning::{Judgement, OptimalSet, Progress};
 use goodbot::session::{Evidence, Finished};
-#[cfg(feature = "talk")]
 use goodbot::task::GroundedTask;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, AgentError};
 use goodbot_formats::environment::EnvironmentFile;
-#[cfg(feature = "talk")]
 use goodbot_formats::quoted;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
@@ -41,7 +38,6 @@ pub enum LiveError {
     /// No step waits for a word.
     NoStep,
     /// No conversation has this name.
-    #[cfg(feature = "talk")]
     NoConversation {
         /// The name.
         id: String,
@@ -72,11 +68,9 @@ impl fmt::Display for LiveError {
             Self::NoSession => f.write_str("no session is under way; give a command first"),
             Self::StepNotOver => f.write_str("the last step waits for a word, or for silence"),
             Self::NoStep => f.write_str("there is no step to judge yet; let the robot go first"),
-            #[cfg(feature = "talk")]
             Self::NoConversation { id, known } if known.is_empty() => {
                 write!(f, "no conversation is called {}: none has begun in this home; give a command first", quoted(id))
             }
-            #[cfg(feature = "talk")]
             Self::NoConversation { id, known } => {
                 write!(f, "no conversation in this home is called {}; known are {}", quoted(id), known.join(", "))
             }
@@ -133,28 +127,17 @@ pub struct Session<R = EnvironmentFile> {
     /// The trainer strategies that were expected then, each with its probability.
     pub strategies: Vec<(Strategy, f32)>,
     /// Where this is not the first command of what was said: the task of the command before.
-    #[cfg(feature = "talk")]
     pub after: Option<GroundedTask>,
     /// For each step that was taken, and each task, whether it was right.
     pub(crate) judgements: Vec<Vec<Judgement>>,
     /// Where it is walked again.
     pub(crate) again: Option<Replay>,
-    #[cfg(feature = "talk")]
     pub(crate) asked: Asked,
 }
 
 impl<R> Session<R> {
     pub(crate) const fn new(environment: R, strategies: Vec<(Strategy, f32)>) -> Self {
-        Self {
-            environment,
-            strategies,
-            #[cfg(feature = "talk")]
-            after: None,
-            judgements: Vec::new(),
-            again: None,
-            #[cfg(feature = "talk")]
-            asked: Asked::NOTHING,
-        }
+        Self { environment, strategies, after: None, judgements: Vec::new(), again: None, asked: Asked::NOTHING }
     }
 
     /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
@@ -198,20 +181,14 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     /// The last step, and from where it was taken.
     acted: Option<(Acted, Step<D::State>)>,
     /// In how many sessions, one after another, all answers were as expected.
-    #[cfg(feature = "talk")]
     pub(crate) trust: u8,
-    #[cfg(feature = "talk")]
     pub(crate) ahead: Option<crate::listening::Ahead>,
-    #[cfg(feature = "talk")]
     pub(crate) conversations: crate::conversing::Conversations,
     /// The words that speak about commands.
-    #[cfg(feature = "talk")]
     pub closed: goodbot::talk::ClosedWords<'static>,
     /// What was said along with the buttons.
-    #[cfg(feature = "talk")]
     pub voice: crate::voice::Voice,
     /// The words for which there was nothing to do, if they were the last.
-    #[cfg(feature = "talk")]
     pub(crate) declined: Option<String>,
 }
 
@@ -232,17 +209,11 @@ impl<D: Place> Lesson<D> {
             state: start,
             session: None,
             acted: None,
-            #[cfg(feature = "talk")]
             trust: 0,
-            #[cfg(feature = "talk")]
             ahead: None,
-            #[cfg(feature = "talk")]
             conversations: crate::conversing::Conversations::default(),
-            #[cfg(feature = "talk")]
             closed: crate::listening::CLOSED_WORDS,
-            #[cfg(feature = "talk")]
             voice: crate::voice::Voice::default(),
-            #[cfg(feature = "talk")]
             declined: None,
         }
     }
@@ -266,7 +237,6 @@ impl<D: Place> Lesson<D> {
     pub fn put(&mut self, state: D::State) {
         self.forget();
         self.state = state;
-        #[cfg(feature = "talk")]
         self.end_conversations();
     }
 
@@ -275,7 +245,6 @@ impl<D: Place> Lesson<D> {
         self.forget();
         self.walk = Walk::new(home, start, Kind::Feedback);
         self.state = start;
-        #[cfg(feature = "talk")]
         self.end_conversations();
     }
 
@@ -337,11 +306,9 @@ impl<D: Place> Lesson<D> {
         self.forget();
         expect_ends(&mut self.agent)?;
         // Who does not listen knows no conversation.
-        #[cfg(feature = "talk")]
         self.agent.resume(goodbot::talk::Conversation::NEW);
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let strategies = self.agent.belief().strategies().to_vec();
-        #[cfg(feature = "talk")]
         {
             self.walk.listening = None;
         }
@@ -352,7 +319,6 @@ impl<D: Place> Lesson<D> {
     /// Begins a session whose command the agent has heard.
     pub(crate) fn begin(&mut self, command: String, session: Session<D::Record>) {
         (self.walk.command, self.walk.start) = (command, self.state);
-        #[cfg(feature = "talk")]
         {
             self.walk.closed = self.closed;
         }
@@ -488,7 +454,6 @@ impl<D: Place> Lesson<D> {
     /// What [`Agent::answer`] refuses.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
         let question = self.agent.open_question().copied();
-        #[cfg(feature = "talk")]
         self.expect_answer(answer);
         let evidence = self.agent.answer(answer)?;
         if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
@@ -508,7 +473,6 @@ impl<D: Place> Lesson<D> {
         Ok(evidence)
     }
 
-    #[cfg(feature = "talk")]
     pub(crate) fn asked_mut(&mut self) -> Result<&mut Asked, LiveError> {
         self.session.as_mut().map(|session| &mut session.asked).ok_or(LiveError::NoSession)
     }
@@ -571,14 +535,12 @@ impl<D: Place> Lesson<D> {
         if self.is_under_way() {
             self.take_end()?;
         }
-        #[cfg(feature = "talk")]
         {
             self.end_asking();
             self.remember_session();
         }
         self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
-        #[cfg(feature = "talk")]
         self.end_part();
         Ok(self.agent.finish(&self.walk.home)?)
     }
@@ -586,7 +548,6 @@ impl<D: Place> Lesson<D> {
     /// Ends the session, and learns nothing from it. The rest of the utterance is dropped.
     pub fn forget(&mut self) {
         self.acted = None;
-        #[cfg(feature = "talk")]
         {
             self.remember_if_done();
             self.ahead = None;

@@ -19,27 +19,19 @@ impl<D: Place> Lesson<D> {
         let step = |step: &Step<D::State>| StepRecord::new(action_name(home, step.action).to_owned(), Some(word(step.feedback)));
         let answer = |given: &SessionAnswer| {
             let tasks = given.tasks.iter().filter_map(|task| self.name_of(task)).collect();
-            #[cfg(feature = "talk")]
             let words = given.words.clone();
-            #[cfg(not(feature = "talk"))]
-            let words = None;
             let eta = given.eta.into();
             let answer = AnswerRecord { tasks, yes: given.yes, eta, others: given.others, words, said_ms: None };
             RecordedAnswer { line: 1, after: given.after, answer }
         };
         // "Again" has no words for its task.
-        #[cfg(feature = "talk")]
         let learn = learn && !self.agent.sentence().is_empty();
         let steps = &walk.steps;
         let recorded = RecordedSession {
             header: SessionHeader {
-                #[cfg(feature = "talk")]
                 utterance: walk.listening.as_ref().map(|listening| listening.utterance.clone()),
-                #[cfg(feature = "talk")]
                 after: session.after.as_ref().and_then(|task| self.name_of_task(task)),
-                #[cfg(feature = "talk")]
                 conversation: walk.listening.as_ref().and_then(|listening| listening.conversation.recorded(home, self.agent.lifted())),
-                #[cfg(feature = "talk")]
                 closed_words: Some(walk.closed).filter(|closed| *closed != crate::listening::CLOSED_WORDS).map(|closed| closed.to_string()),
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
                 ..SessionHeader::new(Kind::Feedback, EnvironmentFile::new(vec![]), walk.command.clone())

@@ -196,11 +196,9 @@ impl Replay {
             expect_ends(agent)?;
         }
         let (home, start) = (&walk.home, &walk.start);
-        #[cfg(feature = "talk")]
         if let Some(listening) = &walk.listening {
             return crate::listening::listen(agent, home, start, listening, walk.closed).map(|_| ());
         }
-        #[cfg(feature = "talk")]
         agent.resume(goodbot::talk::Conversation::NEW);
         if walk.continues && self.rules.context {
             agent.hear_again(home, start)
@@ -261,7 +259,6 @@ pub fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> R
 
 fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answer: &SessionAnswer) -> Result<(), AgentError> {
     let _ = agent.answered(answer.tasks, answer.yes, answer.eta, answer.others)?;
-    #[cfg(feature = "talk")]
     if let Some(words) = &answer.words {
         let _ = agent.corrected(&walk.home, words, walk.closed, answer.tasks)?;
     }

@@ -1,6 +1,5 @@
 //! What happens in a session: a command in a home or another world, steps, what was said to them, and answers.
 
-#[cfg(feature = "talk")]
 use crate::conversing::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
 use goodbot::home::HomeState;
@@ -58,27 +57,16 @@ pub struct SessionAnswer {
     /// How many other answers there were.
     pub others: u8,
     /// What was said, where it was a correction: evidence beside the answer.
-    #[cfg(feature = "talk")]
     pub words: Option<String>,
 }
 
 impl SessionAnswer {
     /// An answer of yes to nothing yet, which is wrong with this probability.
     pub const fn of(eta: f32) -> Self {
-        Self {
-            line: 0,
-            after: 0,
-            tasks: TaskSet::EMPTY,
-            yes: true,
-            eta,
-            others: 1,
-            #[cfg(feature = "talk")]
-            words: None,
-        }
+        Self { line: 0, after: 0, tasks: TaskSet::EMPTY, yes: true, eta, others: 1, words: None }
     }
 }
 
-#[cfg(feature = "talk")]
 /// How a session began where the robot listened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listening {
@@ -123,10 +111,8 @@ pub struct Walk<D: Domain> {
     /// What was said.
     pub command: String,
     /// Where the robot listened: the utterance that the command is of.
-    #[cfg(feature = "talk")]
     pub listening: Option<Listening>,
     /// The words that speak about commands.
-    #[cfg(feature = "talk")]
     pub closed: goodbot::talk::ClosedWords<'static>,
     /// How it teaches.
     pub kind: Kind,
@@ -155,9 +141,7 @@ impl<D: Domain> Walk<D> {
     pub const fn new(home: D, start: D::State, kind: Kind) -> Self {
         Self {
             command: String::new(),
-            #[cfg(feature = "talk")]
             listening: None,
-            #[cfg(feature = "talk")]
             closed: crate::listening::CLOSED_WORDS,
             kind,
             continues: false,

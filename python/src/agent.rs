@@ -20,11 +20,11 @@ use goodbot::snapshot::Contents;
 use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
-use goodbot::{AgentError, Capacities, Options};
+use goodbot::{AgentError, Options};
 use goodbot_console::lessons::restored::{room_for, room_for_tasks};
 use goodbot_console::output::Kind;
 use goodbot_console::whole_file::{MOST_BYTES, write_whole};
-use goodbot_lesson::first_words;
+use goodbot_lesson::first_words::{self, heard};
 use goodbot_lesson::kept_kinds;
 use goodbot_lesson::world::robot as world;
 use pyo3::exceptions::PyFileExistsError;
@@ -724,13 +724,8 @@ impl Agent {
                 .core
                 .explain(domain, task, |word, meaning, share| told.push((word, meaning, share))));
             mind.settled(py, &place, result)?;
-            let mut words = Vec::new();
-            let model = mind.core.options().language.model;
-            let take = |word: &str| {
-                words.push((word.to_owned(), PyDict::new(py)));
-                Ok(())
-            };
-            model.for_each_word(&mind.command, take).map_err(|refused| error::full(py, refused))?;
+            let words = heard(mind.core.options().language.model, &mind.command).map_err(|refused| error::full(py, refused))?;
+            let words: Vec<_> = words.into_iter().map(|word| (word, PyDict::new(py))).collect();
             let tokens = mind.core.language().tokens();
             for (word, meaning, share) in told.into_iter().filter(|(_, _, share)| *share > 0.0) {
                 let name = match meaning {
@@ -802,14 +797,7 @@ impl Agent {
 /// ['go', 'to', 'the', 'red', 'room']
 #[pyfunction]
 pub fn words(py: Python<'_>, command: &str) -> PyResult<Vec<String>> {
-    let mut words = Vec::new();
-    let take = |word: &str| {
-        words.push(word.to_owned());
-        Ok(())
-    };
-    let command = words_read(py, command)?;
-    Options::DEFAULT.language.model.for_each_word(command, take).map_err(|refused| error::full(py, refused))?;
-    Ok(words)
+    heard(Options::DEFAULT.language.model, words_read(py, command)?).map_err(|refused| error::full(py, refused))
 }
 
 const fn kind_name(kind: goodbot::task::RoleKind) -> &'static str {

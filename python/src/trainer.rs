@@ -15,14 +15,11 @@ use pyo3::types::PyDict;
 use rand_pcg::Pcg32;
 use std::sync::{Mutex, PoisonError};
 
-const NAMED: [(&str, CourseTrainer); 3] =
-    [("balanced", CourseTrainer::BALANCED), ("punish-only", CourseTrainer::PUNISH_ONLY), ("reward-only", CourseTrainer::REWARD_ONLY)];
-
 /// A trainer by its name, or by mu+, mu- and epsilon.
 pub fn trainer_of(kind: &Bound<'_, PyAny>) -> PyResult<CourseTrainer> {
     if let Ok(name) = kind.extract::<&str>() {
-        let found = NAMED.iter().find(|(known, _)| *known == name);
-        return found.map(|(_, trainer)| *trainer).ok_or_else(|| {
+        let found = CourseTrainer::NAMED.into_iter().find(|(known, _)| *known == name);
+        return found.map(|(_, trainer)| trainer).ok_or_else(|| {
             value(format!(
                 "no trainer is called {name:?}; give balanced, punish-only, reward-only, or three numbers such as (0.7, 0.7, 0.1)"
             ))
@@ -247,7 +244,7 @@ impl Trainer {
     }
 
     fn __repr__(&self) -> String {
-        let known = NAMED.iter().find(|(_, trainer)| *trainer == self.trainer);
+        let known = CourseTrainer::NAMED.into_iter().find(|(_, trainer)| *trainer == self.trainer);
         known.map_or_else(|| format!("goodbot.Trainer({:?})", self.strategy()), |(name, _)| format!("goodbot.Trainer({name:?})"))
     }
 }

@@ -25,7 +25,7 @@ use goodbot::task::LiftedTask;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_lesson::Fault;
-use goodbot_lesson::first_words::told;
+use goodbot_lesson::first_words::{Read, told};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -83,6 +83,27 @@ pub struct Lesson {
 }
 
 impl Lesson {
+    /// A command that is told, in a world in which no robot acts. It is not known yet what it means, nor is it to be learned from.
+    fn told(id: String, world: String, command: &Read<'_>, header: SessionHeader, readings: Arc<[Reading]>) -> Self {
+        Self {
+            id,
+            command: command.words.to_owned(),
+            header,
+            world: Some(world),
+            acts: false,
+            group: None,
+            intended: None,
+            beliefs: readings.iter().map(|reading| reading.prior).collect(),
+            readings,
+            pairs: vec![],
+            shown: vec![],
+            walk: String::new(),
+            learn: false,
+            remarks: vec![],
+            long: None,
+        }
+    }
+
     /// Whether the steps alone, without any word, speak more for what was meant than for any other task. Nothing where it is not known what
     /// was meant, or where it was told.
     pub fn evidence_is_right(&self) -> Option<bool> {

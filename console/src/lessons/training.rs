@@ -12,6 +12,7 @@ use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::Marker;
+use goodbot_lesson::first_words::heard;
 use std::collections::{BTreeSet, HashMap};
 
 /// Memory for a language model of these lessons, and for no search.
@@ -33,12 +34,9 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     for lesson in lessons {
         // As either model hears it. Of a command that is too long its first words alone are here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
-            let mut count = 0;
-            let _ = model.for_each_word(&lesson.command, |word| {
-                words.insert(word.to_owned());
-                count += 1;
-                Ok(())
-            });
+            let heard = heard(model, &lesson.command).unwrap_or_default();
+            let count = heard.len();
+            words.extend(heard);
             count
         });
         sentence_words += pieces.max(count);

@@ -12,7 +12,7 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
 use goodbot_lesson::fault::quoted;
-use goodbot_lesson::first_words::{self, Read};
+use goodbot_lesson::first_words::{self, too_long};
 use goodbot_lesson::world::robot::{self, Flaw, Robot, Tables};
 use goodbot_lesson::world::{TooMany, meanings};
 use std::collections::HashMap;
@@ -95,29 +95,9 @@ pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) 
     }
     let readings = readings(world, &world.facts, options.language.model);
     let readings: Arc<[Reading]> = readings.map_err(|error| Fault::new(file, error).in_field("task_kinds"))?.into();
-    let read = read_in_words(command).map_err(|message| Fault::new(file, message).in_field("command"))?;
-    Ok(Lesson {
-        id: String::new(),
-        command: read.words.to_owned(),
-        header: header(&asked),
-        world: Some(place(world, &world.facts)),
-        acts: false,
-        group: None,
-        intended: None,
-        pairs: vec![],
-        beliefs: readings.iter().map(|reading| reading.prior).collect(),
-        readings,
-        shown: vec![],
-        walk: String::new(),
-        learn: false,
-        remarks: vec![],
-        long: read.long().map(|long| Fault::new(file, long).in_field("command")),
-    })
-}
-
-/// The words of a command that are read; what is wrong with it, in words.
-fn read_in_words(command: &str) -> Result<Read<'_>, String> {
-    first_words::read(command).map_err(|error| format!("has a word of more than {} bytes; shorten it", error.limit))
+    let read = first_words::read(command).map_err(|error| Fault::new(file, too_long(error)).in_field("command"))?;
+    let long = read.long().map(|long| Fault::new(file, long).in_field("command"));
+    Ok(Lesson { long, ..Lesson::told(String::new(), place(world, &world.facts), &read, header(&asked), readings) })
 }
 
 impl Worlds<'_> {
@@ -159,7 +139,7 @@ impl Worlds<'_> {
 
     fn command(&mut self, file: &str, command: &CommandRecord) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
-        let read = read_in_words(&command.command).map_err(|message| at("command", &message))?;
+        let read = first_words::read(&command.command).map_err(|error| at("command", &too_long(error)))?;
         if read.count == 0 {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
@@ -201,25 +181,17 @@ impl Worlds<'_> {
         wanted.sort();
         let Some(&intended) = scene.positions.get(&wanted) else { return Ok(None) };
         let readings = Arc::clone(&scene.readings);
-        let read = read_in_words(&command.command).map_err(|message| at("command", &message))?;
+        let read = first_words::read(&command.command).map_err(|error| at("command", &too_long(error)))?;
         let mut beliefs = vec![0.0; readings.len()];
         beliefs.iter_mut().skip(intended).take(1).for_each(|belief| *belief = 1.0);
         Ok(Some(Lesson {
-            id,
-            command: read.words.to_owned(),
-            header: header(command),
-            world: Some(place),
-            acts: false,
             group: command.group.clone(),
             intended: Some(intended),
             pairs: readings.get(intended).map(told_pairs).unwrap_or_default(),
-            readings,
             beliefs,
-            shown: vec![],
-            walk: String::new(),
             learn: true,
-            remarks: vec![],
             long: read.long().map(|long| at("command", &long)),
+            ..Lesson::told(id, place, &read, header(command), readings)
         }))
     }
 }

@@ -172,7 +172,7 @@ impl<R: BufRead> SessionReader<R> {
 }
 
 /// Errors that are not to be passed over even within a broken session.
-fn is_fatal(error: &FormatError) -> bool {
+pub(crate) fn is_fatal(error: &FormatError) -> bool {
     matches!(error.problem, Problem::Read(_) | Problem::LineTooLong { .. })
 }
 

@@ -44,12 +44,8 @@ pub struct GroundAtomText {
     arguments: Vec<String>,
 }
 
-/// A conjunction of propositions about objects, at least one, in their order in the text, and the way to it, if it has one.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct GroundTaskText {
-    atoms: Vec<GroundAtomText>,
-    way: WayText<GroundAtomText>,
-}
+/// A task about objects.
+pub type GroundTaskText = TaskText<GroundAtomText>;
 
 /// A proposition over variables: `agentInRoom(?a,?r)`.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -58,11 +54,14 @@ pub struct LiftedAtomText {
     variables: Vec<String>,
 }
 
-/// A conjunction of propositions over variables, at least one, in their order in the text, and the way to it, if it has one.
+/// A kind of task, over variables.
+pub type LiftedTaskText = TaskText<LiftedAtomText>;
+
+/// A conjunction of propositions, at least one, in their order in the text, and the way to it, if it has one.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct LiftedTaskText {
-    atoms: Vec<LiftedAtomText>,
-    way: WayText<LiftedAtomText>,
+pub struct TaskText<A> {
+    atoms: Vec<A>,
+    way: WayText<A>,
 }
 
 impl GroundAtomText {
@@ -98,36 +97,10 @@ impl GroundAtomText {
 }
 
 impl GroundTaskText {
-    /// A task of at least one proposition.
-    pub fn new(atoms: Vec<GroundAtomText>) -> Result<Self, TaskTextError> {
-        Self::with_way(atoms, WayText::default())
-    }
-
-    /// A task of at least one proposition, with a way.
-    pub fn with_way(atoms: Vec<GroundAtomText>, way: WayText<GroundAtomText>) -> Result<Self, TaskTextError> {
-        way.check(&atoms)?;
-        Ok(GroundTaskText { atoms, way })
-    }
-
-    /// The propositions of the goal, at least one.
-    pub fn atoms(&self) -> &[GroundAtomText] {
-        &self.atoms
-    }
-
-    /// The way to the goal; empty where it has none.
-    pub fn way(&self) -> &WayText<GroundAtomText> {
-        &self.way
-    }
-
     /// The task with each proposition of its goal the other way round.
     #[must_use]
     pub fn opposite(&self) -> Self {
-        GroundTaskText { atoms: self.atoms.iter().cloned().map(GroundAtomText::negated).collect(), way: self.way.clone() }
-    }
-
-    /// Whether another text is of the same task: the same propositions and the same way, in any order.
-    pub fn is_same(&self, other: &Self) -> bool {
-        way::sorted(&self.atoms) == way::sorted(&other.atoms) && self.way.is_same(&other.way)
+        TaskText { atoms: self.atoms.iter().cloned().map(GroundAtomText::negated).collect(), way: self.way.clone() }
     }
 }
 
@@ -152,25 +125,38 @@ impl LiftedAtomText {
     }
 }
 
-impl LiftedTaskText {
+impl<A: Ord + Clone + fmt::Display> TaskText<A> {
     /// A task of at least one proposition.
-    pub fn new(atoms: Vec<LiftedAtomText>) -> Result<Self, TaskTextError> {
+    ///
+    /// # Errors
+    /// [`TaskTextError::Empty`].
+    pub fn new(atoms: Vec<A>) -> Result<Self, TaskTextError> {
         Self::with_way(atoms, WayText::default())
     }
 
     /// A task of at least one proposition, with a way.
-    pub fn with_way(atoms: Vec<LiftedAtomText>, way: WayText<LiftedAtomText>) -> Result<Self, TaskTextError> {
+    ///
+    /// # Errors
+    /// [`TaskTextError::Empty`] for a task or a clause of no proposition, [`TaskTextError::AvoidsGoal`] for a way that avoids what is asked for.
+    pub fn with_way(atoms: Vec<A>, way: WayText<A>) -> Result<Self, TaskTextError> {
         way.check(&atoms)?;
-        Ok(LiftedTaskText { atoms, way })
+        Ok(TaskText { atoms, way })
     }
 
+    /// Whether another text is of the same task: the same propositions and the same way, in any order.
+    pub fn is_same(&self, other: &Self) -> bool {
+        way::sorted(&self.atoms) == way::sorted(&other.atoms) && self.way.is_same(&other.way)
+    }
+}
+
+impl<A> TaskText<A> {
     /// The propositions of the goal, at least one.
-    pub fn atoms(&self) -> &[LiftedAtomText] {
+    pub fn atoms(&self) -> &[A] {
         &self.atoms
     }
 
     /// The way to the goal; empty where it has none.
-    pub fn way(&self) -> &WayText<LiftedAtomText> {
+    pub fn way(&self) -> &WayText<A> {
         &self.way
     }
 }
@@ -214,13 +200,7 @@ impl fmt::Display for LiftedAtomText {
     }
 }
 
-impl fmt::Display for GroundTaskText {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.way.fmt_around(f, &self.atoms)
-    }
-}
-
-impl fmt::Display for LiftedTaskText {
+impl<A: Ord + Clone + fmt::Display> fmt::Display for TaskText<A> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.way.fmt_around(f, &self.atoms)
     }
@@ -232,7 +212,7 @@ impl Serialize for GroundAtomText {
     }
 }
 
-impl Serialize for GroundTaskText {
+impl<A: Ord + Clone + fmt::Display> Serialize for TaskText<A> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, WayText, is_name_character};
+use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, TaskText, WayText, is_name_character};
 use crate::error::quoted;
 
 /// A text that is no task. Places count characters from 1.
@@ -168,9 +168,6 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// The goal of a task and its way.
-type Task<A> = (Vec<A>, WayText<A>);
-
 /// The part that the next proposition belongs to.
 #[derive(Clone, Copy, PartialEq)]
 enum Clause {
@@ -179,7 +176,10 @@ enum Clause {
     Avoiding,
 }
 
-fn task<A>(text: &str, read: impl Fn(&mut Rest<'_>) -> Result<A, TaskTextError>) -> Result<Task<A>, TaskTextError> {
+fn task<A: Ord + Clone + fmt::Display>(
+    text: &str,
+    read: impl Fn(&mut Rest<'_>) -> Result<A, TaskTextError>,
+) -> Result<TaskText<A>, TaskTextError> {
     if text.trim().is_empty() {
         return Err(TaskTextError::Empty);
     }
@@ -205,7 +205,7 @@ fn task<A>(text: &str, read: impl Fn(&mut Rest<'_>) -> Result<A, TaskTextError>)
             clause = Clause::Avoiding;
         } else {
             rest.end()?;
-            return Ok((goal, way));
+            return TaskText::with_way(goal, way);
         }
     }
 }
@@ -214,8 +214,7 @@ impl FromStr for GroundTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let (goal, way) = task(text, |rest| rest.ground_atom())?;
-        GroundTaskText::with_way(goal, way)
+        task(text, |rest| rest.ground_atom())
     }
 }
 
@@ -236,7 +235,6 @@ impl FromStr for LiftedTaskText {
     type Err = TaskTextError;
 
     fn from_str(text: &str) -> Result<Self, TaskTextError> {
-        let (goal, way) = task(text, |rest| rest.lifted_atom())?;
-        LiftedTaskText::with_way(goal, way)
+        task(text, |rest| rest.lifted_atom())
     }
 }

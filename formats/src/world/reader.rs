@@ -8,7 +8,7 @@ use super::{CommandRecord, SessionInWorld, WorldFile};
 use crate::error::{FormatError, Problem};
 use crate::json::{Object, Source};
 use crate::lines::{Line as RawLine, Lines};
-use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession};
+use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession, is_fatal};
 
 /// What a log of worlds holds.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +30,7 @@ pub struct WorldReader<R> {
     worlds: HashMap<String, Arc<WorldFile>>,
     /// A line that was met while a session was not ended.
     pending: Option<RawLine>,
-    /// Whether the last session could not be read.
+    /// Whether what was read last could not be read.
     is_broken: bool,
     began: usize,
 }
@@ -56,26 +56,18 @@ impl<R: BufRead> WorldReader<R> {
         }
     }
 
-    /// What begins on a line; nothing where it is left of a session that could not be read.
-    fn read(&mut self, text: &str, number: usize) -> Result<Option<Line>, FormatError> {
+    /// What begins on a line.
+    fn read(&mut self, text: &str, number: usize) -> Result<Line, FormatError> {
         let source = Source::new(text, number);
         let fields = source.root()?.object()?;
-        let kind = fields.required("type")?.word(TYPES)?;
-        let was_broken = self.is_broken;
-        self.is_broken &= kind > 2;
-        let problem = match kind {
+        let problem = match fields.required("type")?.word(TYPES)? {
             0 => {
                 let world = Arc::new(WorldFile::read(&fields)?);
                 self.worlds.insert(world.name.clone(), Arc::clone(&world));
-                return Ok(Some(Line::World(world)));
+                return Ok(Line::World(world));
             }
-            1 => return Ok(Some(Line::Command(CommandRecord::read(&fields, number, &*self.world(&fields)?)?))),
-            2 => {
-                let session = self.session(&fields, number);
-                self.is_broken = session.is_err();
-                return session.map(|session| Some(Line::Session(Box::new(session))));
-            }
-            _ if was_broken => return Ok(None),
+            1 => return Ok(Line::Command(CommandRecord::read(&fields, number, &*self.world(&fields)?)?)),
+            2 => return self.session(&fields, number).map(|session| Line::Session(Box::new(session))),
             3 => Problem::StepBeforeSession,
             4 => Problem::AnswerOutsideSession,
             _ => Problem::EndOutsideSession,
@@ -134,10 +126,10 @@ impl<R: BufRead> Iterator for WorldReader<R> {
         loop {
             let line = self.line()?;
             self.began = line.number;
-            if let Some(error) = line.error {
-                return Some(Err(error));
-            }
-            if let Some(read) = self.read(&line.text, line.number).transpose() {
+            let read = line.error.map_or_else(|| self.read(&line.text, line.number), Err);
+            let was_broken = std::mem::replace(&mut self.is_broken, read.is_err());
+            let begins = || TYPES[..3].iter().any(|kind| line.text.contains(&format!("\"{kind}\"")));
+            if !matches!(&read, Err(error) if was_broken && !is_fatal(error) && !begins()) {
                 return Some(read);
             }
         }

@@ -1,6 +1,7 @@
 //! Whole logs: the order of their lines, and going on after an error.
 
 use goodbot_formats::session::{RecordedSession, SessionReader};
+use goodbot_formats::world::{Line, WorldReader};
 use goodbot_formats::{FormatError, Problem};
 
 const HOME: &str = r#"{"version":1,"objects":[{"class":"agent","name":"agent0","x":4,"y":2}]}"#;
@@ -167,6 +168,21 @@ fn each_broken_session_is_one_error_and_all_others_are_read() {
             "15-16"
         ]
     );
+}
+
+#[test]
+fn each_broken_session_of_a_log_of_worlds_is_one_error_and_all_others_are_read() {
+    let world = r#"{"type":"world","name":"hall","classes":["lamp"],"attributes":{},"propositions":{"on":["lamp"]},"objects":[{"name":"a","class":"lamp"}],"actions":[{"name":"light","effects":["on(a)"]}],"task_kinds":["on(?l)"]}"#;
+    let session = r#"{"type":"session","version":1,"kind":"feedback","world":"hall","facts":[],"command":"light please"}"#;
+    let step = r#"{"type":"step","action":"light","feedback":"reward"}"#;
+    let log = [world, session, "{", step, "nonsense", END, session, step, END, "\"session\" {", step, END, session, END].join("\n");
+    let line = |read: Result<Line, FormatError>| match read {
+        Ok(Line::Session(session)) => format!("{}-{}", session.session.header_line, session.session.end_line),
+        Ok(_) => "world".to_owned(),
+        Err(error) => format!("fault in {}", error.line),
+    };
+    let read: Vec<String> = WorldReader::new(log.as_bytes()).map(line).collect();
+    assert_eq!(read, ["world", "fault in 3", "7-9", "fault in 10", "13-14"]);
 }
 
 #[test]

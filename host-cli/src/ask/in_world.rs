@@ -108,8 +108,8 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
                 "type": "answer", "session": lesson.header.id, "command": said, "task": best, "tasks": tasks,
                 "of": meanings.len(), "verdict": verdict, "expected": meant, "plan": plan,
             });
-            if let (Some(unread), Some(line)) = (unread, line.as_object_mut()) {
-                line.insert("unread".to_owned(), json!(unread));
+            if let Some(unread) = unread {
+                line["unread"] = unread.into();
             }
             writeln!(out, "{line}")?;
             continue;

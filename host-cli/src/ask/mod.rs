@@ -424,23 +424,20 @@ fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serd
     let mut line = json!({
         "type": "answer", "command": question.command, "task": answer.task(), "tied": answer.tied(),
         "tasks": tasks, "plan": answer.plan.as_ref().map(|plan| &plan.actions), "exact": answer.plan.as_ref().map(|plan| plan.is_exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
-        "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
+        "taken_for": answer.taken_for(), "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
-    if let Some(line) = line.as_object_mut() {
-        line.insert("taken_for".to_owned(), json!(answer.taken_for()));
-        if answer.heard != question.command {
-            line.insert("heard".to_owned(), json!(answer.heard));
-        }
-        if answer.unread > 0 {
-            line.insert("unread".to_owned(), json!(answer.unread));
-        }
-        if let Some(session) = &question.session {
-            line.insert("session".to_owned(), json!(session));
-        }
-        if let Some((task, _, words)) = &answer.expected {
-            line.insert("expected".to_owned(), json!(task.to_string()));
-            line.insert("words_for_expected".to_owned(), words.iter().map(word).collect());
-        }
+    if answer.heard != question.command {
+        line["heard"] = answer.heard.as_str().into();
+    }
+    if answer.unread > 0 {
+        line["unread"] = answer.unread.into();
+    }
+    if let Some(session) = &question.session {
+        line["session"] = session.as_str().into();
+    }
+    if let Some((task, _, words)) = &answer.expected {
+        line["expected"] = task.to_string().into();
+        line["words_for_expected"] = words.iter().map(word).collect();
     }
     line
 }

@@ -9,6 +9,7 @@ use goodbot::symbols::Symbol;
 use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
 use goodbot_console::lessons::{MachineCommand, evidence, training};
+use goodbot_lesson::first_words::heard;
 
 /// How a word was explained.
 #[derive(Clone, Debug)]
@@ -50,7 +51,7 @@ pub fn words<D: Domain>(
         _ => Some(command),
     };
     let Some(best) = commands.into_iter().fold(None, likelier) else { return Ok(vec![]) };
-    let said = said(Model::Model2, command);
+    let said = heard(Model::Model2, command).unwrap_or_default();
     let word = |(position, it): (usize, training::Explained)| Word {
         word: said.get(position).cloned().unwrap_or(it.word),
         token: if it.probability.is_some() { it.token } else { "never heard".to_owned() },
@@ -81,7 +82,7 @@ fn words_by_roles<D: Domain>(
             *slot = probability;
         }
     });
-    let (said, schema) = (said(Model::Roles, command), domain.world().schema);
+    let (said, schema) = (heard(Model::Roles, command).unwrap_or_default(), domain.world().schema);
     let word = |position: usize, word: Option<Symbol>, meaning: Option<(Meaning, f32)>| {
         let heard = word.filter(|word| word.index() < language.tables().words());
         let token = match meaning.filter(|_| heard.is_some()) {
@@ -111,15 +112,4 @@ fn role_name(schema: &Schema<'_>, role: Role) -> String {
         RoleKind::Before => format!("earlier goal {}", schema.proposition_name(role.proposition())),
         RoleKind::OtherPlace | RoleKind::Other => format!("other {}", schema.class_name(role.class())),
     }
-}
-
-/// The words of a command, whole, as a model hears them.
-fn said(model: Model, command: &str) -> Vec<String> {
-    let mut words = Vec::new();
-    // What is too long was refused when it was heard.
-    let _ = model.for_each_word(command, |word| {
-        words.push(word.to_owned());
-        Ok(())
-    });
-    words
 }

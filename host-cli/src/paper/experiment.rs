@@ -1,10 +1,10 @@
 //! One run for each seed, as many at a time as the machine has cores.
 
 use super::lexicon::Lexicon;
-use super::options::{Layouts, PaperOptions, WeightsChoice};
+use super::options::{Layouts, PaperOptions};
 use super::summary::REPORTED;
 use goodbot::memory::HomeHeap;
-use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Weights};
+use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_console::learner;
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
@@ -35,12 +35,8 @@ pub fn run_seed(options: &PaperOptions, seed: u64, observer: &mut impl Observer)
 }
 
 fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<(Run, Lexicon), CourseError> {
-    let weights = match options.weights {
-        WeightsChoice::Paper => Weights::Paper,
-        WeightsChoice::Belief => Weights::Belief,
-    };
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let options_of_agent = Options { weights, telling: false, ..options.learner.options() };
+    let options_of_agent = Options { weights: options.weights.into(), telling: false, ..options.learner.options() };
     let agent = learner::memory(&CAPACITIES, &options_of_agent.language, CAPACITIES.pairs);
     let mut memory = HeapMemory { home: HomeHeap::new(&CAPACITIES), agent };
     let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;
@@ -49,7 +45,7 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
         Layouts::Fixed => Homes::FIXED,
         Layouts::Random => Homes::random(&mut random, &mut memory.home),
     };
-    let (trainer, believed) = (options.trainer.trainer, options.believed().strategy);
+    let (trainer, believed) = (options.trainer.trainer, options.believed().trainer.strategy);
     let results = run_course(&mut agent, &mut memory.home, &homes, &trainer, believed, &mut random, observer)?;
     let lexicon = Lexicon::of(agent.language());
     Ok((

@@ -1,8 +1,9 @@
 //! What can be typed after `goodbot paper`.
 
 use super::sweep::Sweep;
-use super::trainer::{BelievedChoice, TrainerChoice};
+use super::trainer::TrainerChoice;
 use clap::{Args, ValueEnum, ValueHint};
+use goodbot::session::Weights;
 use goodbot_console::learner::Learner;
 use goodbot_console::numbers;
 use std::path::PathBuf;
@@ -46,7 +47,7 @@ pub struct PaperOptions {
     pub trainer: TrainerChoice,
     /// How the agent expects to be judged [default: the paper's numbers for this trainer]
     #[arg(long, value_name = "NAME|MU_PLUS,MU_MINUS,EPSILON", allow_hyphen_values = true)]
-    pub believes: Option<BelievedChoice>,
+    pub believes: Option<TrainerChoice>,
     /// Number of agents to train, 1 to 100000; their seeds count up from --seed
     #[arg(long, short = 'n', value_name = "N", default_value = "1", value_parser = numbers::between(1_u32, 100_000), allow_negative_numbers = true)]
     pub runs: u32,
@@ -107,6 +108,15 @@ pub enum WeightsChoice {
     Belief,
 }
 
+impl From<WeightsChoice> for Weights {
+    fn from(choice: WeightsChoice) -> Self {
+        match choice {
+            WeightsChoice::Paper => Self::Paper,
+            WeightsChoice::Belief => Self::Belief,
+        }
+    }
+}
+
 impl PaperOptions {
     /// Whether one run is told as a story.
     pub fn is_story(&self) -> bool {
@@ -118,8 +128,9 @@ impl PaperOptions {
         self.layouts.unwrap_or(if self.runs == 1 { Layouts::Fixed } else { Layouts::Random })
     }
 
-    /// What the agent thinks of its trainer.
-    pub fn believed(&self) -> BelievedChoice {
-        self.believes.clone().unwrap_or_else(|| self.trainer.believed())
+    /// Whom the agent takes its trainer for; where nothing else is said, the trainer itself. Its strategy is believed, and never that it
+    /// withholds something.
+    pub fn believed(&self) -> &TrainerChoice {
+        self.believes.as_ref().unwrap_or(&self.trainer)
     }
 }

@@ -52,7 +52,7 @@ fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
     if !punishes {
         writeln!(out, "It never punishes: where another would, it is silent.")?;
     }
-    let believed = options.believed().strategy;
+    let believed = options.believed().trainer.strategy;
     let [plus, minus, epsilon] = [believed.mu_plus(), believed.mu_minus(), believed.epsilon()];
     writeln!(out, "The agent thinks that a trainer is silent with {plus} and {minus}, and mistaken\nwith {epsilon}.")?;
     writeln!(out, "In the drawings @ is the agent, # wall, + a door, a capital letter a block,\na small one the room's colour.")

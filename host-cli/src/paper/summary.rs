@@ -87,15 +87,12 @@ impl Summary {
             "translations_half_intervals": translations(self.translations.map(|it| it.half)),
             "feedback": feedback(self.feedback),
         });
-        if let Some(line) = line.as_object_mut() {
-            if let Some(paper) = options.reported_by_paper() {
-                let values = paper.translations.map(translations);
-                line.insert("paper".to_owned(), json!({"tests_right": paper.tests, "train_right": paper.lessons, "translations": values}));
-            }
-            if !options.sweep.is_empty() {
-                let values = options.sweep.iter().zip(&setting.values).map(|(sweep, &value)| (sweep.name.clone(), json!(rounded(value))));
-                line.insert("sweep".to_owned(), values.collect::<Map<_, _>>().into());
-            }
+        if let Some(paper) = options.reported_by_paper() {
+            let values = paper.translations.map(translations);
+            line["paper"] = json!({"tests_right": paper.tests, "train_right": paper.lessons, "translations": values});
+        }
+        for (sweep, &value) in options.sweep.iter().zip(&setting.values) {
+            line["sweep"][&sweep.name] = json!(rounded(value));
         }
         line
     }
@@ -104,7 +101,7 @@ impl Summary {
 impl PaperOptions {
     /// What the paper reports of this trainer, whose agent thinks of it as the paper's did.
     pub fn reported_by_paper(&self) -> Option<Reported> {
-        let as_in_paper = self.believed().strategy == self.trainer.trainer.strategy;
+        let as_in_paper = self.believed().trainer.strategy == self.trainer.trainer.strategy;
         let known = [(CourseTrainer::BALANCED, PAPER_BALANCED), (CourseTrainer::PUNISH_ONLY, PAPER_PUNISH_ONLY)];
         known.into_iter().find(|(trainer, _)| as_in_paper && *trainer == self.trainer.trainer).map(|(_, reported)| reported)
     }

@@ -1,7 +1,7 @@
 //! A number of the trainer, or of what the agent thinks of it, taken through a range.
 
 use super::options::PaperOptions;
-use super::trainer::{BelievedChoice, TrainerChoice, name};
+use super::trainer::{TrainerChoice, name};
 use goodbot::feedback::Strategy;
 use goodbot_course::CourseTrainer;
 use std::str::FromStr;
@@ -98,8 +98,7 @@ pub fn settings(options: &PaperOptions) -> Result<Vec<Setting>, String> {
 fn moved(options: &PaperOptions, sweep: &Sweep, value: f32) -> PaperOptions {
     let mut options = options.clone();
     if sweep.believed {
-        let strategy = changed(options.believed().strategy, sweep.parameter, value);
-        options.believes = Some(BelievedChoice { name: name(strategy), strategy });
+        options.believes = Some(TrainerChoice::of(changed(options.believed().trainer.strategy, sweep.parameter, value)));
     } else {
         let CourseTrainer { strategy, rewards, punishes } = options.trainer.trainer;
         let strategy = changed(strategy, sweep.parameter, value);

@@ -13,45 +13,25 @@ pub struct TrainerChoice {
     pub trainer: CourseTrainer,
 }
 
-/// What the agent thinks of its trainer: a name, or three probabilities.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BelievedChoice {
-    /// Its name in output.
-    pub name: String,
-    /// The strategy.
-    pub strategy: Strategy,
-}
-
-const NAMED: [(&str, CourseTrainer); 3] =
-    [("balanced", CourseTrainer::BALANCED), ("punish-only", CourseTrainer::PUNISH_ONLY), ("reward-only", CourseTrainer::REWARD_ONLY)];
-
 const HELP: &str = "give balanced, punish-only, reward-only, or three probabilities MU_PLUS,MU_MINUS,EPSILON such as 0.7,0.7,0.1";
 
 impl FromStr for TrainerChoice {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        if let Some((name, trainer)) = NAMED.iter().find(|(name, _)| *name == text) {
-            return Ok(Self { name: (*name).to_owned(), trainer: *trainer });
+        match CourseTrainer::NAMED.into_iter().find(|(name, _)| *name == text) {
+            Some((name, trainer)) => Ok(Self { name: name.to_owned(), trainer }),
+            None => Ok(Self::of(numbers(text)?)),
         }
-        let strategy = numbers(text)?;
-        Ok(Self { name: name(strategy), trainer: CourseTrainer::of(strategy) })
-    }
-}
-
-impl FromStr for BelievedChoice {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        if let Some((name, trainer)) = NAMED.iter().find(|(name, _)| *name == text) {
-            return Ok(Self { name: (*name).to_owned(), strategy: trainer.strategy });
-        }
-        let strategy = numbers(text)?;
-        Ok(Self { name: name(strategy), strategy })
     }
 }
 
 impl TrainerChoice {
+    /// A trainer who withholds nothing, named by its numbers.
+    pub fn of(strategy: Strategy) -> Self {
+        Self { name: name(strategy), trainer: CourseTrainer::of(strategy) }
+    }
+
     /// What it never does, as the rest of a sentence.
     pub fn withheld(&self) -> &'static str {
         match (self.trainer.rewards, self.trainer.punishes) {
@@ -59,11 +39,6 @@ impl TrainerChoice {
             (_, false) => " (never punishes)",
             _ => "",
         }
-    }
-
-    /// What the agent thinks of it where nothing else is said: the paper's numbers, which are the trainer's own.
-    pub fn believed(&self) -> BelievedChoice {
-        BelievedChoice { name: self.name.clone(), strategy: self.trainer.strategy }
     }
 }
 
@@ -96,9 +71,8 @@ mod tests {
     }
 
     #[test]
-    fn the_agent_expects_a_reward_of_the_trainer_who_never_gives_one_as_in_the_paper() {
-        let trainer: TrainerChoice = "punish-only".parse().unwrap();
-        assert!(!trainer.trainer.rewards);
-        assert_eq!(trainer.believed().strategy, Strategy::new(0.7, 0.05, 0.1).unwrap());
+    fn the_trainer_who_never_rewards_has_a_strategy_that_does_as_in_the_paper() {
+        let CourseTrainer { strategy, rewards, .. } = "punish-only".parse::<TrainerChoice>().unwrap().trainer;
+        assert_eq!((strategy, rewards), (Strategy::new(0.7, 0.05, 0.1).unwrap(), false));
     }
 }

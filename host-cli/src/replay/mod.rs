@@ -8,7 +8,7 @@ mod report;
 
 use crate::paper::options::WeightsChoice;
 use clap::{Args, ValueHint};
-use goodbot::session::{Options, Weights};
+use goodbot::session::Options;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::lessons::{MOST_FAULTS, tell_long};
@@ -87,11 +87,7 @@ pub struct ReplayArgs {
 
 impl ReplayArgs {
     fn options(&self) -> Options {
-        let weights = match self.weights {
-            WeightsChoice::Paper => Weights::Paper,
-            WeightsChoice::Belief => Weights::Belief,
-        };
-        Options { weights, ..self.learner.options() }
+        Options { weights: self.weights.into(), ..self.learner.options() }
     }
 }
 

@@ -15,6 +15,7 @@ use goodbot_console::load::input::{self, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
 use goodbot_formats::environment::EnvironmentFile;
+use goodbot_lesson::first_words::heard;
 use goodbot_lesson::home;
 use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use std::collections::BTreeSet;
@@ -201,14 +202,9 @@ fn to_keep(options: &SizeOptions, log: &[Lesson], model: Model) -> Result<Lesson
     }
     let (mut different, mut most) = (BTreeSet::new(), 0);
     for lesson in log {
-        let mut count = 0;
-        let take = |word: &str| {
-            different.insert(word.to_owned());
-            count += 1;
-            Ok(())
-        };
-        model.for_each_word(&lesson.command, take).map_err(|error| Failure::Input(format!("{}: {error}", lesson.id)))?;
-        most = most.max(count);
+        let words = heard(model, &lesson.command).map_err(|error| Failure::Input(format!("{}: {error}", lesson.id)))?;
+        most = most.max(words.len());
+        different.extend(words);
     }
     Ok(Lessons {
         sessions: options.sessions.unwrap_or(log.len()),

@@ -3,8 +3,7 @@
 use clap::ValueEnum;
 use goodbot::capacity::CapacityError;
 use goodbot::home::Moves;
-use goodbot::language::for_each_word;
-use goodbot::language::{LanguageModel, Settings, Synonyms};
+use goodbot::language::{LanguageModel, Model, Settings, Synonyms};
 use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use goodbot::{Agent, Options};
@@ -13,6 +12,7 @@ use goodbot_console::lessons::training;
 use goodbot_console::lessons::{Lesson, MachineCommand};
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
+use goodbot_lesson::first_words::heard;
 use goodbot_lesson::{checked, home};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -164,7 +164,7 @@ impl Bags {
     fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>, smoothing: f32) -> Result<Self, CapacityError> {
         let mut bags = Self { counts: BTreeMap::new(), words: BTreeSet::new(), smoothing };
         for lesson in lessons.filter(|lesson| lesson.learn) {
-            let words = words(&lesson.command)?;
+            let words = heard(Model::Model2, &lesson.command)?;
             bags.words.extend(words.iter().cloned());
             for (command, share) in &lesson.pairs {
                 let (whole, counts) = bags.counts.entry(command.clone()).or_default();
@@ -178,7 +178,7 @@ impl Bags {
     }
 
     fn posterior(&self, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
-        let words = words(&lesson.command)?;
+        let words = heard(Model::Model2, &lesson.command)?;
         let size = self.words.len() as f32;
         let likelihood = |command: &MachineCommand| {
             let bag = self.counts.get(command);
@@ -196,13 +196,4 @@ impl Bags {
         let whole: f64 = scores.iter().sum();
         Ok(scores.into_iter().map(|score| (score / whole) as f32).collect())
     }
-}
-
-fn words(command: &str) -> Result<Vec<String>, CapacityError> {
-    let mut words = Vec::new();
-    for_each_word(command, |word| {
-        words.push(word.to_owned());
-        Ok(())
-    })?;
-    Ok(words)
 }

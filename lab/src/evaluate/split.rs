@@ -2,8 +2,9 @@
 
 use super::folds::shuffled;
 use clap::ValueEnum;
-use goodbot::language::for_each_word;
+use goodbot::language::Model;
 use goodbot_console::lessons::Lesson;
+use goodbot_lesson::first_words::heard;
 use std::collections::BTreeMap;
 
 /// What keeps sessions together.
@@ -27,13 +28,8 @@ impl Group {
         match self {
             Self::Worker => lesson.id.split('.').next().unwrap_or_default().to_owned(),
             Self::Command => {
-                let mut words = vec![];
                 // Of a command that is too long its first words alone are here.
-                let _ = for_each_word(&lesson.command, |word| {
-                    words.push(word.to_owned());
-                    Ok(())
-                });
-                words.join(" ")
+                heard(Model::Model2, &lesson.command).unwrap_or_default().join(" ")
             }
             Self::Logged => lesson.group.clone().unwrap_or_else(|| lesson.id.clone()),
             Self::Environment => lesson.place(),

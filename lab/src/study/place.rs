@@ -5,13 +5,14 @@
 
 use crate::study::course::Exercise;
 use goodbot::home::{AGENT_IN_ROOM, COLOR, Home, HomeState, SHAPE, paper_tasks};
-use goodbot::language::for_each_word;
+use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, ActionSet, Domain, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_course::CourseError;
+use goodbot_lesson::first_words::heard;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -74,12 +75,7 @@ impl Place {
         let lifted = umpire.lifted();
         let tasks = umpire.tasks().to_vec();
         let facts = tasks.iter().map(|task| facts(&home, &lifted[usize::from(task.lifted)], task)).collect();
-        let mut words = Vec::new();
-        let heard = for_each_word(&exercise.command, |word| {
-            words.push(word.to_string());
-            Ok(())
-        });
-        heard.map_err(|error| CourseError::Agent(error.into()))?;
+        let words = heard(Model::Model2, &exercise.command).map_err(|error| CourseError::Agent(error.into()))?;
         let command = exercise.command.clone();
         Ok(Self { home, start, command, words, tasks, facts, intended, umpire, outlooks: Outlooks::default() })
     }

@@ -95,11 +95,9 @@ impl Row {
     pub fn to_json(&self) -> Value {
         let (course, trainer) = (self.course.name(), self.trainer);
         let mut line = json!({"type": "summary", "course": course, "trainer": trainer, "agent": self.agent, "seeds": self.seeds});
-        if let Some(fields) = line.as_object_mut() {
-            for column in Column::ALL {
-                let Mean { mean, half } = self.mean(column);
-                fields.insert(column.name().to_owned(), json!({"mean": mean, "interval": [mean - half, mean + half]}));
-            }
+        for column in Column::ALL {
+            let Mean { mean, half } = self.mean(column);
+            line[column.name()] = json!({"mean": mean, "interval": [mean - half, mean + half]});
         }
         line
     }

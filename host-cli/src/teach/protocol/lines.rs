@@ -1,12 +1,12 @@
 //! Lines of an input, each of a bounded length.
 
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read as _};
 
 /// The longest line that is taken, in bytes.
-const LONGEST_LINE: usize = 1 << 20;
+const LONGEST_LINE: u64 = 1 << 20;
 
-/// After this many bytes without an end of line, no end is waited for.
-const NO_LINE: usize = 64 << 20;
+/// After this many bytes more without an end of line, no end is waited for.
+const NO_LINE: u64 = 64 << 20;
 
 /// Lines of an input, each of a bounded length.
 pub struct Lines<R> {
@@ -23,34 +23,19 @@ impl<R: BufRead> Lines<R> {
 
     /// The next line, or why it cannot be read.
     pub fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
-        let (mut bytes, mut length, mut any) = (Vec::new(), 0, false);
-        while !self.endless {
-            let buffer = match self.input.fill_buf() {
-                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
-                buffer => buffer?,
-            };
-            if buffer.is_empty() {
-                break;
-            }
-            any = true;
-            let end = buffer.iter().position(|&byte| byte == b'\n');
-            let part = buffer.get(..end.unwrap_or(buffer.len())).unwrap_or(&[]);
-            length += part.len();
-            self.endless = length > NO_LINE;
-            if length <= LONGEST_LINE {
-                bytes.extend_from_slice(part);
-            }
-            let used = part.len() + usize::from(end.is_some());
-            self.input.consume(used);
-            if end.is_some() {
-                break;
-            }
+        let mut line = Vec::new();
+        if self.endless || self.input.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line)? == 0 {
+            return Ok(None);
         }
-        Ok(match any {
-            false => None,
-            true if self.endless => Some(Err("this line has no end, and nothing more is read")),
-            true if length > LONGEST_LINE => Some(Err("this line is longer than 1 MiB")),
-            true => Some(String::from_utf8(bytes).map_err(|_| "this line is no text in UTF-8")),
-        })
+        if line.last() == Some(&b'\n') {
+            line.pop();
+        } else if line.len() as u64 > LONGEST_LINE {
+            self.endless = self.input.by_ref().take(NO_LINE).skip_until(b'\n')? as u64 == NO_LINE;
+            return Ok(Some(Err(match self.endless {
+                true => "this line has no end, and nothing more is read",
+                false => "this line is longer than 1 MiB",
+            })));
+        }
+        Ok(Some(String::from_utf8(line).map_err(|_| "this line is no text in UTF-8")))
     }
 }

@@ -188,8 +188,8 @@ impl Speaker<'_> {
             "model": places.map(|places| places.model.display().to_string()),
             "log": places.map(|places| places.log.display().to_string()),
         });
-        if let (Some(failure), Value::Object(fields)) = (failure, &mut bye) {
-            fields.insert("error".to_owned(), json!(failure.to_string()));
+        if let Some(failure) = failure {
+            bye["error"] = failure.to_string().into();
         }
         bye
     }
@@ -238,13 +238,11 @@ impl Speaker<'_> {
         let command = self.classroom.lesson().command().unwrap_or(said);
         let conversation = &self.classroom.lesson().conversation().id;
         let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "certainty": certainty, "taken_for": meant, "words": words, "conversation": conversation});
-        if let Value::Object(fields) = &mut heard {
-            if let Some(rest) = self.classroom.lesson().rest() {
-                fields.insert("rest".to_owned(), json!(rest));
-            }
-            if trainer.unread() > 0 {
-                fields.insert("unread".to_owned(), json!(trainer.unread()));
-            }
+        if let Some(rest) = self.classroom.lesson().rest() {
+            heard["rest"] = rest.into();
+        }
+        if trainer.unread() > 0 {
+            heard["unread"] = trainer.unread().into();
         }
         self.add_tasks(&mut heard);
         Ok(heard)
@@ -398,9 +396,8 @@ impl Speaker<'_> {
             Next::NothingWanted => none("no command was said yet, and --wanted names none"),
             Next::LittleLeft => none("it has heard every word of these commands often"),
             Next::Lesson(proposal) => {
-                let home = proposal.home.as_ref().and_then(|home| serde_json::from_str::<Value>(&home.to_json_line()).ok());
                 json!({
-                    "type": "next", "command": proposal.command, "home": home, "word": proposal.word, "needed": proposal.needed,
+                    "type": "next", "command": proposal.command, "home": proposal.home, "word": proposal.word, "needed": proposal.needed,
                     "heard": proposal.heard, "reason": proposal.reason(),
                 })
             }
@@ -516,14 +513,13 @@ impl Speaker<'_> {
     }
 
     fn add_lesson(&self, answer: &mut Value) {
-        let (Some(tour), Value::Object(fields)) = (&self.classroom.tour, answer) else { return };
-        let lesson = match tour.stop() {
+        let Some(tour) = &self.classroom.tour else { return };
+        answer["lesson"] = match tour.stop() {
             Some(stop) => {
                 json!({"number": stop.number, "of": stop.of, "test": stop.test, "command": stop.exercise.command, "over": false})
             }
             None => json!({"over": true, "score": tour.score()}),
         };
-        fields.insert("lesson".to_owned(), lesson);
     }
 
     fn place(&self, kind: &str) -> Value {
@@ -533,41 +529,33 @@ impl Speaker<'_> {
     }
 
     fn add_place(&self, answer: &mut Value) {
-        let Value::Object(fields) = answer else { return };
         if let Some(table) = self.classroom.trainer.table() {
-            fields.insert("world".to_owned(), json!(table.name));
-            fields.insert("facts".to_owned(), facts(&table));
+            answer["world"] = table.name.as_str().into();
+            answer["facts"] = facts(&table);
         }
         if let Some(scene) = self.classroom.trainer.scene() {
-            let home = serde_json::from_str::<Value>(&scene.environment.to_json_line()).unwrap_or(Value::Null);
-            fields.insert("home".to_owned(), home);
-            fields.insert("map".to_owned(), json!(scene.map.lines().collect::<Vec<_>>()));
+            answer["home"] = json!(scene.environment);
+            answer["map"] = scene.map.lines().collect();
         }
     }
 
     /// Where the robot and the blocks are; in a world from a file, what holds there.
     fn add_cells(&self, answer: &mut Value) {
-        if let (Some(table), Value::Object(fields)) = (self.classroom.trainer.table(), &mut *answer) {
-            fields.insert("facts".to_owned(), facts(&table));
+        if let Some(table) = self.classroom.trainer.table() {
+            answer["facts"] = facts(&table);
         }
         let Some(scene) = self.classroom.trainer.scene() else { return };
         let cell = |object: &ObjectRecord| match object {
             ObjectRecord::Agent { name, x, y } | ObjectRecord::Block { name, x, y, .. } => Some((name.clone(), json!([x, y]))),
             ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,
         };
-        if let Value::Object(fields) = answer {
-            let cells: Map<String, Value> = scene.environment.objects.iter().filter_map(cell).collect();
-            fields.insert("cells".to_owned(), Value::Object(cells));
-        }
+        answer["cells"] = scene.environment.objects.iter().filter_map(cell).collect();
     }
 
     /// The tasks, the likeliest first.
     fn add_tasks(&self, answer: &mut Value) {
         let task = |meaning: Meaning| json!({"task": meaning.name, "words": meaning.words, "probability": number(meaning.probability)});
-        if let Value::Object(fields) = answer {
-            let tasks: Vec<Value> = self.classroom.trainer.meanings().into_iter().map(task).collect();
-            fields.insert("tasks".to_owned(), Value::Array(tasks));
-        }
+        answer["tasks"] = self.classroom.trainer.meanings().into_iter().map(task).collect();
     }
 }
 

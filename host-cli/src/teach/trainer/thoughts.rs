@@ -8,6 +8,7 @@ use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
 use goodbot_console::lessons::evidence;
 use goodbot_console::outcome::Failure;
+use goodbot_lesson::first_words::heard;
 
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,11 +103,7 @@ impl Trainer {
                 row.push(sum.scaled_by(1.0 / commands.len().max(1) as f32));
             }
         }
-        let mut said = Vec::new();
-        agent.options().language.model.for_each_word(command, |word| {
-            said.push(word.to_owned());
-            Ok(())
-        })?;
+        let said = heard(agent.options().language.model, command)?;
         let support = |((word, row), heard): ((String, Vec<Scaled>), &Option<Symbol>)| {
             let whole = total(row.iter().copied());
             let even = 1.0 / row.len().max(1) as f32;
