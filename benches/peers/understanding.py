@@ -4,11 +4,13 @@ over the possible tasks.
     pip install scikit-learn==1.9.1
     pip install jax==0.10.2 equinox==0.13.8 optax==0.2.8    (the recurrent network, which may be missing)
     python benches/peers/understanding.py [--curve] GOODBOT FILE.jsonl...
+    python benches/peers/understanding.py --covered FILE.jsonl...
 
 GOODBOT is the program. Each FILE is a log of homes or of worlds. goodbot answers in ten parts, and its answers tell which sessions were left
 out together; the peers learn from the same sessions and are asked the same. The strength of their pull to 0, and how the network learns, are
 chosen inside the training data, in three parts. Standard output: a table, right (log loss) for each. With --curve: right after 8 to 128
-commands, the means of five orders, which are those of `goodbot evaluate --curve`. That is for logs of homes.
+commands, the means of five orders, which are those of `goodbot evaluate --curve`. That is for logs of homes. With --covered, for logs of
+worlds: of how many commands each part of the meaning is a part of another group's meaning, too.
 """
 import collections
 import itertools
@@ -277,13 +279,28 @@ def curves(program, paths):
         print(f"| {name_of(path)} | goodbot | {' | '.join(points[str(size)] for size in SIZES)} |", flush=True)
 
 
+def covered(paths):
+    """Of how many commands another group has each part of the meaning."""
+    for path in paths:
+        meant = [(it.group, it.parts[it.meant]) for it in read(path)[0] if it.meant is not None]
+        groups = collections.defaultdict(set)
+        for group, parts in meant:
+            for part in parts:
+                groups[part].add(group)
+        count = sum(all(len(groups[part]) > 1 for part in parts) for _, parts in meant)
+        print(f"| {name_of(path)} | {count} of {len(meant)} | {100 * count / len(meant):.0f} % |")
+
+
 def name_of(path):
     return path.rsplit("/", 1)[-1].removesuffix(".jsonl")
 
 
 def main():
-    arguments = [it for it in sys.argv[1:] if it != "--curve"]
-    (curves if "--curve" in sys.argv else table)(arguments[0], arguments[1:])
+    arguments = [it for it in sys.argv[1:] if it not in ("--curve", "--covered")]
+    if "--covered" in sys.argv:
+        covered(arguments)
+    else:
+        (curves if "--curve" in sys.argv else table)(arguments[0], arguments[1:])
 
 
 if __name__ == "__main__":
