@@ -216,21 +216,26 @@ impl Classes {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClosedWords<'t> {
     text: &'t str,
+    /// The languages of the table that are not spoken, by their order: one bit each.
+    silent: u32,
 }
+
+/// What begins the words of a language.
+const LANGUAGE: &str = "language";
 
 impl<'t> ClosedWords<'t> {
     /// No words.
-    pub const NONE: Self = Self { text: "" };
+    pub const NONE: Self = Self { text: "", silent: 0 };
     /// The words of English: 1.2 KB.
-    pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt") };
+    pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt"), silent: 0 };
     /// The words of German: 1.4 KB.
-    pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt") };
+    pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt"), silent: 0 };
     /// The words of French: 1.1 KB.
-    pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt") };
+    pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt"), silent: 0 };
     /// The words of Spanish: 1.1 KB.
-    pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt") };
+    pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt"), silent: 0 };
     /// The words of Chinese, 1.3 KB.
-    pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt") };
+    pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt"), silent: 0 };
     /// The words of English, German, French and Spanish.
     pub const EUROPEAN: ClosedWords<'static> = ClosedWords {
         text: concat!(
@@ -239,6 +244,7 @@ impl<'t> ClosedWords<'t> {
             include_str!("classes/french.txt"),
             include_str!("classes/spanish.txt")
         ),
+        silent: 0,
     };
     /// The words of all five languages.
     pub const ALL: ClosedWords<'static> = ClosedWords {
@@ -249,6 +255,7 @@ impl<'t> ClosedWords<'t> {
             include_str!("classes/spanish.txt"),
             include_str!("classes/chinese.txt")
         ),
+        silent: 0,
     };
 
     /// The table that a text holds.
@@ -264,6 +271,9 @@ impl<'t> ClosedWords<'t> {
                     Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
                 }
             };
+            if name.trim() == LANGUAGE {
+                continue;
+            }
             let Some(&class) = Class::ALL.iter().find(|class| class.name() == name.trim()) else {
                 return Err(ClosedWordsError::NoSuchClass { name: name.trim(), line });
             };
@@ -279,20 +289,42 @@ impl<'t> ClosedWords<'t> {
                 }
                 // A robot would be punished by its trainer's praise.
                 let against = [Class::Blame, Class::No];
-                if matches!(class, Class::Praise | Class::Yes) && (Self { text }).of(word).contains_any(&against) {
+                if matches!(class, Class::Praise | Class::Yes) && (Self { text, silent: 0 }).of(word).contains_any(&against) {
                     return Err(ClosedWordsError::Opposites { word, line });
                 }
             }
         }
-        Ok(Self { text })
+        Ok(Self { text, silent: 0 })
     }
 
     fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
-        lines(self.text).filter_map(|line| {
+        self.lines_of_languages().filter(move |(language, ..)| self.silent & language == 0).map(|(_, class, words)| (class, words))
+    }
+
+    /// Each line with the bit of its language.
+    fn lines_of_languages(self) -> impl Iterator<Item = (u32, Class, core::str::SplitWhitespace<'t>)> {
+        let mut language = 1_u32;
+        lines(self.text).filter_map(move |line| {
             let (name, words) = parted(line)?;
+            if name.trim() == LANGUAGE {
+                language = language.rotate_left(1);
+            }
             let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
-            Some((*class, words.split_whitespace()))
+            Some((language, *class, words.split_whitespace()))
         })
+    }
+
+    /// The words of the languages that lessons were given in, as far as they tell: those of which they have more than half as many words as of
+    /// any other. Words before the first language are of all. "Sal" goes out in Spanish, and is nearly a French room.
+    pub(super) fn spoken(self, knows: impl Fn(&str) -> bool) -> Self {
+        let mut known = [0_u16; u32::BITS as usize];
+        for (language, _, words) in self.lines_of_languages() {
+            let count = words.filter(|word| knows(word)).count() as u16;
+            known.iter_mut().skip(language.trailing_zeros() as usize).take(1).for_each(|known| *known = known.saturating_add(count));
+        }
+        let most = known.iter().skip(1).copied().max().unwrap_or(0);
+        let is_silent = |(at, &count): (usize, &u16)| u32::from(at > 0 && count < most && count <= most / 2) << at;
+        Self { silent: known.iter().enumerate().map(is_silent).fold(0, |all, bit| all | bit), ..self }
     }
 
     /// The classes of a word, as [`for_each_piece`] gives it.
@@ -429,6 +461,15 @@ mod tests {
     use std::string::ToString;
 
     #[test]
+    fn the_languages_that_no_lesson_was_in_are_silent() {
+        let table = ClosedWords::new("no: nope\nlanguage: one\ntoward: to into\nlanguage: two\nout: sal\ntoward: a").unwrap();
+        let of_one = table.spoken(|word| ["to", "into", "a"].contains(&word));
+        assert!(of_one.of("into").contains(Class::Toward) && of_one.of("nope").contains(Class::No));
+        assert_eq!(of_one.of("sal"), Classes::NONE);
+        assert!(table.spoken(|word| word == "zonk").of("sal").contains(Class::Out), "no language is known");
+    }
+
+    #[test]
     fn a_word_that_is_for_the_robot_and_against_it_is_refused_with_its_line() {
         let error = ClosedWords::new("yes: yeah ok\n\nno: nope ok").unwrap_err();
         assert_eq!(error, ClosedWordsError::Opposites { word: "ok", line: 1 });
@@ -445,6 +486,6 @@ mod tests {
     fn other_words_may_be_in_two_classes_and_those_that_are_built_in_are_no_opposites() {
         assert!(ClosedWords::new("connective: after\npolite: after\nno: no\nnegation: no\nyes: ok\nyes: ok").is_ok());
         let all = ClosedWords::ALL.to_string();
-        assert_eq!(ClosedWords::new(&all), Ok(ClosedWords { text: &all }));
+        assert_eq!(ClosedWords::new(&all), Ok(ClosedWords { text: &all, silent: 0 }));
     }
 }

@@ -24,6 +24,8 @@ use heapless::Vec;
 
 /// The factor of tasks of another kind than that of the command before, where no word tells the kind.
 const OTHER_KIND: f32 = 0.05;
+/// The factor of tasks that words name something outside of, where there are others.
+const FOREIGN: f32 = 0.02;
 /// A sentence with more new words is not a command in another's words.
 const MOST_NEW: usize = 2;
 
@@ -177,6 +179,15 @@ impl<M: AgentMemory> Agent<M> {
             }
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
+        // "Put the basket in the green room" is about a basket sooner than about the green bag.
+        let is_likely = |task: usize| explained.likelihoods.get(task).is_some_and(|likelihood| !likelihood.is_zero());
+        if explained.own.iter().any(is_likely) {
+            for (task, (weight, likelihood)) in explained.weights.iter_mut().zip(&mut explained.likelihoods).enumerate() {
+                if !explained.own.contains(task) {
+                    (*weight, *likelihood) = (weight.scaled_by(FOREIGN), likelihood.scaled_by(FOREIGN));
+                }
+            }
+        }
         let language = language.read();
         let groups = count_kinds(&forms) as f32;
         for (first, &token) in forms.iter().enumerate() {
@@ -203,16 +214,25 @@ fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said
     let is_plain = |word| is_plain(language, wording.closed, word);
     let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
     let mut named = Named::of(&mut senses, said);
-    let new = words.iter().filter(|word| word.is_new).count();
-    named.has_new(new);
+    named.has_new(new_names(words));
     let Some(behind) = new_verb(words) else { return (named, false) };
     let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
     let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
     let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
     named.may_act(kinds);
-    // The new verb names nothing.
-    named.has_new(new.saturating_sub(usize::from(kinds != 0)));
     (named, kinds != 0)
+}
+
+/// How many new words may be names of things: those behind a known word, "the purple bag".
+pub(super) fn new_names(words: Words<'_>) -> usize {
+    let (mut is_behind, mut phrase) = (false, 0);
+    let may_name = |word: &&Heard| {
+        let may_name = is_behind && word.is_new && word.phrase == phrase;
+        phrase = word.phrase;
+        is_behind = word.count > 0.0 || may_name;
+        may_name
+    };
+    words.iter().filter(may_name).count()
 }
 
 /// By how much the prior of a task grows where only some tasks of its kind are meant; 0 for the others.

@@ -22,6 +22,8 @@ const OTHER_CLOSED: f32 = 1e-3;
 const TURNS: f32 = 0.01;
 /// Who is spoken to is named so many words from "but" on, at most, if it excepts nothing.
 const SPOKEN_TO: usize = 2;
+/// How probable another word is that tells where a way leads than that of the lessons.
+const OTHER_WAY: f32 = 0.3;
 /// A negation so many words behind "if", at most, is of the condition.
 const NEGATES_A_CONDITION: usize = 3;
 
@@ -52,6 +54,8 @@ pub(super) struct Heard {
     pub is_sign: bool,
     /// The piece of the utterance that it is of, from 0.
     pub piece: u8,
+    /// The phrase that it is of: how many marks such as commas are before it.
+    pub phrase: u8,
     /// Whether it is of some task sooner than of the background.
     pub is_of_task: bool,
     /// Whether it names a value.
@@ -220,10 +224,19 @@ impl Heard {
             leaves,
             is_sign: false,
             piece: 0,
+            phrase: 0,
             is_of_task,
             is_name: is_name(language.tables(), symbol),
             is_plural: false,
         }
+    }
+
+    /// "Hasta", which leads where the lessons' "a" does, as that word; `None` for a word that lessons had, or that leads nowhere.
+    pub fn as_usual_way(&self, language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Self> {
+        let Self { piece, phrase, is_sign, is_toward, classes, factor, .. } = *self;
+        let is_unknown = self.said.symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
+        let way = Some(usual_way(language, closed).filter(|_| is_toward && is_unknown && factor == 1.0)?);
+        Some(Self { piece, phrase, is_sign, is_toward, factor: OTHER_WAY, ..Self::new(language, way, classes) })
     }
 
     /// "It" in a verb that it is joined to.
@@ -344,7 +357,7 @@ impl<M: AgentMemory> Agent<M> {
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
             let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new && has_room);
             let mut add = |word: Heard| {
-                let _ = words.push(Heard { piece: position as u8, is_sign, ..word });
+                let _ = words.push(Heard { piece: position as u8, phrase: phrase(utterance, position), is_sign, ..word });
             };
             if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
                 add(Heard::joined(language));
@@ -369,6 +382,13 @@ impl<M: AgentMemory> Agent<M> {
         excuse(words);
         Ok(())
     }
+}
+
+/// The word of the lessons that tells most often where a way leads.
+fn usual_way(language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Symbol> {
+    let learned = language.words().iter().take(language.tables().words());
+    let leads = |word: &str| closed.of(word).contains(Class::Toward);
+    learned.filter(|(_, word)| leads(word)).map(|(symbol, _)| symbol).max_by_key(|&symbol| count(language.bitext(), symbol))
 }
 
 /// Words that say nothing against a command, beside what they stand beside, and words for where things are already.
@@ -432,6 +452,13 @@ fn excuse(words: &mut [Heard]) {
         reach = if is_polite { behind.saturating_add(NEGATES_A_CONDITION) } else { reach };
         words.iter_mut().take(excused.end).skip(excused.start).for_each(Heard::excuse);
     }
+}
+
+/// How many marks that part phrases are before a piece of an utterance.
+fn phrase(utterance: &str, piece: usize) -> u8 {
+    let before = start_of_piece(utterance, piece).and_then(|start| utterance.get(..start)).unwrap_or("");
+    let parts = |letter: &char| matches!(letter, ',' | '.' | ';' | ':' | '!' | '?' | '…' | '，' | '。' | '；' | '！' | '？' | '、');
+    before.chars().filter(parts).count() as u8
 }
 
 /// Whether a piece of an utterance is joined to the one before by a hyphen.

@@ -5,7 +5,7 @@ use super::explained::Explained;
 use super::heard::{Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
-use super::reworded::{corrected, curt, fronted, left, taken_up};
+use super::reworded::{corrected, curt, fronted, left, taken_up, told};
 use super::slips::mend;
 use super::verdict::{Judged, Verdict};
 use super::wording::{Pause, Wording, rest};
@@ -182,21 +182,24 @@ impl<M: AgentMemory> Agent<M> {
         self.begin_to_understand()?;
         self.take_up(domain)?;
         let (mut words, mut mended): (Utterance, Utterance) = (Vec::new(), Vec::new());
-        self.hear_words(utterance, closed, &mut words)?;
         let language = self.language();
+        let knows = |word: &str| language.words().find(word).is_some_and(|word| word.index() < language.tables().words());
+        let closed = closed.spoken(knows);
+        self.hear_words(utterance, closed, &mut words)?;
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
-        let has_slips = mend(language, utterance, &words, &mut mended)?;
+        let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
         // The first of several commands may be polite for all: "could you ... and then ...?"
         let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        for reading in 0..6 {
+        for reading in 0..7 {
             let (other, prior) = match reading {
                 0 => (has_slips.then_some(Words::new(&mended, is_asked)), 1.0),
-                1 => (corrected(words), TURNED),
-                2 => (taken_up(words), TURNED),
-                3 => (left(words), TURNED),
-                4 => (curt(words), TURNED),
+                1 => (told(words), TURNED),
+                2 => (corrected(words), TURNED),
+                3 => (taken_up(words), TURNED),
+                4 => (left(words), TURNED),
+                5 => (curt(words), TURNED),
                 _ => (fronted(words), TURNED),
             };
             let Some(other) = other else { continue };

@@ -1,7 +1,7 @@
 //! The readings of an utterance that lead to tasks other than a plain command's: what shall not be, all things of a kind, and one command
 //! after another.
 
-use super::classes::Class;
+use super::classes::{Class, Classes};
 use super::explained::{Explained, begins_with_way};
 use super::heard::{Heard, Words, learned};
 use super::hypothesis::{ALL, CUE, NEGATED, SEVERAL};
@@ -38,6 +38,8 @@ const NAME_OF_ALL: usize = 2;
 /// Some words without those that say how to read them.
 pub(super) struct Rest<'w> {
     pub words: Words<'w>,
+    /// The words that name what is excepted.
+    pub except: Words<'w>,
     /// How probable this reading is before the other words.
     pub prior: f32,
     pub view: View<'static>,
@@ -53,7 +55,7 @@ pub(super) struct Rest<'w> {
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
 fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
-    let is_out = cues.contains(&Class::Out) && words.has(Class::Out);
+    let is_out = cues.contains(&Class::Out) && (words.has(Class::Out) || is_taken_from(words));
     let (mut probability, mut before) = (1.0, Before::Other);
     let rest = words.only(|word| {
         let is_cue = word.classes.contains_any(cues);
@@ -72,7 +74,15 @@ fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
         };
         !(is_cue || is_from || is_article)
     });
+    probability *= if is_out && !words.has(Class::Out) { CUE } else { 1.0 };
     Some((rest, probability)).filter(|(rest, _)| rest.len() < words.len() && !rest.is_empty())
+}
+
+/// Whether a new verb takes something from where it is: "clear the chairs from the red room".
+fn is_taken_from(words: Words<'_>) -> bool {
+    let is_verb = words.iter().find(|word| word.classes == Classes::NONE).is_some_and(|word| word.is_new);
+    let behind = words.at(Class::From).map_or(Words::NONE, |from| words.part(from, words.len()));
+    is_verb && !words.iter().any(|word| word.is_toward) && behind.iter().any(|word| word.is_name)
 }
 
 /// What a word stands behind.
@@ -86,9 +96,12 @@ enum Before {
 /// The words read as what shall not be, if there is a sign of that.
 pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let cues = [Class::Negation, Class::Out, Class::But];
-    let (rest, probability) = without(words, &cues)?;
+    // "All chairs out of the red room".
+    let is_of_all = is_all_out(words);
+    let (rest, mut probability) = without(words, if is_of_all { &[Class::Out, Class::All] } else { &cues })?;
+    probability *= if is_of_all { UNNAMED } else { 1.0 };
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
-    let (is_out, is_not) = (words.has(Class::Out), words.has(Class::Negation));
+    let (is_out, is_not) = (words.has(Class::Out) || is_taken_from(words), words.has(Class::Negation));
     // Who says "leave" speaks of a place where something is, and needs no other word for a task.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
     // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none.
@@ -103,21 +116,41 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let turns = !is_not || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
     let is_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.iter().any(Heard::may_act);
     // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for it.
-    let stays = is_out && rest.iter().any(|word| word.is_toward);
+    // "Has to come out" has another "to".
+    let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
     // "Don't move the bag, it has to stay here" says the same twice.
     let is_clear =
         !(is_question || words.has(Class::If) || is_not && is_out || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
-    Some(Rest { words: rest, prior, view, is_clear, is_act, is_act_for_things, stays })
+    Some(Rest { words: rest, except: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays })
+}
+
+/// Whether all things of a kind are to leave a place.
+fn is_all_out(words: Words<'_>) -> bool {
+    words.has(Class::Out) && words.has(Class::All) && !words.has(Class::Negation) && !words.has(Class::But)
+}
+
+/// Whether several things may be meant that shall not be in a place: "the chairs".
+pub(super) fn is_of_several(words: Words<'_>) -> bool {
+    is_all_out(words) || words.iter().any(|word| word.is_plural)
 }
 
 /// The words read as a command about all things of a kind, if there is a sign of that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
+    if is_all_out(words) {
+        return None;
+    }
+    let is_but = |word: &Heard| word.classes.contains(Class::But) && !word.classes.contains(Class::All);
+    // "Everything but the red bag to the blue room".
+    let but = words.iter().position(is_but);
+    let behind = but.map_or(Words::NONE, |but| words.part(but, words.len()));
+    let until = behind.iter().position(|word| word.is_toward || word.is_of_task).unwrap_or(behind.len());
+    let except = behind.part(1, until);
+    let words = but.map_or(words, |but| words.part(0, but).with(behind.part(until, words.len())));
     let is_exception =
-        |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::But, Class::Out]) && !word.classes.contains(Class::All);
-    // "Everything but the red bag" is not followed, nor "all chairs out of the red room".
-    let has_exception = words.iter().any(is_exception);
+        |word: &Heard| is_but(word) || word.classes.contains_any(&[Class::Negation, Class::Out]) && !word.classes.contains(Class::All);
+    let has_exception = words.iter().any(is_exception) || but.is_some() && !except.iter().any(|word| word.is_name);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
         (rest, UNNAMED * probability, !behind.skip(1).take(NAME_OF_ALL).any(|word| word.is_new))
@@ -127,7 +160,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     };
     let view = View { done: EITHER, ..View::PLAIN };
     let is_clear = is_clear && !has_exception;
-    Some(Rest { words: rest, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
+    Some(Rest { words: rest, except, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
 }
 
 /// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.
@@ -170,20 +203,26 @@ pub(super) struct Parting<'w> {
 fn shared_place<'w>(clause: Words<'w>, behind: Words<'w>) -> Option<Words<'w>> {
     let way = behind.iter().position(|word| word.is_toward)?;
     let names_thing = behind.iter().take(way).any(|word| word.is_name);
-    (names_thing && !clause.iter().any(|word| word.is_toward)).then(|| behind.part(way, behind.len()))
+    (names_thing && clause.iter().any(|word| word.is_name) && !clause.iter().any(|word| word.is_toward))
+        .then(|| behind.part(way, behind.len()))
 }
 
-/// The clauses of an utterance: what stands between connectives.
+/// The clauses of an utterance: what stands between connectives, or commas: "go to the red room, take the bag to the blue room".
 fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     let mut clauses = Vec::new();
-    let mut begin = 0;
+    let (mut begin, mut phrase) = (0, 0);
     let is_connective = |at: usize| words.get(at).is_some_and(|word| word.classes.contains(Class::Connective));
+    let is_whole = |words: Words<'_>| words.iter().any(|word| word.is_name) && words.iter().any(|word| word.is_toward || word.is_of_task);
     for at in 0..=words.len() {
-        if at == words.len() || is_connective(at) {
+        let of = words.get(at).map_or(phrase, |word| word.phrase);
+        let behind = || words.part(at, words.len()).only(|word| word.phrase == of);
+        let is_comma = of > phrase && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind());
+        phrase = of;
+        if at == words.len() || is_connective(at) || is_comma {
             if begin < at {
                 let _ = clauses.push((begin, at));
             }
-            begin = at.saturating_add(1);
+            begin = if is_comma { at } else { at.saturating_add(1) };
         }
     }
     clauses

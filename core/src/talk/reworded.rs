@@ -7,6 +7,27 @@ use super::heard::{Heard, Words};
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
 
+/// The most new words of a phrase that calls somebody.
+const MOST_CALLED: usize = 2;
+
+/// A phrase with such a word says something about what shall be done.
+const OF_SENTENCES: [Class; 14] = [
+    Class::Negation,
+    Class::Out,
+    Class::But,
+    Class::All,
+    Class::Connective,
+    Class::Or,
+    Class::Pronoun,
+    Class::Stop,
+    Class::No,
+    Class::Blame,
+    Class::Again,
+    Class::If,
+    Class::Speaker,
+    Class::Meant,
+];
+
 /// What such words say is of the command, however polite they are.
 const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective, Class::Or, Class::Pronoun];
 
@@ -18,7 +39,9 @@ pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
     for (position, word) in words.iter().enumerate() {
         let is_verb = word.may_act() && !word.is_toward;
         if is_verb && is_named {
-            return Some(words.turned(behind)).filter(|_| behind > 0);
+            // "The bag, put it in the red room".
+            let rest = words.only(|word| !word.classes.contains(Class::It));
+            return Some(rest.turned(behind)).filter(|_| behind > 0);
         }
         if is_verb && !has_way || word.classes.contains_any(&[Class::Connective, Class::Out]) {
             return None;
@@ -74,6 +97,20 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     })
 }
 
+/// The words without the phrases that are about no task: "hey buddy, go to the red room, the floor is wet there".
+pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
+    let acts = |word: &Heard| word.is_of_task && !word.is_toward;
+    let says = |word: &Heard| word.is_name || word.is_mended || acts(word) || word.classes.contains_any(&OF_SENTENCES);
+    let first = words.iter().find(|word| word.is_name)?.phrase;
+    let of = |phrase: u8| words.iter().filter(move |word| word.phrase == phrase);
+    let rest = words.only(|word| {
+        let is_front = word.phrase < first;
+        let new = of(word.phrase).filter(|word| word.is_new).count();
+        of(word.phrase).any(says) || is_front && (new > MOST_CALLED || of(word.phrase).any(|word| word.classes.contains(Class::Asking)))
+    });
+    (rest.len() < words.len()).then_some(rest)
+}
+
 /// The words without the one that leaves a thing in its place: "leave the bag in the red room" is "the bag in the red room".
 pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
@@ -88,7 +125,7 @@ pub(super) fn stays_by_name(words: Words<'_>) -> bool {
 
 /// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".
 pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
-    let verb = words.iter().position(|word| word.is_of_task)?;
+    let verb = words.iter().position(|word| word.is_of_task).or_else(|| words.iter().position(|word| word.is_new))?;
     let named = |(position, word): (usize, &Heard)| word.is_name.then_some(position);
     let behind = words.iter().enumerate().filter_map(named).last()?;
     let mut at = 0_usize;

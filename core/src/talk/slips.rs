@@ -1,10 +1,10 @@
 //! Slips of the pen: the known word that a new one may be.
 
-use super::classes::Classes;
+use super::classes::{Classes, ClosedWords};
 use super::heard::Utterance;
 use super::renamed::{RENAMED, renamed};
 use crate::capacity::CapacityError;
-use crate::language::roles::talk::is_name;
+use crate::language::roles::talk::{is_name, is_of_task};
 use crate::language::spelling::is_slip_of_any_length;
 use crate::language::{LanguageRef, for_each_piece};
 use crate::symbols::Symbol;
@@ -20,6 +20,8 @@ const OTHER_ENDINGS: f32 = 25.0;
 const LEAST_BEFORE_ENDING: usize = 3;
 /// The most letters that a plural has more.
 const LONGEST_ENDING: usize = 2;
+/// The most letters of the ending of a verb.
+const LONGEST_FORM: usize = 4;
 
 /// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
 pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol, f32)> {
@@ -29,11 +31,12 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
     for position in 0..language.tables().words() {
         let (symbol, known) = (Symbol(position as u16), language.words().text(Symbol(position as u16)));
         let length = known.chars().count();
-        if length < 2 || !(is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
+        let is_form = is_other_form(piece, known) && is_of_task(language.tables(), Some(symbol));
+        if length < 2 || !(is_form || is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
         // The number of slips of a word: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
-        let slips = if has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
+        let slips = if is_form || has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {
             best = Some((symbol, probability));
@@ -47,6 +50,13 @@ fn has_other_ending(one: &str, other: &str) -> bool {
     let (mut one, mut other) = (one.chars(), other.chars());
     let (last, known) = (one.next_back(), other.next_back());
     last.is_some() && known.is_some() && one.as_str() == other.as_str() && one.count() >= LEAST_BEFORE_ENDING
+}
+
+/// Whether a word may be another form of a verb: "taking", "lleves". An accent is of another time: "llevé".
+fn is_other_form(piece: &str, known: &str) -> bool {
+    let alike = piece.bytes().zip(known.bytes()).take_while(|(one, other)| one == other).count();
+    let ending = |word: &str| word.get(alike..).filter(|ending| ending.is_ascii()).map_or(usize::MAX, str::len);
+    alike >= LEAST_BEFORE_ENDING && ending(known) <= 1 && ending(piece) <= LONGEST_FORM
 }
 
 /// Whether a word is the plural of another: chairs; as in German, Stühle, Stuhl. Gives the letters of its ending.
@@ -70,7 +80,13 @@ pub(super) fn is_plural(piece: &str, known: &str) -> bool {
 }
 
 /// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
-pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance, mended: &mut Utterance) -> Result<bool, CapacityError> {
+pub(super) fn mend(
+    language: LanguageRef<'_>,
+    closed: ClosedWords<'_>,
+    utterance: &str,
+    words: &Utterance,
+    mended: &mut Utterance,
+) -> Result<bool, CapacityError> {
     let mut slips = 0_usize;
     mended.clone_from(words);
     for rate in [SLIP, ANOTHER_SLIP] {
@@ -99,6 +115,12 @@ pub(super) fn mend(language: LanguageRef<'_>, utterance: &str, words: &Utterance
         {
             let word = word.mended(language, symbol, RENAMED);
             mended.iter_mut().skip(at).take(1).for_each(|slot| *slot = word);
+            slips = slips.saturating_add(1);
+        }
+    }
+    for word in mended.iter_mut() {
+        if let Some(usual) = word.as_usual_way(language, closed) {
+            *word = usual;
             slips = slips.saturating_add(1);
         }
     }

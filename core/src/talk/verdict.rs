@@ -1,11 +1,11 @@
 //! What words are taken for: the likeliest hypothesis, its tasks, and whether anything stands against them.
 
 use super::classes::{Class, Classes};
-use super::explained::Explained;
+use super::explained::{Explained, new_names};
 use super::heard::{Heard, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{Place, View};
-use super::readings::{all, has_more, negated};
+use super::readings::{all, has_more, is_of_several, negated};
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -97,6 +97,8 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         if let (Hypothesis::Negated, Some(rest)) = (hypothesis, negated(words)) {
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
+            // "Both chairs out of the red room".
+            let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
             let (task, of_tasks) = self.negate(explained);
             self.plan_for(domain, self.task_count)?;
             let is_of_thing = self.place_of_thing(domain, task).is_some();
@@ -107,12 +109,19 @@ impl<M: AgentMemory> Agent<M> {
                 false => rest.is_act || explained.acts || place.is_rest || is_whole && words.has(Class::You),
             };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
-            let (words, tasks, probability) = (rest.words, TaskSet::of(task), share * of_tasks);
+            let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_tasks) };
+            let (words, probability) = (rest.words, share * of_tasks);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
         }
         if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
+            let mut excepted = TaskSet::EMPTY;
+            if !rest.except.is_empty() {
+                self.explain_all(domain, rest.except, wording, place.view(rest.view), explained)?;
+                excepted = explained.own;
+            }
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
+            let tasks = tasks.without(excepted);
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
             let (words, is_clear, probability) =
@@ -133,7 +142,8 @@ impl<M: AgentMemory> Agent<M> {
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
         let is_of_thing = explained.whole.contains(task) && self.place_of_thing(domain, task).is_some();
-        let has_verb = explained.acted.contains(task) || is_of_thing || !begins_with_new_word(words);
+        // "Switch on the lamp in the red room" has a new verb and a new name.
+        let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
         let is_told = is_named && has_verb && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
         let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);

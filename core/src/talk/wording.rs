@@ -10,6 +10,9 @@ use crate::symbols::Symbol;
 /// How much more probable a task must be after few lessons, times their number.
 const SURE_OF_FEW: f32 = 2.4;
 
+/// The least share of new words in a command.
+const OF_OTHERS: f32 = 0.02;
+
 /// What the caller does between two parts of the work; `false` stops it.
 pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
 
@@ -47,8 +50,8 @@ impl<'c> Wording<'c> {
             closed,
             pause,
             coverage,
-            // Good and Turing's estimate; at first every word is new.
-            new: (once + 2.0) / (all + 2.0),
+            // Good and Turing's estimate; at first every word is new. Other people have other words than the lessons.
+            new: ((once + 2.0) / (all + 2.0)).max(OF_OTHERS),
             end: 1.0 / (1.0 + all / sessions),
             // 0.7 after 24 lessons, 0.62 after 120.
             sure: (0.6 + SURE_OF_FEW / sessions).min(0.95),

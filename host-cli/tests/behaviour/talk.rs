@@ -390,6 +390,24 @@ fn what_is_left_in_its_place_is_done_already() {
 }
 
 #[test]
+fn phrases_that_name_nothing_are_beside_the_command_and_words_outside_a_task_speak_against_it() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let blocks = vec![("green", "bag", 0), ("blue", "chair", 1), ("red", "chair", 1), ("yellow", "basket", 2)];
+    let home = Home { rooms: vec!["red", "blue", "green", "yellow"], blocks, robot: 1 };
+    let both = then(&[not(&take(1, 1)), not(&take(2, 1))]);
+    let others = then(&[take(1, 3), take(2, 3), take(3, 3)]);
+    let cases = [
+        ("hey buddy, go to the red room", "sure", go(0)),
+        ("don't go to the green room, the floor is wet", "done", not(&go(2))),
+        ("put the basket in the green room", "done", take(3, 2)),
+        ("take all the chairs out of the blue room", "sure", both),
+        ("bring everything except the bag to the yellow room", "sure", others),
+        ("the blue chair, bring it to the green room", "sure", take(1, 2)),
+    ];
+    check(&model, &home, &cases.each_ref().map(|(words, verdict, task)| (*words, *verdict, task.as_str())));
+}
+
+#[test]
 fn what_only_sounds_like_a_negation_is_not_followed() {
     let (_folder, model) = taught(120, &ENGLISH);
     let cases = [

@@ -401,11 +401,13 @@ fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Optio
     for kind in [RoleKind::Goal, RoleKind::Subject] {
         for (position, &role) in layout.roles().iter().enumerate().filter(|(_, role)| role.kind() == kind) {
             let of_role = || groups(description).filter(move |group| group.marker.role == role);
-            let (mut all, mut said) = (0_usize, 0_usize);
+            let (mut all, mut said, covers) = (0_usize, 0_usize, named.covers(kind));
             for group in of_role().filter(|group| group.marker.sort & 1 == 0) {
                 let count = all;
                 all = all.saturating_add(1);
-                if let Some(found) = left.iter().position(|value| group.values.contains(value)) {
+                if covers {
+                    // "Leave the blue chair here" names no place.
+                } else if let Some(found) = left.iter().position(|value| group.values.contains(value)) {
                     left.swap_remove(found);
                     said = said.saturating_add(1);
                 } else if ghost == Some(kind) && new > 0 {
@@ -423,7 +425,7 @@ fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Optio
                 !has_subject && guests.any(|group| left.iter().any(|value| group.values.contains(value)))
             };
             let share = match said {
-                _ if named.covers(kind) => 2,
+                _ if covers => 2,
                 0 => usize::from(names_guest()),
                 said if said == all => 2,
                 _ => 1,
