@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, run_alone, run_pico, trials,
+    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
@@ -76,12 +76,14 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
-/// Of everything; of the core as a controller has it, and without its optional parts; and of the C library with each of its kinds of robot alone.
+/// Of everything; of the core as controllers have it, whether they learn or only obey, and without its optional parts; and of the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
-    cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?;
+    for features in ["", "learning", "snapshot"] {
+        cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
+    }
     for kind in ["home", "table"] {
         cmd!(sh, "cargo clippy --package goodbot-capi --no-default-features --features alone,{kind} -- -D warnings").run()?;
     }
@@ -192,7 +194,13 @@ pub fn course() -> Result<()> {
     let to_plan = planned.number("first-plan")?;
     println!("three storeys, with {} bytes of RAM:\n{}", planned.ram()?, planned.0);
     ensure!(to_plan <= MOST_TO_PLAN_WAYS, "three storeys: {to_plan} instructions for the first plan, and {MOST_TO_PLAN_WAYS} are the most");
-    println!("an arm:\n{}", run_alone(&arm)?.0);
+    let (arm, obeying) = (run_alone(&arm)?, run_alone(&obeying()?)?);
+    println!("an arm:\n{}and one that only obeys:\n{}", arm.0, obeying.0);
+    let [learned, restored] = [arm.number("digest")?, obeying.number("digest")?];
+    ensure!(
+        learned == restored,
+        "the arm that only obeys understands otherwise than the one whose parameters it has: {restored:08x}, not {learned:08x}"
+    );
     println!("the lessons on wheels:\n{}", run_alone(&wheels)?.0);
     Ok(())
 }
@@ -256,5 +264,5 @@ pub fn same_bits() -> Result<()> {
 
 pub fn no_panic() -> Result<()> {
     let images = images()?.iter().flat_map(Image::binaries);
-    nothing_panics(&images.chain(alone()?).collect::<Vec<_>>())
+    nothing_panics(&images.chain(alone()?).chain([obeying()?]).collect::<Vec<_>>())
 }
