@@ -15,6 +15,10 @@ const PAGE_MARK: &str = "<!-- written by goodbot -->";
 const MODEL: &[u8] = b"goodbot\0";
 /// The first bytes of a micro:bit's file: its first record is at the flash's beginning.
 const MICROBIT: &[u8] = b":020000040000FA";
+/// The first bytes of parameters alone.
+const PARAMETERS: &[u8] = &goodbot::snapshot::PARAMETERS_MAGIC;
+/// How an array of them begins.
+pub const PARAMETERS_IN_C: &str = "static const unsigned char parameters[]";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
 
@@ -27,6 +31,7 @@ enum Kind {
     Model,
     Page,
     Microbit,
+    Parameters,
 }
 
 impl Kind {
@@ -36,6 +41,7 @@ impl Kind {
             Self::Model => "model",
             Self::Page => "page",
             Self::Microbit => "micro:bit's file",
+            Self::Parameters => "file of parameters",
         }
     }
 }
@@ -85,6 +91,14 @@ impl Output {
         Self::new(path, Kind::Microbit, inputs, force)
     }
 
+    /// Parameters alone at this path. `inputs` are the files that are read.
+    ///
+    /// # Errors
+    /// As [`picture`](Self::picture).
+    pub fn parameters<'a>(path: &Path, inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
+        Self::new(path, Kind::Parameters, inputs, force)
+    }
+
     fn new<'a>(path: &Path, kind: Kind, mut inputs: impl Iterator<Item = &'a str>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
@@ -124,6 +138,7 @@ impl Output {
             || match self.kind {
                 Kind::Model => head.starts_with(MODEL),
                 Kind::Microbit => head.starts_with(MICROBIT),
+                Kind::Parameters => head.starts_with(PARAMETERS) || head.starts_with(PARAMETERS_IN_C.as_bytes()),
                 Kind::Picture => String::from_utf8_lossy(&head).contains(MARK),
                 Kind::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
@@ -146,7 +161,7 @@ impl Output {
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         let marked;
         let bytes = match self.kind {
-            Kind::Model | Kind::Microbit => bytes,
+            Kind::Model | Kind::Microbit | Kind::Parameters => bytes,
             Kind::Page => {
                 marked = [PAGE_MARK.as_bytes(), b"\n", bytes].concat();
                 &marked

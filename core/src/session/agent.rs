@@ -682,7 +682,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The most that each of its tables held, at the end of a command that was heard or of a session that was learned from. See also
-    /// [`needed`](Self::needed).
+    /// [`needed`](Self::needed). Without the feature `learning`, what each holds now.
     pub fn most_used(&self) -> Capacities {
         self.most.at_least(self.usage())
     }
@@ -709,6 +709,8 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Records how full the tables are.
     pub(super) fn take_usage(&mut self) {
-        self.most = self.most_used();
+        if cfg!(feature = "learning") {
+            self.most = self.most_used();
+        }
     }
 }

@@ -58,7 +58,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`RestoreError`]; the agent is then as before.
     pub fn restore_parameters(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let found = Parameters::read(bytes)?;
-        if found.vocabulary != self.vocabulary() {
+        if found.vocabulary != 0 && found.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
         found.check_room(self.language())?;
