@@ -332,9 +332,10 @@ impl Layout {
     }
 }
 
+/// The numbers are those of tables with at most 65,535 words and tokens, so nothing wraps; to ask at each cell takes flash and time.
 const fn row(start: usize, position: usize, width: usize) -> Range<usize> {
-    let from = start.saturating_add(position.saturating_mul(width));
-    from..from.saturating_add(width)
+    let from = start.wrapping_add(position.wrapping_mul(width));
+    from..from.wrapping_add(width)
 }
 
 /// A row of a table; empty where the table is too short.
