@@ -1048,6 +1048,14 @@ enum goodbot_status goodbot_feedback(struct goodbot *robot,
                                      int32_t feedback,
                                      uint32_t *evidence);
 
+// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
+// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `evidence` null or room for a number.
+enum goodbot_status goodbot_trainer_ended(struct goodbot *robot,
+                                          uint32_t *evidence);
+
 // Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
 // `evidence` is given what came of it.
 //
@@ -1113,14 +1121,6 @@ enum goodbot_status goodbot_current_options(struct goodbot *robot, struct goodbo
 // `robot` is null or a handle, `options` null or points to them.
 enum goodbot_status goodbot_set_options(struct goodbot *robot,
                                         const struct goodbot_options *options);
-
-// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
-//
-// The caller sees to it:
-// `robot` is null or a handle, `evidence` null or room for a number.
-enum goodbot_status goodbot_trainer_ended(struct goodbot *robot,
-                                          uint32_t *evidence);
 
 // How many tasks the command may mean.
 //
@@ -1333,6 +1333,26 @@ enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
 enum goodbot_status goodbot_restore_on(struct goodbot *robot,
                                        struct goodbot_restoring *restoring,
                                        uint32_t budget);
+
+// Saves what a robot needs that only obeys: `goodbot_restore_parameters` reads it. `written` is given the length, also with `BUFFER`, where
+// `bytes` are too few. A lesson that is still being learned from is `STILL_LEARNING`.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
+enum goodbot_status goodbot_save_parameters(struct goodbot *robot,
+                                            uint8_t *buffer,
+                                            size_t bytes,
+                                            size_t *written);
+
+// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then understands as
+// the one that learned them, and nothing is trained. There are no lessons in it: one here would take the place of what it says. On any
+// failure the robot is as before.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `parameters` is null or points to `bytes` bytes.
+enum goodbot_status goodbot_restore_parameters(struct goodbot *robot,
+                                               const uint8_t *parameters,
+                                               size_t bytes);
 
 // Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
 // model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is

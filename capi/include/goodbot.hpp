@@ -207,6 +207,13 @@ public:
         std::size_t written = 0;
         return finish(goodbot_save(handle_, buffer.data(), buffer.size(), &written), written);
     }
+    outcome<std::size_t> save_parameters(span<std::uint8_t> buffer) const {
+        std::size_t written = 0;
+        return finish(goodbot_save_parameters(handle_, buffer.data(), buffer.size(), &written), written);
+    }
+    outcome<void> restore_parameters(span<const std::uint8_t> parameters) {
+        return goodbot_restore_parameters(handle_, parameters.data(), parameters.size());
+    }
     outcome<void> restore(span<const std::uint8_t> model) { return goodbot_restore(handle_, model.data(), model.size()); }
 
 private:

@@ -121,7 +121,7 @@ impl Writer {
     }
 
     /// Writes a number in decimal.
-    #[cfg(feature = "table")]
+    #[cfg(feature = "explain")]
     pub(crate) fn number(&mut self, number: u32) {
         let mut power = 1_000_000_000_u32;
         while power > 0 {

@@ -39,10 +39,13 @@ pub mod capacities;
 pub mod drive;
 #[cfg(feature = "home")]
 pub mod home;
+#[cfg(feature = "learning")]
 pub mod model;
 pub mod options;
+pub mod parameters;
 pub mod robot;
 pub mod status;
+#[cfg(feature = "learning")]
 pub mod storage;
 #[cfg(feature = "table")]
 pub mod table;

@@ -2,8 +2,6 @@
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
-use crate::training::{in_world, write};
-use crate::world::World;
 use goodbot::Options;
 use goodbot::feedback::{Ending, Hazard};
 use goodbot::session::Weights;
@@ -103,25 +101,6 @@ pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *cons
             let ending = Ending { at_goal: ends_at_goal.into(), elsewhere: ends_elsewhere.into() };
             robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, ..*robot.agent.options() })?;
             Ok(GoodbotStatus::Ok)
-        })
-    }
-}
-
-/// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
-///
-/// # Safety
-/// `robot` is null or a handle, `evidence` null or room for a number.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *mut u32) -> GoodbotStatus {
-    // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            if evidence.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
-            let ended = in_world!(&robot.world, |domain, state| robot.agent.trainer_ended(domain, state)?);
-            give(evidence, write(ended))
         })
     }
 }

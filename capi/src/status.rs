@@ -85,6 +85,7 @@ pub enum GoodbotStatus {
 pub struct Failure {
     pub(crate) status: GoodbotStatus,
     pub(crate) full: Option<CapacityError>,
+    #[cfg(feature = "explain")]
     pub(crate) place: Option<Place>,
 }
 
@@ -126,6 +127,12 @@ pub(crate) trait At<T> {
 }
 
 impl<T, E: Into<Failure>> At<T> for Result<T, E> {
+    #[cfg(not(feature = "explain"))]
+    fn at(self, _place: Place) -> Result<T, Failure> {
+        self.map_err(Into::into)
+    }
+
+    #[cfg(feature = "explain")]
     fn at(self, place: Place) -> Result<T, Failure> {
         self.map_err(|error| {
             let failure = error.into();
@@ -136,13 +143,18 @@ impl<T, E: Into<Failure>> At<T> for Result<T, E> {
 
 impl From<GoodbotStatus> for Failure {
     fn from(status: GoodbotStatus) -> Self {
-        Self { status, full: None, place: None }
+        Self {
+            status,
+            full: None,
+            #[cfg(feature = "explain")]
+            place: None,
+        }
     }
 }
 
 impl From<CapacityError> for Failure {
     fn from(error: CapacityError) -> Self {
-        Self { status: GoodbotStatus::Full, full: Some(error), place: None }
+        Self { full: Some(error), ..GoodbotStatus::Full.into() }
     }
 }
 

@@ -4,11 +4,18 @@ use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::World;
 use core::ffi::c_char;
+#[cfg(feature = "learning")]
 use goodbot::capacity::CapacityError;
-use goodbot::feedback::{Feedback, LAGS, RESTS, Strategy};
-use goodbot::oomdp::{Action, apply};
+#[cfg(feature = "learning")]
+use goodbot::feedback::Feedback;
+use goodbot::feedback::{LAGS, RESTS, Strategy};
+use goodbot::oomdp::Action;
+#[cfg(feature = "learning")]
+use goodbot::oomdp::apply;
 use goodbot::planning::{OptimalSet, Progress};
-use goodbot::session::{Evidence, Finished, Hypothesis};
+use goodbot::session::Hypothesis;
+#[cfg(feature = "learning")]
+use goodbot::session::{Evidence, Finished};
 use heapless::Vec;
 
 /// The action of doing nothing, which every robot has.
@@ -264,6 +271,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     }
 }
 
+#[cfg(feature = "learning")]
 pub(crate) fn write(evidence: Evidence) -> u32 {
     match evidence {
         Evidence::Used => GOODBOT_EVIDENCE_USED,
@@ -278,6 +286,7 @@ pub(crate) fn write(evidence: Evidence) -> u32 {
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, evidence: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -297,11 +306,32 @@ pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, ev
     }
 }
 
+/// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
+/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+///
+/// # Safety
+/// `robot` is null or a handle, `evidence` null or room for a number.
+#[cfg(feature = "learning")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *mut u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if evidence.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            let ended = in_world!(&robot.world, |domain, state| robot.agent.trainer_ended(domain, state)?);
+            give(evidence, write(ended))
+        })
+    }
+}
+
 /// Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
 /// `evidence` is given what came of it.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, evidence: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -343,6 +373,7 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
 ///
 /// # Safety
 /// `robot` is null or a handle, `gave_way` null or room for a number.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -358,6 +389,7 @@ pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32)
 ///
 /// # Safety
 /// `robot` is null or a handle.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -374,6 +406,7 @@ pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> Goodbot
 ///
 /// # Safety
 /// `robot` is null or a handle, `gave_way` null or room for a number.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gave_way: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -387,6 +420,7 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
 
 /// # Safety
 /// `gave_way` is null or room for a number.
+#[cfg(feature = "learning")]
 unsafe fn tell(robot: &mut Goodbot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
     if let Some(table) = finished.gave_way.full() {
         let limit = robot.agent.capacities().get(table);
@@ -418,6 +452,7 @@ pub unsafe extern "C" fn goodbot_forget(robot: *mut Goodbot) -> GoodbotStatus {
 ///
 /// # Safety
 /// `robot` is null or a handle.
+#[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_learn(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.

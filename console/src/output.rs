@@ -15,6 +15,10 @@ const PAGE_MARK: &str = "<!-- written by goodbot -->";
 const MODEL: &[u8] = b"goodbot\0";
 /// The first bytes of a micro:bit's file: its first record is at the flash's beginning.
 const MICROBIT: &[u8] = b":020000040000FA";
+/// The first bytes of parameters alone.
+const PARAMETERS: &[u8] = &goodbot::snapshot::PARAMETERS_MAGIC;
+/// How an array of them begins.
+pub const PARAMETERS_IN_C: &str = "static const unsigned char parameters[]";
 /// How far into a file the mark is looked for.
 const HEAD: u64 = 4_096;
 
@@ -32,6 +36,8 @@ pub enum Kind {
     Page,
     /// A micro:bit's file.
     Microbit,
+    /// Parameters alone.
+    Parameters,
 }
 
 impl Kind {
@@ -41,6 +47,7 @@ impl Kind {
             Self::Model => "model",
             Self::Page => "page",
             Self::Microbit => "micro:bit's file",
+            Self::Parameters => "file of parameters",
         }
     }
 
@@ -59,6 +66,7 @@ impl Kind {
             || match self {
                 Self::Model => head.starts_with(MODEL),
                 Self::Microbit => head.starts_with(MICROBIT),
+                Self::Parameters => head.starts_with(PARAMETERS) || head.starts_with(PARAMETERS_IN_C.as_bytes()),
                 Self::Picture => String::from_utf8_lossy(&head).contains(MARK),
                 Self::Page => String::from_utf8_lossy(&head).contains(PAGE_MARK),
             }
@@ -144,7 +152,7 @@ impl Output {
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         let marked;
         let bytes = match self.kind {
-            Kind::Model | Kind::Microbit => bytes,
+            Kind::Model | Kind::Microbit | Kind::Parameters => bytes,
             Kind::Page => {
                 marked = [PAGE_MARK.as_bytes(), b"\n", bytes].concat();
                 &marked

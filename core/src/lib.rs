@@ -51,7 +51,7 @@
 //! (products that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! On by default: `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
+//! On by default: `learning` (without it a robot obeys by parameters that another one learned), `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
 //! `unicode` (letters beyond ASCII), `marks` (marks written apart) and `derived` (facts such as leftmost). A controller takes those that it needs. The others:
 //!
 //! | feature | what it adds |
@@ -74,7 +74,10 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-#![cfg_attr(not(feature = "snapshot"), allow(dead_code, reason = "model files alone need some of it"))]
+#![cfg_attr(
+    not(all(feature = "learning", feature = "snapshot")),
+    allow(dead_code, unused_imports, reason = "lessons and model files alone need some of it")
+)]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
 

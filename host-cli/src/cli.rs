@@ -11,6 +11,7 @@ use crate::learn::LearnOptions;
 use crate::merge::MergeArgs;
 use crate::microbit::MicrobitOptions;
 use crate::paper::options::PaperOptions;
+use crate::parameters::ParametersArgs;
 use crate::replay::ReplayArgs;
 use crate::size::SizeOptions;
 use crate::table::TableOptions;
@@ -96,6 +97,7 @@ pub enum Command {
     Convert(ConvertArgs),
     /// Write a file for a BBC micro:bit with a model
     Microbit(MicrobitOptions),
+    Parameters(ParametersArgs),
     Merge(MergeArgs),
     Diff(DiffArgs),
     Unlearn(UnlearnArgs),

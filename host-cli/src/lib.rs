@@ -20,6 +20,7 @@ mod merge;
 mod microbit;
 mod misuse;
 mod paper;
+mod parameters;
 mod replay;
 mod size;
 mod table;
@@ -69,6 +70,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Table(options) => table::run(&options),
         Command::Convert(args) => convert::run(&args),
         Command::Microbit(options) => microbit::run(&options),
+        Command::Parameters(options) => parameters::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),
         Command::Unlearn(args) => unlearn::run(&args),

@@ -16,9 +16,10 @@ const HEADER: &str = "capi/include/goodbot.h";
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features of a library that nobody chose for.
-pub const FEATURES: [&str; 8] = ["asking", "derived", "drive", "forgetting", "home", "table", "unicode", "ways"];
+pub const FEATURES: [&str; 10] = ["asking", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways"];
 /// Those that are chosen from, as `capi/Cargo.toml` has them. Talk costs flash even where it is not called.
-pub const ALL_FEATURES: [&str; 9] = ["asking", "derived", "drive", "forgetting", "home", "table", "talk", "unicode", "ways"];
+pub const ALL_FEATURES: [&str; 11] =
+    ["asking", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "talk", "unicode", "ways"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -77,7 +78,7 @@ pub fn deliver(options: &Library) -> Result<()> {
 /// Builds every example with the host's compiler, with both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &ALL_FEATURES)?);
-    for example in ["home", "lift", "talk", "world"] {
+    for example in ["home", "lift", "obey", "talk", "world"] {
         let binary = library.with_file_name(example);
         let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         cmd!(sh, "{gcc} {WARNINGS...} {sanitizers...} -I capi/include capi/examples/{example}.c {library} -o {binary}").run()?;
@@ -100,7 +101,9 @@ pub const LIFT: Example = Example { name: "lift", ..HOME };
 /// Robots that are talked to.
 pub const TALK: Example = Example { name: "talk", features: &ALL_FEATURES, ..HOME };
 /// With a library that has nothing else.
-pub const LIFT_ALONE: Example = Example { features: &["table"], ..LIFT };
+pub const LIFT_ALONE: Example = Example { features: &["learning", "table"], ..LIFT };
+/// One that only obeys, with a library that cannot do more.
+pub const OBEY: Example = Example { name: "obey", features: &["table"], every_function: false };
 /// Not every function is in an example.
 pub const EVERY_FUNCTION: Example = Example { features: &ALL_FEATURES, every_function: true, ..HOME };
 
@@ -123,7 +126,7 @@ impl Example {
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator.
 pub fn on_board() -> Result<()> {
-    for example in [HOME, LIFT, TALK, LIFT_ALONE, EVERY_FUNCTION] {
+    for example in [HOME, LIFT, TALK, LIFT_ALONE, OBEY, EVERY_FUNCTION] {
         let binary = example.build()?;
         print!("{}", run_alone(&binary)?.0);
         nothing_panics(&[binary])?;

@@ -205,6 +205,11 @@ pub fn alone() -> Result<[PathBuf; 3]> {
     Ok(["arm", "ways", "wheels"].map(|name| folder.join(name)))
 }
 
+/// A robot that only obeys, built for the Cortex-M4F.
+pub fn obeying() -> Result<PathBuf> {
+    Ok(build(AN386.target, &["--bin", "obey", "--no-default-features", "--features", "mps2-an386 obey"])?.join("obey"))
+}
+
 /// Every call with full tables, built for the Cortex-M4F with all the RAM that its board has.
 pub fn full() -> Result<PathBuf> {
     Ok(build(AN386.target, &["--bin", "full", "--features", "mps2-an386 full"])?.join("full"))

@@ -6,8 +6,8 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE, TALK};
-use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, full, run_alone, trials};
+use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE, OBEY, TALK};
+use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, full, obeying, run_alone, trials};
 use crate::process::shell;
 use crate::toolchain::compiler;
 
@@ -143,13 +143,15 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     let [arm, ways, _] = alone()?;
     let mut binaries = vec![
         ("Rust, an arm of one's own (firmware/src/arm.rs)", arm),
+        ("Rust, the arm when it only obeys (firmware/src/obey.rs)", obeying()?),
         ("Rust, three storeys with ways (firmware/src/ways.rs)", ways),
         ("C, every function, all features", EVERY_FUNCTION.build()?),
         ("C, a robot in homes (capi/examples/home.c), all features", HOME.build()?),
         ("C, a table robot (capi/examples/lift.c), all features", LIFT.build()?),
     ];
     if !is_check {
-        binaries.push(("C, a table robot (capi/examples/lift.c), `--features table`", LIFT_ALONE.build()?));
+        binaries.push(("C, a table robot (capi/examples/lift.c), `--features learning,table`", LIFT_ALONE.build()?));
+        binaries.push(("C, a lift that only obeys (capi/examples/obey.c), `--features table`", OBEY.build()?));
         binaries.push(("C, a robot that is talked to (capi/examples/talk.c), all features and `talk`", TALK.build()?));
         let report = run_alone(&full()?)?;
         let calls = FULL.iter().map(|(name, _)| Ok(((*name).to_owned(), report.number(name)?))).collect::<Result<_>>()?;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, run_alone, run_pico, trials,
+    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
@@ -76,13 +76,15 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
-/// Of everything; of the core as a controller has it, and without its optional parts; of the crates that take a part of the core, as somebody has
-/// them who has no other; and of the C library with each of its kinds of robot alone.
+/// Of everything; of the core as a controller has it, whether it learns or only obeys, and without its optional parts; of the crates that take a part
+/// of the core, as somebody has them who has no other; and of the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
-    cmd!(sh, "cargo clippy --package goodbot --no-default-features -- -D warnings").run()?;
+    for features in ["", "learning", "snapshot"] {
+        cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
+    }
     for part in ["course", "drive", "lesson"] {
         cmd!(sh, "cargo clippy --package goodbot-{part} -- -D warnings").run()?;
     }
@@ -196,7 +198,13 @@ pub fn course() -> Result<()> {
     let to_plan = planned.number("first-plan")?;
     println!("three storeys, with {} bytes of RAM:\n{}", planned.ram()?, planned.0);
     ensure!(to_plan <= MOST_TO_PLAN_WAYS, "three storeys: {to_plan} instructions for the first plan, and {MOST_TO_PLAN_WAYS} are the most");
-    println!("an arm:\n{}", run_alone(&arm)?.0);
+    let (arm, obeying) = (run_alone(&arm)?, run_alone(&obeying()?)?);
+    println!("an arm:\n{}and one that only obeys:\n{}", arm.0, obeying.0);
+    let [learned, restored] = [arm.number("digest")?, obeying.number("digest")?];
+    ensure!(
+        learned == restored,
+        "the arm that only obeys understands otherwise than the one whose parameters it has: {restored:08x}, not {learned:08x}"
+    );
     println!("the lessons on wheels:\n{}", run_alone(&wheels)?.0);
     Ok(())
 }
@@ -260,5 +268,5 @@ pub fn same_bits() -> Result<()> {
 
 pub fn no_panic() -> Result<()> {
     let images = images()?.iter().flat_map(Image::binaries);
-    nothing_panics(&images.chain(alone()?).collect::<Vec<_>>())
+    nothing_panics(&images.chain(alone()?).chain([obeying()?]).collect::<Vec<_>>())
 }

@@ -1,12 +1,14 @@
 /* Starts a C program on the emulated board; its output and its exit code go through semihosting. At the end it says what the program took:
-   the deepest stack, by the paint that it has worn off, and instructions, by a counter that the emulator advances by so much for each. */
+   the deepest stack, by the paint that it has worn off, and instructions, by a counter that the emulator advances by so much for each.
+   A program that does not use stdio is linked without it. */
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 extern uint32_t data_begin[], data_end[], data_source[], bss_begin[], bss_end[], stack_top[];
-extern void initialise_monitor_handles(void);
 extern int main(void);
+/* They are there where the program uses stdio. */
+extern void initialise_monitor_handles(void) __attribute__((weak));
+extern int fflush(FILE *stream) __attribute__((weak));
 
 #define PAINT 0xCCCCCCCCu
 /* So much of the RAM's end is painted: more than any program here may take. */
@@ -34,23 +36,47 @@ static uint32_t deepest(void) {
     return (uint32_t)(stack_top - at) * 4;
 }
 
+static void semihost(uint32_t operation, const void *with) {
+    register uint32_t r0 __asm__("r0") = operation;
+    register const void *r1 __asm__("r1") = with;
+    __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+static void print(const char *text) { semihost(4, text); }
+
+static void report(const char *name, uint32_t number) {
+    char line[] = "           \n", *at = line + 11;
+    do *--at = (char)('0' + number % 10);
+    while (number /= 10);
+    *--at = ' ';
+    print(name);
+    print(at);
+}
+
+static void leave(int code) {
+    const uint32_t reason_and_code[] = {0x20026, (uint32_t)code};
+    for (;;) semihost(0x20, reason_and_code);
+}
+
 void start(void) {
     *(volatile uint32_t *)0xE000ED88 |= 0xF << 20; /* the floating-point unit on */
     for (uint32_t *to = data_begin, *from = data_source; to < data_end;) *to++ = *from++;
     for (uint32_t *to = bss_begin; to < bss_end;) *to++ = 0;
     uintptr_t here = (uintptr_t)__builtin_frame_address(0);
     for (volatile uint32_t *to = stack_top - STACK_WORDS; (uintptr_t)to < here - 256;) *to++ = PAINT;
-    initialise_monitor_handles();
+    if (initialise_monitor_handles) initialise_monitor_handles();
     systick[1] = PERIOD - 1;
     systick[2] = 0;
     systick[0] = 7;
     int code = main();
     uint32_t taken = instructions(), stack = deepest();
-    printf("stack %lu\ninstructions %lu\n", (unsigned long)stack, (unsigned long)taken);
-    exit(code);
+    if (fflush) fflush(NULL);
+    report("stack", stack);
+    report("instructions", taken);
+    leave(code);
 }
 
-void fault(void) { _Exit(99); }
+void fault(void) { leave(99); }
 
 __attribute__((section(".vectors"), used)) static const struct {
     uint32_t *top;

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources whose items the header has, in its order.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 18] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -22,6 +22,7 @@ const SOURCES: [&str; 17] = [
     "asking.rs",
     "talk.rs",
     "model.rs",
+    "parameters.rs",
     "storage.rs",
     "drive.rs",
 ];

@@ -6,10 +6,13 @@ use super::description::{
 };
 use super::domain::{Parts, Steps, TableDomain, derived_by, next_by};
 use crate::arena::{Arena, after};
+#[cfg(feature = "explain")]
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, give, list, plot, settle, text, with};
-use crate::status::{At, Failure, GoodbotStatus, Place, text_of};
+#[cfg(feature = "explain")]
+use crate::status::text_of;
+use crate::status::{At, Failure, GoodbotStatus, Place};
 use crate::tasks::kinds_of_tasks;
 use crate::world::{Standing, Surroundings, World};
 use core::ffi::{c_char, c_void};
@@ -59,6 +62,7 @@ pub unsafe extern "C" fn goodbot_init_table(
 ///
 /// # Safety
 /// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
+#[cfg(feature = "explain")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_explain_table(
     memory: *mut c_void,
@@ -89,6 +93,7 @@ pub unsafe extern "C" fn goodbot_explain_table(
 }
 
 /// Writes where a failure comes from, and what it is.
+#[cfg(feature = "explain")]
 fn explain(writer: &mut Writer, failure: &Failure) {
     if let Some(Place { list, item, field, found, allowed }) = failure.place {
         writer.put(list);

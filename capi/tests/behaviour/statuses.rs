@@ -6,6 +6,7 @@ use goodbot_capi::beliefs::*;
 use goodbot_capi::capacities::{GoodbotCapacity, goodbot_size};
 use goodbot_capi::home::*;
 use goodbot_capi::model::*;
+use goodbot_capi::parameters::{goodbot_restore_parameters, goodbot_save_parameters};
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};
 use goodbot_capi::status::{GoodbotStatus, goodbot_status_text};
 use goodbot_capi::table::description::*;
@@ -52,6 +53,8 @@ fn every_function_refuses_a_null_handle() {
             goodbot_saved_size(nobody, &raw mut bytes),
             goodbot_save(nobody, null_mut(), 0, &raw mut bytes),
             goodbot_restore(nobody, null(), 0),
+            goodbot_save_parameters(nobody, null_mut(), 0, &raw mut bytes),
+            goodbot_restore_parameters(nobody, null(), 0),
             goodbot_seed(nobody, 1),
             goodbot_full(nobody, text.as_mut_ptr(), text.len(), &raw mut number, &raw mut number),
         ]
@@ -80,6 +83,8 @@ fn every_function_refuses_a_null_place_for_its_answer() {
             goodbot_saved_size(owned.robot, null_mut()),
             goodbot_save(owned.robot, null_mut(), 0, &raw mut bytes),
             goodbot_restore(owned.robot, null(), 10),
+            goodbot_save_parameters(owned.robot, null_mut(), 0, &raw mut bytes),
+            goodbot_restore_parameters(owned.robot, null(), 10),
         ]
     };
     assert!(answers.iter().all(|&answer| answer == GoodbotStatus::Null), "{answers:?}");
@@ -300,6 +305,40 @@ fn a_model_is_taken_over_whole_or_not_at_all() {
         one_word.entries[GoodbotCapacity::Words as usize] = 1;
         let tight = in_homes(one_word);
         assert_eq!(goodbot_restore(tight.robot, model.as_ptr(), bytes), GoodbotStatus::Full);
+    }
+}
+
+#[test]
+fn parameters_are_taken_over_whole_or_not_at_all() {
+    let owned = at_home();
+    let (robot, mut bytes, mut file) = (owned.robot, 0, vec![0; 4_096]);
+    hear_and_plan(robot, c"go to the green room");
+    let probability = |robot| {
+        let mut probability = 0.0;
+        hear_and_plan(robot, c"go to the green room");
+        assert_eq!(unsafe { goodbot_task_probability(robot, 0, &raw mut probability) }, GoodbotStatus::Ok);
+        probability.to_bits()
+    };
+    unsafe {
+        assert_eq!(goodbot_done(robot, 0), GoodbotStatus::Ok);
+        let mut evidence = 9;
+        assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+        assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_save_parameters(robot, file.as_mut_ptr(), file.len(), &raw mut bytes), GoodbotStatus::StillLearning);
+        while goodbot_learn(robot, 1_000) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_save_parameters(robot, file.as_mut_ptr(), 10, &raw mut bytes), GoodbotStatus::Buffer);
+        assert_eq!(goodbot_save_parameters(robot, file.as_mut_ptr(), bytes, &raw mut bytes), GoodbotStatus::Ok);
+        let other = at_home();
+        let before = probability(other.robot);
+        for length in 0..bytes {
+            assert_eq!(goodbot_restore_parameters(other.robot, file.as_ptr(), length), GoodbotStatus::BadModel);
+        }
+        assert_eq!(probability(other.robot), before);
+        assert_eq!(goodbot_restore_parameters(other.robot, file.as_ptr(), bytes), GoodbotStatus::Ok);
+        assert_eq!(probability(other.robot), probability(robot));
+        let lift = Lift::new();
+        let other = of_table(&lift.table()).unwrap();
+        assert_eq!(goodbot_restore_parameters(other.robot, file.as_ptr(), bytes), GoodbotStatus::OtherDomain);
     }
 }
 

@@ -277,6 +277,12 @@ impl Capacities {
         })
     }
 
+    /// The same without the tables of lessons, for a robot that only obeys.
+    #[must_use]
+    pub const fn obeying(self) -> Self {
+        Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, length_pairs: 0, ..self }
+    }
+
     /// u64s of the search: for each 64 states eight words of first actions, and three bit sets with a bit for each of their words.
     pub const fn search_words(&self) -> usize {
         Self::words_of(self.states.div_ceil(64))
@@ -306,7 +312,7 @@ impl Capacities {
     /// word.
     pub const fn workspace_words(&self) -> usize {
         let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));
-        if search > counts { search } else { counts }
+        if search > counts || !cfg!(feature = "learning") { search } else { counts }
     }
 }
 

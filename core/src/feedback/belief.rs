@@ -187,7 +187,8 @@ impl<'t> Belief<'t> {
     /// # Errors
     /// A [`CapacityError`] if the tasks and strategies do not fit; the belief then has no tasks.
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
-        if self.count.tasks > 0 {
+        // Who only obeys hears no word of a trainer's.
+        if cfg!(feature = "learning") && self.count.tasks > 0 {
             let has_evidence = self.read().has_evidence();
             for strategy in 0..self.count.strategies {
                 let marginal = self.read().carried(strategy, has_evidence);

@@ -4,6 +4,8 @@ use super::bitext::{Bitext, BitextRef, Extent};
 use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::layer::{Known, LayerRef};
+#[cfg(feature = "snapshot")]
+use super::roles::Layout;
 use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -439,6 +441,29 @@ impl<'t> LanguageMut<'t> {
         self.forget_tasks();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
+    }
+
+    /// Takes over what the role model learned elsewhere, in place of everything: its words, its machine tokens and its parameters. There are no
+    /// training data with them.
+    #[cfg(feature = "snapshot")]
+    pub(crate) fn take_over<'a>(
+        &mut self,
+        settings: Settings,
+        (words, tokens): (impl Iterator<Item = &'a str>, impl Iterator<Item = &'a str>),
+        layout: Layout,
+        cells: impl Iterator<Item = f32>,
+    ) {
+        self.clear(settings);
+        // The room for all was counted.
+        for word in words {
+            let _ = self.words.intern(word);
+        }
+        for token in tokens {
+            let _ = self.tokens.intern(token);
+        }
+        (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
+        self.tables.take_over(layout, cells);
+        *self.training = Training::DONE;
     }
 
     /// The symbol of a word: that of the word here that it counts as, or a new one. Slips are those of the first `learned` words.

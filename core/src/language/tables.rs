@@ -50,6 +50,11 @@ fn first<T>(all: &mut [T], most: usize) -> &mut [T] {
     all.get_mut(..count).unwrap_or(&mut [])
 }
 
+/// How many cells can be trained with this many words for the expected counts. Who only obeys does not count.
+const fn countable(counts: usize) -> usize {
+    if cfg!(feature = "learning") { counts.saturating_mul(2) } else { usize::MAX }
+}
+
 /// The parameters, and room for the expected counts of the next round.
 #[derive(Debug)]
 pub struct Tables<'t> {
@@ -69,7 +74,7 @@ pub struct TablesRef<'t> {
 impl<'t> Tables<'t> {
     /// The parameters that `trained` says are there. Cells beyond those that can be counted are left out.
     pub(crate) fn new(mut memory: ParameterTables<'t>, counts: &'t mut [u64], trained: &'t mut Trained) -> Self {
-        let cells = counts.len().saturating_mul(2);
+        let cells = countable(counts.len());
         memory.translations = first(memory.translations, cells);
         memory.alignments = first(memory.alignments, cells.saturating_sub(memory.translations.len()));
         Self { memory, counts, trained }
@@ -95,6 +100,16 @@ impl<'t> Tables<'t> {
         if cells > room { Err(CapacityError::new(Capacity::Translations, room, cells)) } else { Ok(()) }
     }
 
+    /// Takes over parameters of the role model that were learned elsewhere: the cells of both tables, one after the other.
+    #[cfg(feature = "snapshot")]
+    pub(super) fn take_over(&mut self, layout: Layout, cells: impl Iterator<Item = f32>) {
+        let wanted = Wanted { layout, ..Wanted::NONE };
+        *self.trained = Trained { words: layout.words(), tokens: layout.tokens(), layout, wanted };
+        let translations = first(self.memory.translations, layout.translations());
+        let alignments = first(self.memory.alignments, layout.trellis());
+        translations.iter_mut().chain(alignments).zip(cells).for_each(|(slot, cell)| *slot = cell);
+    }
+
     /// Begins to count, in the cells that are in use.
     pub(super) fn clear_counts(&mut self) {
         let translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
@@ -118,7 +133,7 @@ impl<'t> TablesRef<'t> {
 
     /// The parameters that `trained` says are there, with room for the counts of `cells` cells.
     pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: &'t Trained) -> Self {
-        let cells = counts.saturating_mul(2);
+        let cells = countable(counts);
         memory.translations = memory.translations.get(..cells).unwrap_or(memory.translations);
         memory.alignments = memory.alignments.get(..cells.saturating_sub(memory.translations.len())).unwrap_or(memory.alignments);
         Self { memory, trained }

@@ -94,11 +94,12 @@ impl Training {
         let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
         while left > 0 {
             let (work, next) = match self.phase {
-                Phase::Done | Phase::Start => return Progress::Done,
-                Phase::Model2(part) => {
+                // What is not built in is not linked.
+                Phase::Model2(part) if Model::Model2.is_there() => {
                     let (cells, next) = ibm2::training::advance(tables, bitext, part, &mut self.round, settings);
                     (cells, Phase::of_model_2(next))
                 }
+                Phase::Done | Phase::Start | Phase::Model2(_) => return Progress::Done,
                 Phase::Roles(part) => {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };

@@ -64,6 +64,7 @@ pub enum Evidence {
 }
 
 /// Takes in that the session ends, or goes on, in a state where this is known of the tasks.
+#[cfg(feature = "learning")]
 #[inline(never)]
 fn observe_end(belief: &mut Belief<'_>, ending: &Ending, plan: Plan<'_>, moment: Moment, ends: bool) -> bool {
     let possible = belief.observe(&|_, task| {
@@ -534,6 +535,26 @@ impl<M: AgentMemory> Agent<M> {
     pub fn acted<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
         self.check_planned(domain, state)?;
         let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
+        #[cfg(feature = "learning")]
+        self.await_a_word(domain, &next, action);
+        self.expected = Some(domain.key(&next));
+        Ok(next)
+    }
+
+    /// Plans to the end.
+    ///
+    /// # Errors
+    /// As [`plan`](Self::plan).
+    pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+        while self.plan(domain, state, u32::MAX)? == Progress::Working {}
+        Ok(())
+    }
+}
+
+#[cfg(feature = "learning")]
+impl<M: AgentMemory> Agent<M> {
+    /// An action was done that the trainer may judge.
+    fn await_a_word<D: Domain + ?Sized>(&mut self, domain: &D, next: &D::State, action: Action) {
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
         let mut belief = Belief::new(session.belief, &mut self.belief);
@@ -543,10 +564,8 @@ impl<M: AgentMemory> Agent<M> {
             let _ = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), false);
         }
         let at_goal = if action == Action::NOOP { TaskSet::EMPTY } else { plan.at_goal() };
-        let inside = self.planner.satisfied(session.goals.read(), domain, &next, at_goal);
+        let inside = self.planner.satisfied(session.goals.read(), domain, next, at_goal);
         self.done.add(plan, action, inside);
-        self.expected = Some(domain.key(&next));
-        Ok(next)
     }
 
     /// Takes in the trainer's word about the action that was done last, or one of the two before it: see [`Strategy::lags`]. Of several
@@ -625,16 +644,9 @@ impl<M: AgentMemory> Agent<M> {
         });
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
+}
 
-    /// Plans to the end.
-    ///
-    /// # Errors
-    /// As [`plan`](Self::plan).
-    pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
-        while self.plan(domain, state, u32::MAX)? == Progress::Working {}
-        Ok(())
-    }
-
+impl<M: AgentMemory> Agent<M> {
     /// How large each of its tables is. Those of a home are 0.
     pub fn capacities(&self) -> Capacities {
         let SessionTablesRef { tasks, candidates, belief, goals, plan } = self.memory.read().session;
@@ -670,7 +682,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The most that each of its tables held, at the end of a command that was heard or of a session that was learned from. See also
-    /// [`needed`](Self::needed).
+    /// [`needed`](Self::needed). Without the feature `learning`, what each holds now.
     pub fn most_used(&self) -> Capacities {
         self.most.at_least(self.usage())
     }
@@ -697,6 +709,8 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Records how full the tables are.
     pub(super) fn take_usage(&mut self) {
-        self.most = self.most_used();
+        if cfg!(feature = "learning") {
+            self.most = self.most_used();
+        }
     }
 }

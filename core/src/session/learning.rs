@@ -127,6 +127,30 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
     }
 
+    /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
+    /// that were learned, or a model is coming back.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn is_between_models(&self) -> bool {
+        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_))
+    }
+
+    /// Gives a session that has joined the training data its words for good. What forgets new words would take them from it otherwise.
+    #[inline(never)]
+    pub(super) fn complete_joining(&mut self) {
+        #[cfg(feature = "learning")]
+        if let Progressed::Tidying(step) = &mut self.progressed {
+            // Another session may have been unlearned meanwhile: a choice begins anew.
+            *step = Step::Look;
+        }
+        #[cfg(feature = "learning")]
+        while let Progressed::Tidying(step) = self.progressed
+            && self.tidy(step).is_ok_and(|room| room != Room::Found)
+        {}
+    }
+}
+
+#[cfg(feature = "learning")]
+impl<M: AgentMemory> Agent<M> {
     /// Whether the session's tasks are negated. Their words are not those that were said, so nothing is learned.
     fn is_negated(&self) -> bool {
         self.tasks().iter().any(GroundedTask::is_negated)
@@ -306,25 +330,6 @@ impl<M: AgentMemory> Agent<M> {
                 Err(error.into())
             }
         }
-    }
-
-    /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
-    /// that were learned, or a model is coming back.
-    #[cfg(feature = "snapshot")]
-    pub(crate) const fn is_between_models(&self) -> bool {
-        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_))
-    }
-
-    /// Gives a session that has joined the training data its words for good. What forgets new words would take them from it otherwise.
-    #[inline(never)]
-    pub(super) fn complete_joining(&mut self) {
-        if let Progressed::Tidying(step) = &mut self.progressed {
-            // Another session may have been unlearned meanwhile: a choice begins anew.
-            *step = Step::Look;
-        }
-        while let Progressed::Tidying(step) = self.progressed
-            && self.tidy(step).is_ok_and(|room| room != Room::Found)
-        {}
     }
 
     /// Gives the vocabulary room again, or goes on to let one other session give way for that; then training begins.

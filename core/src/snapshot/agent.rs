@@ -207,11 +207,6 @@ impl<M: AgentMemory> Agent<M> {
         matches!(self.progressed, Progressed::Restoring(now) if now == mark)
     }
 
-    /// The digest of the vocabulary that the lifted tasks are written in; 0 for an agent without tasks.
-    pub fn vocabulary(&self) -> u32 {
-        self.lifted().first().map_or(0, |task| task.vocabulary())
-    }
-
     fn saving(&self) -> Result<Model<'_>, SaveError> {
         if self.is_between_models() {
             return Err(SaveError::StillLearning);

@@ -22,6 +22,8 @@ pub enum SaveError {
     StillLearning,
     /// The model was saved in parts, and what was learned has changed since the first.
     Changed,
+    /// Model 2 has no parameters of the role model to be saved alone.
+    NoRoles,
 }
 
 impl fmt::Display for SaveError {
@@ -31,6 +33,7 @@ impl fmt::Display for SaveError {
             Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
             Self::StillLearning => f.write_str("the last session is still being learned from; go on until it is done, then save"),
             Self::Changed => f.write_str("what was learned has changed since saving began; begin to save anew"),
+            Self::NoRoles => f.write_str("only the role model's parameters are saved alone, and this is Model 2; save the whole model"),
         }
     }
 }
@@ -66,6 +69,10 @@ pub enum RestoreError {
     OtherForms,
     /// It does not fit into this memory.
     Capacity(CapacityError),
+    /// The bytes do not begin as a file of parameters does.
+    NoParameters,
+    /// The parameters are of tasks with a way, which this library was built without.
+    Ways,
     /// Something else began before the whole model was there. What was learned before is forgotten by then.
     Interrupted,
 }
@@ -99,6 +106,8 @@ pub enum Part {
     Trainers,
     /// How each trainer strategy judges rests.
     Rests,
+    /// The role model's parameters.
+    Parameters,
 }
 
 impl Part {
@@ -117,6 +126,7 @@ impl Part {
             Self::Possible => "possible tasks",
             Self::Trainers => "trainers' lags",
             Self::Rests => "what trainers say to rests",
+            Self::Parameters => "parameters",
         }
     }
 }
@@ -146,6 +156,8 @@ impl fmt::Display for RestoreError {
                  learn both with the same settings",
             ),
             Self::Capacity(error) => error.fmt(f),
+            Self::NoParameters => f.write_str("this is no file of parameters; `goodbot parameters` writes one from a model"),
+            Self::Ways => f.write_str("the parameters are of tasks with a way; build goodbot with the feature `ways`"),
             Self::Interrupted => f.write_str("something else began before the whole model was there; restore it anew"),
         }
     }

@@ -70,13 +70,13 @@ pub(super) struct Model<'a> {
 }
 
 /// The room for a model; what has no room is only counted.
-struct Out<'b> {
-    buffer: &'b mut [u8],
-    length: usize,
+pub(super) struct Out<'b> {
+    pub buffer: &'b mut [u8],
+    pub length: usize,
 }
 
 impl Out<'_> {
-    fn bytes(&mut self, bytes: &[u8]) {
+    pub fn bytes(&mut self, bytes: &[u8]) {
         let end = self.length.saturating_add(bytes.len());
         if let Some(room) = self.buffer.get_mut(self.length..end) {
             // As long as each other: a copy that checks it could panic.

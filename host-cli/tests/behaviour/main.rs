@@ -23,6 +23,7 @@ mod models_apart;
 mod nothing_lost;
 mod one_lesson;
 mod paper;
+mod parameters;
 mod replay;
 mod robot;
 mod size;

@@ -2,8 +2,14 @@
 
 #[path = "../../../core/examples/arm/domain.rs"]
 mod arm;
+#[path = "../../../firmware/src/commands.rs"]
+mod commands;
+#[path = "../../../firmware/drill/src/digest.rs"]
+mod digest;
 #[path = "../../../core/examples/lamps/domain.rs"]
 mod lamps;
+#[path = "../../../firmware/src/lessons.rs"]
+mod lessons;
 #[path = "../../../core/examples/lift/domain.rs"]
 mod lift;
 #[path = "../../../core/examples/teach/mod.rs"]
@@ -24,6 +30,7 @@ mod laws;
 mod least_capacities;
 mod one_life;
 mod optimal_sets;
+mod parameters;
 mod power_loss;
 mod reference_numbers;
 mod restoring;

@@ -98,27 +98,51 @@ impl Layout {
 
     /// Makes room for what a description speaks of.
     pub(crate) fn see(&mut self, description: &[Symbol]) {
-        if let Some(form) = form(description).filter(|&form| self.form(form).is_none())
+        if let Some(form) = form(description) {
+            self.add_form(form);
+        }
+        for group in groups(description) {
+            self.add_role(group.marker.role);
+        }
+        *self = self.settled();
+    }
+
+    fn add_form(&mut self, form: Symbol) {
+        if self.form(form).is_none()
             && let Some(slot) = self.forms.get_mut(usize::from(self.form_count))
         {
             *slot = form;
             self.form_count = self.form_count.saturating_add(1);
         }
-        for group in groups(description) {
-            let role = group.marker.role;
-            self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
-            #[cfg(feature = "alloc")]
-            {
-                self.has_names |= role.is_of_name();
-            }
-            if self.role(role).is_none()
-                && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
-            {
-                *slot = role;
-                self.role_count = self.role_count.saturating_add(1);
-            }
+    }
+
+    fn add_role(&mut self, role: Role) {
+        self.has_ways |= role.kind().index() >= RoleKind::WITHOUT_WAYS;
+        #[cfg(feature = "alloc")]
+        {
+            self.has_names |= role.is_of_name();
         }
-        *self = self.settled();
+        if self.role(role).is_none()
+            && let Some(slot) = self.roles.get_mut(usize::from(self.role_count))
+        {
+            *slot = role;
+            self.role_count = self.role_count.saturating_add(1);
+        }
+    }
+
+    /// The parameters of another robot, for this many words and machine tokens: it had these lifted tasks and roles, and this many sessions.
+    #[cfg(feature = "snapshot")]
+    pub(crate) fn of_others(
+        words: usize,
+        tokens: usize,
+        sessions: f32,
+        forms: impl Iterator<Item = Symbol>,
+        roles: impl Iterator<Item = Role>,
+    ) -> Self {
+        let mut layout = Self { words, tokens, sessions, ..Self::NONE };
+        forms.for_each(|form| layout.add_form(form));
+        roles.for_each(|role| layout.add_role(role));
+        layout.settled()
     }
 
     /// The same parameters, with where their parts begin.
@@ -198,7 +222,7 @@ impl Layout {
     }
 
     /// How many sessions.
-    pub(super) const fn sessions(&self) -> f32 {
+    pub(crate) const fn sessions(&self) -> f32 {
         self.sessions
     }
 
@@ -222,7 +246,7 @@ impl Layout {
         self.roles().iter().position(|&known| known == role)
     }
 
-    pub(super) const fn memories(&self) -> usize {
+    pub(crate) const fn memories(&self) -> usize {
         (self.role_count as usize).saturating_add(1)
     }
 
@@ -280,6 +304,12 @@ impl Layout {
         self.starts.novelty.saturating_add(row)
     }
 
+    /// Cells of `translations` that are taken.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn translations(&self) -> usize {
+        self.tokens.saturating_add(1).saturating_mul(self.words)
+    }
+
     /// Where the trellis begins: before it are the parameters.
     pub(crate) fn trellis(&self) -> usize {
         self.novelty(self.tokens.saturating_add(1))
@@ -302,9 +332,10 @@ impl Layout {
     }
 }
 
+/// The numbers are those of tables with at most 65,535 words and tokens, so nothing wraps; to ask at each cell takes flash and time.
 const fn row(start: usize, position: usize, width: usize) -> Range<usize> {
-    let from = start.saturating_add(position.saturating_mul(width));
-    from..from.saturating_add(width)
+    let from = start.wrapping_add(position.wrapping_mul(width));
+    from..from.wrapping_add(width)
 }
 
 /// A row of a table; empty where the table is too short.

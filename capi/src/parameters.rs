@@ -1,0 +1,50 @@
+//! What was learned, as parameters alone, for a robot that only obeys.
+
+#[cfg(feature = "learning")]
+use crate::robot::give;
+use crate::robot::{Goodbot, with};
+use crate::status::GoodbotStatus;
+
+/// Saves what a robot needs that only obeys: `goodbot_restore_parameters` reads it. `written` is given the length, also with `BUFFER`, where
+/// `bytes` are too few. A lesson that is still being learned from is `STILL_LEARNING`.
+///
+/// # Safety
+/// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
+#[cfg(feature = "learning")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_save_parameters(robot: *mut Goodbot, buffer: *mut u8, bytes: usize, written: *mut usize) -> GoodbotStatus {
+    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    unsafe {
+        with(robot, |robot| {
+            if buffer.is_null() || written.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            buffer.write_bytes(0, bytes);
+            let saved = robot.agent.save_parameters(core::slice::from_raw_parts_mut(buffer, bytes));
+            if let Err(goodbot::snapshot::SaveError::Buffer { needed, .. }) = saved {
+                written.write(needed);
+            }
+            give(written, saved?)
+        })
+    }
+}
+
+/// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then understands as
+/// the one that learned them, and nothing is trained. There are no lessons in it: one here would take the place of what it says. On any
+/// failure the robot is as before.
+///
+/// # Safety
+/// `robot` is null or a handle; `parameters` is null or points to `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_restore_parameters(robot: *mut Goodbot, parameters: *const u8, bytes: usize) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        with(robot, |robot| {
+            if parameters.is_null() {
+                return Err(GoodbotStatus::Null.into());
+            }
+            robot.agent.restore_parameters(core::slice::from_raw_parts(parameters, bytes))?;
+            Ok(GoodbotStatus::Ok)
+        })
+    }
+}
