@@ -33,7 +33,7 @@ impl fmt::Display for SaveError {
             Self::Unsound => f.write_str("a setting or a weight is not a number, negative or too large; correct it before saving"),
             Self::StillLearning => f.write_str("the last session is still being learned from; go on until it is done, then save"),
             Self::Changed => f.write_str("what was learned has changed since saving began; begin to save anew"),
-            Self::NoRoles => f.write_str("only the role model's parameters are saved alone, and this is Model 2; save the whole model"),
+            Self::NoRoles => f.write_str("this is Model 2, without parameters of roles; save the whole model"),
         }
     }
 }
@@ -156,8 +156,8 @@ impl fmt::Display for RestoreError {
                  learn both with the same settings",
             ),
             Self::Capacity(error) => error.fmt(f),
-            Self::NoParameters => f.write_str("this is no file of parameters; `goodbot parameters` writes one from a model"),
-            Self::Ways => f.write_str("the parameters are of tasks with a way; build goodbot with the feature `ways`"),
+            Self::NoParameters => f.write_str("this is no file of parameters; `goodbot parameters` writes one"),
+            Self::Ways => f.write_str("it knows ways; build goodbot with the feature `ways`"),
             Self::Interrupted => f.write_str("something else began before the whole model was there; restore it anew"),
         }
     }
