@@ -22,6 +22,9 @@ pub enum Example {
     ClosedWords,
 }
 
+/// The end of the table of closed words: what follows it is heard in lessons of any language.
+const WORDS_OF_ALL: &str = "# Words of your own: they are heard whatever the language of the lessons is.\nlanguage:\n";
+
 /// Three rooms with a legend.
 const MAP: &str = "\
 #########
@@ -50,7 +53,7 @@ pub fn run(what: Example) -> Result<(), Failure> {
         Example::Log => include_str!("example/sessions.jsonl"),
         Example::World => include_str!("example/world.json"),
         Example::Synonyms => include_str!("example/synonyms.txt"),
-        Example::ClosedWords => return Ok(write!(std::io::stdout().lock(), "{CLOSED_WORDS}")?),
+        Example::ClosedWords => return Ok(write!(std::io::stdout().lock(), "{CLOSED_WORDS}{WORDS_OF_ALL}")?),
     };
     Ok(std::io::stdout().lock().write_all(text.as_bytes())?)
 }

@@ -204,7 +204,8 @@ impl Classes {
 }
 
 /// A table of closed classes: in each line a class, a colon, and its words. What follows a `#` is a comment. A word may be in several
-/// classes, and a class on several lines. No word is praise or a yes, and blame or a no as well.
+/// classes, and a class on several lines. No word is praise or a yes, and blame or a no as well. A line such as `language: en` begins the words
+/// of a language, which are heard if lessons were in it; `language:` alone begins words that are always heard.
 ///
 /// ```
 /// use goodbot::talk::{Class, ClosedWords};
@@ -303,11 +304,13 @@ impl<'t> ClosedWords<'t> {
 
     /// Each line with the bit of its language.
     fn lines_of_languages(self) -> impl Iterator<Item = (u32, Class, core::str::SplitWhitespace<'t>)> {
-        let mut language = 1_u32;
+        let (mut last, mut language) = (1_u32, 1_u32);
         lines(self.text).filter_map(move |line| {
             let (name, words) = parted(line)?;
             if name.trim() == LANGUAGE {
-                language = language.rotate_left(1);
+                let is_named = words.split_whitespace().next().is_some();
+                last = if is_named { last.rotate_left(1) } else { last };
+                language = if is_named { last } else { 1 };
             }
             let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
             Some((language, *class, words.split_whitespace()))
@@ -315,7 +318,7 @@ impl<'t> ClosedWords<'t> {
     }
 
     /// The words of the languages that lessons were given in, as far as they tell: those of which they have more than half as many words as of
-    /// any other. Words before the first language are of all. "Sal" goes out in Spanish, and is nearly a French room.
+    /// any other. Words before the first language, and after one without a name, are of all. "Sal" goes out in Spanish, and is nearly a French room.
     pub(super) fn spoken(self, knows: impl Fn(&str) -> bool) -> Self {
         let mut known = [0_u16; u32::BITS as usize];
         for (language, _, words) in self.lines_of_languages() {
@@ -467,6 +470,14 @@ mod tests {
         assert!(of_one.of("into").contains(Class::Toward) && of_one.of("nope").contains(Class::No));
         assert_eq!(of_one.of("sal"), Classes::NONE);
         assert!(table.spoken(|word| word == "zonk").of("sal").contains(Class::Out), "no language is known");
+    }
+
+    #[test]
+    fn words_after_a_language_without_a_name_are_of_all_languages() {
+        let table = ClosedWords::new("language: one\ntoward: to into\nlanguage: two\nout: sal\nlanguage:\nno: nope\nlanguage: three\nno: nix").unwrap();
+        let of_one = table.spoken(|word| word == "to");
+        assert!(of_one.of("nope").contains(Class::No) && of_one.of("into").contains(Class::Toward));
+        assert_eq!((of_one.of("sal"), of_one.of("nix")), (Classes::NONE, Classes::NONE));
     }
 
     #[test]
