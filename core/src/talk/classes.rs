@@ -474,7 +474,9 @@ mod tests {
 
     #[test]
     fn words_after_a_language_without_a_name_are_of_all_languages() {
-        let table = ClosedWords::new("language: one\ntoward: to into\nlanguage: two\nout: sal\nlanguage:\nno: nope\nlanguage: three\nno: nix").unwrap();
+        let table =
+            ClosedWords::new("language: one\ntoward: to into\nlanguage: two\nout: sal\nlanguage:\nno: nope\nlanguage: three\nno: nix")
+                .unwrap();
         let of_one = table.spoken(|word| word == "to");
         assert!(of_one.of("nope").contains(Class::No) && of_one.of("into").contains(Class::Toward));
         assert_eq!((of_one.of("sal"), of_one.of("nix")), (Classes::NONE, Classes::NONE));
