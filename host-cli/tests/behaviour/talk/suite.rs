@@ -12,8 +12,24 @@ const GERMAN: &str = include_str!("de.txt");
 const FRENCH: &str = include_str!("fr.txt");
 const SPANISH: &str = include_str!("es.txt");
 const CHINESE: &str = include_str!("zh.txt");
-const BY_A_STRANGER: [(&str, &str, &str); 2] =
-    [("en", ENGLISH, include_str!("stranger.en.tsv")), ("de", GERMAN, include_str!("stranger.de.tsv"))];
+/// Sentences of other authors: the language, the words of the lessons and what is otherwise in them, the author, and the sentences.
+const BY_OTHERS: [(&str, &str, &str, &str, &str); 12] = [
+    ("en", ENGLISH, "", "stranger", include_str!("stranger.en.tsv")),
+    ("de", GERMAN, "", "stranger", include_str!("stranger.de.tsv")),
+    ("en", ENGLISH, "", "everyday", include_str!("everyday.en.tsv")),
+    ("de", GERMAN, OTHER_GERMAN, "everyday", include_str!("everyday.de.tsv")),
+    ("fr", FRENCH, "", "everyday", include_str!("everyday.fr.tsv")),
+    ("es", SPANISH, OTHER_SPANISH, "everyday", include_str!("everyday.es.tsv")),
+    ("zh", CHINESE, OTHER_CHINESE, "everyday", include_str!("everyday.zh.tsv")),
+    ("en", ENGLISH, "", "household", include_str!("household.en.tsv")),
+    ("de", GERMAN, OTHER_GERMAN, "household", include_str!("household.de.tsv")),
+    ("fr", FRENCH, "", "household", include_str!("household.fr.tsv")),
+    ("es", SPANISH, OTHER_SPANISH, "household", include_str!("household.es.tsv")),
+    ("zh", CHINESE, OTHER_CHINESE, "household", include_str!("household.zh.tsv")),
+];
+const OTHER_GERMAN: &str = include_str!("everyday.de.txt");
+const OTHER_SPANISH: &str = include_str!("everyday.es.txt");
+const OTHER_CHINESE: &str = include_str!("everyday.zh.txt");
 
 /// The homes of each half.
 const HOMES: u64 = 6;
@@ -89,6 +105,14 @@ impl Wording {
     fn of(text: &'static str) -> Self {
         let lines = text.lines().filter(|line| !line.starts_with('#')).filter_map(|line| line.split_once(": "));
         Self { lines: lines.collect() }
+    }
+
+    /// The same, with these lines in the place of its own for the same.
+    fn with(self, others: &'static str) -> Self {
+        let mut lines = Self::of(others).lines;
+        let own = self.lines.into_iter().filter(|(key, _)| lines.iter().all(|(other, _)| other != key)).collect::<Vec<_>>();
+        lines.extend(own);
+        Self { lines }
     }
 
     fn all(&self, key: &str) -> Vec<&'static str> {
@@ -397,14 +421,14 @@ fn without_closed_words_little_harm_is_done() {
 /// Asks the sentences of an author who knew neither the program nor its rules, in the home that they were written for. They are much harder than
 /// the suite's: at least two in five are followed, and at most a tenth of all answers are sure of what was not meant.
 #[test]
-#[ignore = "asks 379 sentences"]
-fn sentences_of_a_stranger_are_often_followed_and_seldom_mistaken() {
+#[ignore = "asks 1,359 sentences"]
+fn sentences_of_other_authors_are_often_followed_and_seldom_mistaken() {
     let blocks = vec![("green", "bag", 0), ("blue", "chair", 1), ("red", "chair", 1), ("yellow", "basket", 2)];
     let home = Home { rooms: vec!["red", "blue", "green", "yellow"], blocks, robot: 1 };
-    for (language, taught, sentences) in BY_A_STRANGER {
+    for (language, taught, otherwise, author, sentences) in BY_OTHERS {
         let folder = tempfile::tempdir().expect("a folder");
         let model = folder.path().join("words.goodbot").to_str().expect("a name").to_owned();
-        let run = goodbot(&["learn", "-", "--quiet", "--out", &model], Wording::of(taught).lessons(120).as_bytes());
+        let run = goodbot(&["learn", "-", "--quiet", "--out", &model], Wording::of(taught).with(otherwise).lessons(120).as_bytes());
         assert_eq!(run.code, 0, "{}", run.messages);
         let lines = sentences.lines().filter(|line| !line.starts_with('#'));
         let said: Vec<Vec<&str>> = lines.map(|line| line.split('\t').collect()).collect();
@@ -428,10 +452,10 @@ fn sentences_of_a_stranger_are_often_followed_and_seldom_mistaken() {
                 let (low, high) = interval(hits, of);
                 format!("{:.1} ({low:.1} to {high:.1})", 100.0 * hits as f64 / of.max(1) as f64)
             };
-            println!("{language}, {half}: helpful {}, harmful {}", share(helpful, follow), share(harmful, all));
+            println!("{author}, {language}, {half}: helpful {}, harmful {}", share(helpful, follow), share(harmful, all));
             assert!(
                 helpful * 5 >= follow * 2 && harmful * 10 <= all,
-                "{language}, {half}: {helpful} of {follow}, harmful {harmful} of {all}"
+                "{author}, {language}, {half}: {helpful} of {follow}, harmful {harmful} of {all}"
             );
         }
     }
