@@ -1,6 +1,6 @@
 //! `goodbot fit-trainers`: what trainers to expect, from what real ones said.
 //!
-//! - [`recorded`](crate::recorded): recorded sessions as actions that were right or wrong for each task;
+//! - [`recorded`]: recorded sessions as actions that were right or wrong for each task;
 //! - [`fit`]: a population of trainer strategies under which what was said is most probable;
 //! - [`ends`]: when trainers end a session;
 //! - [`exact`]: the share of trainers who judge every step rightly;
