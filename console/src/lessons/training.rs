@@ -11,7 +11,7 @@ use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
-use goodbot::task::Marker;
+use goodbot::task::{Marker, is_marker};
 use goodbot_lesson::first_words::heard;
 use std::collections::{BTreeSet, HashMap};
 
@@ -120,7 +120,7 @@ fn possible(
     let mut known: HashMap<Vec<Symbol>, usize> = HashMap::new();
     for reading in &*lesson.readings {
         let Some(description) = reading.commands.first() else { continue };
-        let description = interned.symbols(model, description)?;
+        let description = in_order(interned.symbols(model, description)?);
         match known.get(&description).and_then(|&at| possible.get_mut(at)) {
             Some((_, prior)) => *prior += reading.prior,
             None => {
@@ -130,6 +130,13 @@ fn possible(
         }
     }
     Ok(possible)
+}
+
+/// A description with the values of each group sorted, as a robot that has these symbols describes the task. The log's reader has others.
+fn in_order(mut description: Vec<Symbol>) -> Vec<Symbol> {
+    let values = description.get_mut(1..).unwrap_or_default();
+    values.split_mut(|&symbol| is_marker(symbol)).for_each(<[Symbol]>::sort_unstable);
+    description
 }
 
 /// The symbols of tokens, each looked up once: a world has thousands of tasks that share them, and may have thousands of tokens.
@@ -185,7 +192,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
                 forms.extend(command.first().copied());
             }
             sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
-            description.get_or_insert(command);
+            description.get_or_insert_with(|| in_order(command));
         }
         scores.push(sum.scaled_by(reading.prior));
         descriptions.push(description.unwrap_or_default());

@@ -129,5 +129,34 @@ fn a_model_that_was_learned_answers_to_the_bit_what_evaluate_answers_that_learns
     }
 }
 
+#[test]
+fn a_model_that_was_learned_with_ways_answers_to_the_bit_what_evaluate_answers_in_a_home_with_the_same_colors_elsewhere() {
+    let session = |number: usize, colors: [&str; 3]| {
+        let (goal, way) = [(0, 1), (1, 2), (2, 1), (2, 0)][number % 4];
+        let home = HOME.replace("red", "1").replace("green", "2").replace("blue", "3");
+        let home = home.replace("\"1\"", &format!("{:?}", colors[0])).replace("\"2\"", &format!("{:?}", colors[1]));
+        let home = home.replace("\"3\"", &format!("{:?}", colors[2]));
+        let (to, through) = (colors[goal], colors[way]);
+        format!(
+            r#"{{"type":"session","version":1,"id":"s{number}","kind":"labelled","environment":{home},"command":"go to the {to} room through the {through} one","intended":["agentInRoom(agent0,room{goal})"],"through":[["agentInRoom(agent0,room{way})"]]}}
+{{"type":"end","learn":true}}
+"#
+        )
+    };
+    let taught: String = (0..12).map(|number| session(number, ["red", "green", "blue"])).collect();
+    let asked: String = (0..4).map(|number| session(number, ["blue", "red", "green"])).collect();
+    let (taught, asked, model) = (file("ways taught", &taught), file("ways asked", &asked), file("ways agreed", ""));
+    let [taught, asked, model] = [&taught, &asked, &model].map(|path| path.to_str().unwrap());
+    let answers = |arguments: &[&str]| -> Vec<serde_json::Value> {
+        let run = goodbot(arguments, b"");
+        assert_eq!(run.code, 0, "{}", run.messages);
+        let lines = run.output.lines().filter_map(|line| serde_json::from_str::<serde_json::Value>(line).ok());
+        lines.filter(|line| line["type"] == "answer").map(|line| line["probability_expected"].clone()).collect()
+    };
+    answers(&["learn", taught, "--routes", "--out", model, "--force"]);
+    let learned = answers(&["evaluate", asked, "--routes", "--with", model, "--json"]);
+    assert_eq!((answers(&["evaluate", taught, "--routes", "--test", asked, "--json"]), learned.len()), (learned, 4));
+}
+
 /// Three rooms in a row, and two things.
 const HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"room","name":"room1","left":4,"bottom":0,"right":8,"top":4,"color":"green"},{"class":"room","name":"room2","left":8,"bottom":0,"right":12,"top":4,"color":"blue"},{"class":"door","name":"door0","left":4,"bottom":2,"right":4,"top":2},{"class":"door","name":"door1","left":8,"bottom":2,"right":8,"top":2},{"class":"block","name":"block0","x":2,"y":2,"color":"yellow","shape":"bag"},{"class":"block","name":"block1","x":6,"y":1,"color":"pink","shape":"chair"},{"class":"agent","name":"agent0","x":1,"y":1}]}"#;
