@@ -132,7 +132,7 @@ fn a_model_that_was_learned_answers_to_the_bit_what_evaluate_answers_that_learns
 #[test]
 fn a_model_that_was_learned_with_ways_answers_to_the_bit_what_evaluate_answers_in_a_home_with_the_same_colors_elsewhere() {
     let session = |number: usize, colors: [&str; 3]| {
-        let (goal, way) = [(0, 1), (1, 2), (2, 1), (2, 0)][number % 4];
+        let (goal, way) = [(1, 2), (2, 1)][number % 2];
         let home = HOME.replace("red", "1").replace("green", "2").replace("blue", "3");
         let home = home.replace("\"1\"", &format!("{:?}", colors[0])).replace("\"2\"", &format!("{:?}", colors[1]));
         let home = home.replace("\"3\"", &format!("{:?}", colors[2]));
