@@ -120,7 +120,7 @@ fn possible(
     let mut known: HashMap<Vec<Symbol>, usize> = HashMap::new();
     for reading in &*lesson.readings {
         let Some(description) = reading.commands.first() else { continue };
-        let description = in_order(interned.symbols(model, description)?);
+        let description = in_order(lesson, interned.symbols(model, description)?);
         match known.get(&description).and_then(|&at| possible.get_mut(at)) {
             Some((_, prior)) => *prior += reading.prior,
             None => {
@@ -132,8 +132,12 @@ fn possible(
     Ok(possible)
 }
 
-/// A description with the values of each group sorted, as a robot that has these symbols describes the task. The log's reader has others.
-fn in_order(mut description: Vec<Symbol>) -> Vec<Symbol> {
+/// A description with the values of each group sorted, as a robot that has these symbols describes the task: the log's reader has others. A world
+/// says its own order.
+fn in_order(lesson: &Lesson, mut description: Vec<Symbol>) -> Vec<Symbol> {
+    if lesson.world.is_some() {
+        return description;
+    }
     let values = description.get_mut(1..).unwrap_or_default();
     values.split_mut(|&symbol| is_marker(symbol)).for_each(<[Symbol]>::sort_unstable);
     description
@@ -192,7 +196,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
                 forms.extend(command.first().copied());
             }
             sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
-            description.get_or_insert_with(|| in_order(command));
+            description.get_or_insert_with(|| in_order(lesson, command));
         }
         scores.push(sum.scaled_by(reading.prior));
         descriptions.push(description.unwrap_or_default());
