@@ -133,7 +133,7 @@ fn possible(
 }
 
 /// A description with the values of each group sorted, as a robot that has these symbols describes the task: the log's reader has others. A world
-/// says its own order.
+/// keeps the order of its file, by which its commands are understood more often.
 fn in_order(lesson: &Lesson, mut description: Vec<Symbol>) -> Vec<Symbol> {
     if lesson.world.is_some() {
         return description;
