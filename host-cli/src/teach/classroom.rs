@@ -4,7 +4,7 @@ use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
-use super::site::{Recorded, Site};
+use super::site::{Recorded, Site, session};
 use super::trainer::{Heard, Meaning, Trainer};
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
@@ -172,7 +172,7 @@ impl Classroom {
         }
         let Some((record, before)) = self.learning.take() else { return Ok(true) };
         self.sessions += 1;
-        let id = record.session().header.id.clone();
+        let id = session(&record).header.id.clone();
         self.learned.push(id.clone());
         let kept = match &mut self.kept {
             Some(kept) => {

@@ -176,7 +176,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const SIZE: (u16, u16) = (80, 24);
     const LESSON: usize = 5;
     const STEPS: usize = 3;
-    let trainer = Trainer::new(&Setting::Home(first_home()?), seed, false, None)?;
+    let trainer = Trainer::new(&Setting::Floor(first_home()?), seed, false, None)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
     let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour))?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
@@ -198,7 +198,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
 /// The robot with its files, in its home.
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let home = setting(options)?;
-    let world = if let Setting::World(world) = &home { Some(world) } else { None };
+    let world = if let Setting::Other(world) = &home { Some(world) } else { None };
     let name = options.home.as_deref().map(input::name);
     let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
@@ -289,7 +289,7 @@ fn first_home() -> Result<EnvironmentFile, Failure> {
 fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     let Some(file) = &options.home else {
         let home = if options.random { lessons::random_home(options.seed.unwrap_or(1)).ok_or_else(no_home) } else { first_home() };
-        return home.map(Setting::Home);
+        return home.map(Setting::Floor);
     };
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
@@ -299,8 +299,8 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
             // What is wrong with the robot is told in its place.
             let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
             robot.map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
-            Ok(Setting::World(Arc::new(read.world)))
+            Ok(Setting::Other(Arc::new(read.world)))
         }
-        None => Ok(input::home(file).map(Setting::Home)?),
+        None => Ok(input::home(file).map(Setting::Floor)?),
     }
 }

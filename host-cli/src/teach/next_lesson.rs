@@ -51,7 +51,7 @@ pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Failure> {
         return Ok(Next::NothingWanted);
     }
     // The course's lessons are of homes.
-    let is_home = trainer.lesson().home().home().is_some();
+    let is_home = trainer.lesson().home().as_floor().is_some();
     let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
     lessons.extend(own.into_iter().map(|command| (None, command)));

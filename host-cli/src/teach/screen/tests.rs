@@ -15,7 +15,7 @@ use ratatui::style::Color;
 use std::time::Duration;
 
 fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
-    let trainer = Trainer::new(&Setting::Home(home.clone()), 1, false, None).unwrap();
+    let trainer = Trainer::new(&Setting::Floor(home.clone()), 1, false, None).unwrap();
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
     Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
 }
@@ -23,7 +23,7 @@ fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
 /// A visit in a world from a file, as it begins.
 fn in_world(text: &str) -> Visit {
     let world = std::sync::Arc::new(goodbot_formats::world::WorldFile::parse(text).unwrap());
-    Visit::new(Classroom::new(Trainer::new(&Setting::World(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
+    Visit::new(Classroom::new(Trainer::new(&Setting::Other(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
 }
 
 fn drawn(visit: &Visit, columns: u16, rows: u16, palette: Palette) -> TestBackend {

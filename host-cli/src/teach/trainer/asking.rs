@@ -47,8 +47,8 @@ impl Trainer {
             Subject::Kind(kind) => {
                 let kind = agent.lifted().get(usize::from(kind))?;
                 let text = match rooms {
-                    Site::Home(_) => kind_question(agent.lifted(), kind),
-                    Site::World(robot) => kind_in_world(robot, kind),
+                    Site::Floor(_) => kind_question(agent.lifted(), kind),
+                    Site::Other(robot) => kind_in_world(robot, kind),
                 };
                 (text, vec![])
             }

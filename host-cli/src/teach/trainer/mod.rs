@@ -18,7 +18,7 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::ask::SURE;
 use crate::teach::scene::{Scene, scene};
-use crate::teach::site::{Recorded, Setting, Site, SiteState};
+use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
 use crate::teach::table::{Table, table};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
@@ -185,16 +185,16 @@ impl Trainer {
             None => self.lesson.agent.saved()?,
         };
         // A world names its kinds of task itself.
-        Ok(if self.lesson.home().home().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
+        Ok(if self.lesson.home().as_floor().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Failure> {
-        if self.lesson.home().robot().is_some() {
+        if self.lesson.home().as_other().is_some() {
             let message = "this robot is in a world from a file, and its commands mean nothing in a home; teach another one there";
             return Err(Failure::Input(message.to_owned()));
         }
-        let (rooms, start) = build(&Setting::Home(file.clone()))?;
+        let (rooms, start) = build(&Setting::Floor(file.clone()))?;
         self.start = start;
         self.lesson.enter(rooms, start);
         Ok(())
@@ -208,7 +208,7 @@ impl Trainer {
     /// The home as it is now; `None` in another world.
     pub fn scene(&self) -> Option<Scene> {
         match (self.lesson.home(), self.lesson.state()) {
-            (Site::Home(home), SiteState::Home(state)) => Some(scene(home, state)),
+            (Site::Floor(home), SiteState::Floor(state)) => Some(scene(home, state)),
             _ => None,
         }
     }
@@ -216,7 +216,7 @@ impl Trainer {
     /// The world from a file as it is now; `None` in a home.
     pub fn table(&self) -> Option<Table> {
         match (self.lesson.home(), self.lesson.state()) {
-            (Site::World(robot), SiteState::World(state)) => Some(table(robot, *state)),
+            (Site::Other(robot), SiteState::Other(state)) => Some(table(robot, *state)),
             _ => None,
         }
     }
@@ -397,19 +397,19 @@ impl Trainer {
 
     /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
     pub fn forget(&mut self) -> Option<Recorded> {
-        let record = self.record(false).filter(|record| !record.session().steps.is_empty() || !record.session().answers.is_empty());
+        let record = self.record(false).filter(|record| !session(record).steps.is_empty() || !session(record).answers.is_empty());
         self.lesson.forget();
         record
     }
 
     fn record(&self, learn: bool) -> Option<Recorded> {
         let mut record = self.lesson.recorded(learn)?;
-        record.session_mut().header.id = self.id.clone();
+        session_mut(&mut record).header.id = self.id.clone();
         // A log tells what was meant where it is a task of the paper's kind that is to be done.
         let is_to_do =
             |position: &usize| !self.lesson.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
-        record.session_mut().header.set_meant(meant.as_ref());
+        session_mut(&mut record).header.set_meant(meant.as_ref());
         Some(record)
     }
 }
