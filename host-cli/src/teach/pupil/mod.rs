@@ -1,7 +1,7 @@
 //! One robot, one home, and the session under way. All that this command asks of the core is asked here.
 //!
-//! [`Trainer::hear`], then over and over [`Trainer::plan`] until it is done, [`Trainer::act`], [`Trainer::judge`], [`Trainer::go_on`]; at the
-//! end [`Trainer::finish`] and [`Trainer::learn`] until it is done, or [`Trainer::forget`].
+//! [`Pupil::hear`], then over and over [`Pupil::plan`] until it is done, [`Pupil::act`], [`Pupil::judge`], [`Pupil::go_on`]; at the
+//! end [`Pupil::finish`] and [`Pupil::learn`] until it is done, or [`Pupil::forget`].
 //!
 //! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
 //! again up to there: the same actions and the same feedback give the same belief.
@@ -31,12 +31,12 @@ use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::load::synonyms::said_in_known_words;
 use goodbot_console::messages::say;
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
+use goodbot_console::training_data::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
@@ -65,7 +65,7 @@ pub enum Heard {
 }
 
 /// One robot, one home or other world, and the session under way.
-pub struct Trainer {
+pub struct Pupil {
     lesson: Lesson<Site>,
     /// Where everything is at first.
     start: SiteState,
@@ -85,7 +85,7 @@ pub struct Trainer {
     synonyms: Synonyms<'static>,
 }
 
-impl Trainer {
+impl Pupil {
     /// A robot that has learned nothing yet, in a home or another world. `seed` decides its draws among what is equally good, `ways` whether commands may mean
     /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
     pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Failure> {
