@@ -57,6 +57,21 @@ for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [
   });
 }
 
+for (const locale of ['de', 'es']) test('on the smallest phone no name lies over another or over a wall: ' + locale, async () => {
+  const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
+  await page.locator('#dots button.test').first().click();
+  await still(page);
+  const over = await page.evaluate(() => {
+    const names = [...document.querySelectorAll('#plan :is(.roomname, .blockname)')].filter(name => name.getBoundingClientRect().width);
+    const within = document.querySelector('#plan .wall').getBoundingClientRect();
+    const boxes = names.map(name => ({ name: name.textContent, box: name.getBoundingClientRect() }));
+    return boxes.filter(({ box }, at) => box.left < within.left || box.right > within.right
+      || boxes.some((other, there) => there !== at && other.box.left < box.right && box.left < other.box.right && other.box.top < box.bottom && box.top < other.box.bottom)).map(({ name }) => name);
+  });
+  assert.deepEqual(over, []);
+  await close(page);
+});
+
 // Those that can be pressed or looked at: where they are, whether nothing lies over them, and how wide the page is.
 const seen = (page, ids) => page.evaluate(names => ({
   scroll: document.documentElement.scrollWidth,
