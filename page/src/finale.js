@@ -74,7 +74,7 @@ export function renderFinale(over, score, stops) {
   card.catch(error => tell(error.message, true));
   const known = clearWords();
   const guest = state.robot.log !== undefined;
-  const name = make('input', { id: 'robot-name', value: state.robot.name, maxlength: 40, autocomplete: 'off' });
+  const name = make('input', { id: 'robot-name', 'aria-label': t('card.name'), value: state.robot.name, maxlength: 40, autocomplete: 'off' });
   name.addEventListener('change', () => giveName(name.value));
   $('card').replaceChildren(
     make('div', { class: 'row' },

@@ -67,7 +67,7 @@ export function ideaWords(token) {
  * @param {string} token */
 export function meaning(word, token) {
   const idea = ideaWords(token);
-  return idea.toLowerCase() === word.toLowerCase() ? '' : ' = ' + idea;
+  return idea === t('idea.shape', { 0: word }) ? '' : ' = ' + idea;
 }
 
 /** What the last session taught: a sentence, and the words that became clear.
