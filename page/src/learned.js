@@ -75,7 +75,7 @@ export function meaning(word, token) {
 export function lessonLearned(heardNew) {
   const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
   const clear = [...now].filter(([word, token]) => before.get(word) !== token);
-  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => t('learned.means', { word: asWritten(word), idea: ideaWords(token) }))) });
+  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => (meaning(asWritten(word), token) ? t('learned.means', { word: asWritten(word), idea: ideaWords(token) }) : quoted(asWritten(word))))) });
   if (heardNew.length) return t('learned.newWords', { words: listed(heardNew.map(asWritten)) });
   return now.size ? t('learned.surer', { words: listed([...now.keys()].map(asWritten)) }) : t('learned.onceMore');
 }

@@ -1,7 +1,7 @@
 // What is seen on screens of every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, play, second, still } from './browser.mjs';
+import { address, close, launch, learned, open, play, second, still } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -70,6 +70,18 @@ for (const locale of ['de', 'es']) test('on the smallest phone no name lies over
   });
   assert.deepEqual(over, []);
   await close(page);
+});
+
+test('on the smallest phone all tabs are seen whole, in every language', async () => {
+  for (const locale of ['de', 'en', 'es', 'fr', 'zh-CN']) {
+    const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
+    await page.selectOption('#speed', 'once');
+    await page.click('#auto');
+    await learned(page, 1);
+    const cut = await page.locator('[role=tab]:visible').evaluateAll(tabs => tabs.filter(tab => tab.getBoundingClientRect().right > 320).map(tab => tab.id));
+    assert.deepEqual(cut, [], locale);
+    await close(page);
+  }
 });
 
 // Those that can be pressed or looked at: where they are, whether nothing lies over them, and how wide the page is.
