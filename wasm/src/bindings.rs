@@ -33,8 +33,7 @@ fn pairs(lines: &str) -> Vec<(String, String)> {
 }
 
 fn json(value: &impl Serialize) -> Thrown<String> {
-    // Nothing of the view has a key that is no text. serde_json's own messages, of reading too, would take half a kilobyte of the page.
-    serde_json::to_string(value).map_err(|_| JsError::new("what the page draws is no JSON; please report this"))
+    crate::json::json(value).ok_or_else(|| JsError::new("what the page draws is no JSON; please report this"))
 }
 
 /// One world with one robot.

@@ -165,7 +165,7 @@ impl World {
 
     /// The home as it was entered, as JSON.
     pub fn environment(&self) -> String {
-        self.file.to_json_line()
+        crate::json::json(&self.file).unwrap_or_default()
     }
 
     /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
