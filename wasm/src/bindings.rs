@@ -33,7 +33,8 @@ fn pairs(lines: &str) -> Vec<(String, String)> {
 }
 
 fn json(value: &impl Serialize) -> Thrown<String> {
-    serde_json::to_string(value).map_err(|error| JsError::new(&error.to_string()))
+    // Nothing of the view has a key that is no text. serde_json's own messages, of reading too, would take half a kilobyte of the page.
+    serde_json::to_string(value).map_err(|_| JsError::new("what the page draws is no JSON; please report this"))
 }
 
 /// One world with one robot.

@@ -66,6 +66,9 @@ pub fn workflows() -> Result<()> {
 /// Takes long to build, so a program that is not here is not built for it: the workflow `check` has both.
 pub fn trust() -> Result<()> {
     let sh = shell()?;
+    // No other step builds the fuzz targets.
+    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path fuzz/Cargo.toml").run();
+    lock.context("the crates that fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
     match built_by_cargo("cargo-deny") {
         Some(deny) => cmd!(sh, "{deny} --offline check bans licenses sources").run()?,
         None => println!("not checked: licences and sources, for lack of cargo-deny (`cargo install --locked cargo-deny`)"),
