@@ -89,3 +89,58 @@ pub(super) fn of_argument(before: &[Arc<Step>], atom: &GroundAtomText, argument:
     });
     is_there.then(|| token("was", "thereBefore"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::world::meanings;
+    use goodbot_formats::world::{Line, WorldReader};
+
+    /// A row of figures, from which the second is taken out. The other is then asked for.
+    const LOG: &str = r#"
+{"type":"world","name":"row","classes":["figure","place","out"],"attributes":{"number":["figure","place"]},"propositions":{"removed":["figure"],"added":["place","out"],"at":["figure","place"]},"objects":[{"name":"a","class":"figure","attributes":{"number":"1"}},{"name":"b","class":"figure","attributes":{"number":"2"}},{"name":"p1","class":"place"},{"name":"p2","class":"place"}],"facts":["at(a,p1)","at(b,p2)"],"task_kinds":["removed(?f)","added(?p,?o)"]}
+{"type":"command","world":"row","id":"1","command":"remove the second","intended":["removed(b)"]}
+{"type":"world","name":"rest","classes":["figure","place","out"],"attributes":{"number":["figure","place"]},"propositions":{"removed":["figure"],"added":["place","out"],"at":["figure","place"]},"objects":[{"name":"a","class":"figure","attributes":{"number":"2"}},{"name":"b","class":"out"},{"name":"p1","class":"place"},{"name":"p2","class":"place"}],"facts":["at(a,p1)"],"task_kinds":["removed(?f)","added(?p,?o)"]}
+"#;
+
+    #[test]
+    fn each_fact_is_told_of_what_it_holds_of_and_of_nothing_else() {
+        let lines: Vec<Line> = WorldReader::new(LOG.as_bytes()).collect::<Result<_, _>>().unwrap();
+        let [Line::World(row), Line::Command(command), Line::World(rest)] = lines.as_slice() else { panic!("two worlds") };
+        let before = after(&[], row, command);
+        let told = |task: &str, fact: &str| {
+            let all = meanings(rest, &rest.facts, &before).unwrap();
+            let task = all.iter().find(|it| it.name.to_string() == task).unwrap();
+            task.description.iter().any(|token| token == fact)
+        };
+        let [again, back, elsewhere] = ["removed(a)", "added(p2,b)", "added(p1,b)"];
+        for (fact, of) in [
+            ("namedLast", [false, true, true]),
+            ("removedLast", [false, true, true]),
+            ("numberAsLast", [true, false, false]),
+            ("step1", [true, true, true]),
+            ("wasThereBefore", [false, true, false]),
+            ("addedAfterRemoved", [false, true, true]),
+            ("removedAfterRemoved", [true, false, false]),
+        ] {
+            assert_eq!([again, back, elsewhere].map(|task| told(task, fact)), of, "{fact}");
+        }
+    }
+
+    #[test]
+    fn a_description_without_room_for_all_facts_has_none() {
+        let lines: Vec<Line> = WorldReader::new(LOG.as_bytes()).collect::<Result<_, _>>().unwrap();
+        let [Line::World(row), Line::Command(command), ..] = lines.as_slice() else { panic!("a world and a command") };
+        let mut crowded = WorldFile::clone(row);
+        // Each value is a token, with a marker before each sort.
+        crowded.attributes = (0..25).map(|number| (format!("a{number}"), vec!["figure".to_owned()])).collect();
+        let values =
+            |object: &mut ObjectOfWorld| object.attributes = (0..49).map(|number| (format!("a{number}"), "v".to_owned())).collect();
+        crowded.objects.iter_mut().for_each(values);
+        let before = (0..20).fold(vec![], |before, _| after(&before, row, command));
+        let is_same = |(with, alone): (crate::world::Meaning, crate::world::Meaning)| with.description == alone.description;
+        let (with, alone) = (meanings(&crowded, &[], &before).unwrap(), meanings(&crowded, &[], &[]).unwrap());
+        let same = with.into_iter().zip(alone).filter(|(with, _)| with.name.to_string() == "removed(b)").all(is_same);
+        assert!(same);
+    }
+}
