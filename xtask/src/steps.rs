@@ -6,7 +6,8 @@ use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
+    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, for_esp32c3, full, images, nothing_panics, obeying, run_alone, run_pico,
+    trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
@@ -264,6 +265,7 @@ pub fn same_bits() -> Result<()> {
     }
     all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
     all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
+    println!("built and not run: {}", for_esp32c3()?.display());
     let other = all.iter().find(|(_, digest)| *digest != host);
     ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));
     Ok(())

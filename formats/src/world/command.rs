@@ -20,6 +20,8 @@ pub struct CommandRecord {
     pub command: String,
     /// What was meant: all of this is to hold. Nothing where something was only to end.
     pub intended: Vec<GroundAtomText>,
+    /// The names of commands before it in the same conversation.
+    pub before: Vec<String>,
     /// What was to hold no more.
     pub ended: Vec<GroundAtomText>,
     /// What held when it was said, where that is not what the world says.
@@ -35,9 +37,7 @@ impl CommandRecord {
         for name in ["language", "part"] {
             text(name)?;
         }
-        if let Some(before) = fields.optional("before") {
-            before.list()?.iter().try_for_each(|id| id.text().map(drop))?;
-        }
+        let before = fields.optional("before").map(|before| before.list()?.iter().map(|id| id.text()).collect()).transpose()?;
         let known = Known::of(world);
         let atoms = |name: &str| fields.optional(name).map(|node| known.atoms(&node)).transpose();
         Ok(Self {
@@ -47,6 +47,7 @@ impl CommandRecord {
             group: text("group")?,
             command: fields.required("command")?.filled_text()?,
             intended: known.atoms(&fields.required("intended")?)?,
+            before: before.unwrap_or_default(),
             ended: atoms("ended")?.unwrap_or_default(),
             facts: atoms("facts")?,
         })

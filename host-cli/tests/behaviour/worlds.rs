@@ -70,6 +70,71 @@ fn the_group_that_a_log_names_is_left_out_together() {
     assert!(too_many.code == 2 && too_many.messages.contains("group by group there are 2"), "{}", too_many.messages);
 }
 
+/// Conversations in which each thing is put on, and then "it" off, or on and off twice with "again". `before` tells whether the commands name
+/// those before them.
+fn conversations(before: bool) -> String {
+    let world = WORLD.replace(r#""facts":["lampOff(a)"]"#, r#""facts":[]"#);
+    let mut lines = vec![world];
+    for (round, please) in ["", " bitte", " mal"].into_iter().enumerate() {
+        for (thing, class, said) in
+            [("a", "lamp", "küche licht"), ("b", "lamp", "bad licht"), ("c", "fan", "küche lüfter"), ("d", "fan", "bad lüfter")]
+        {
+            let group = format!("{thing}{round}");
+            let steps = [(format!("{said} an{please}"), "On"), (format!("wieder zurück{please}"), "Off"), (format!("doch{please}"), "On")];
+            for (number, (words, state)) in steps.iter().enumerate() {
+                let line = command(&group, words, &format!("{class}{state}({thing})"));
+                let named = format!("\"id\":\"{group}{number}\"");
+                let line = line.replacen(&format!("\"id\":\"{words}\""), &named, 1);
+                let told = if before && number > 0 { format!(",\"before\":[\"{group}{}\"]}}", number - 1) } else { "}".to_owned() };
+                lines.push(format!("{}{told}", line.trim_end_matches('}')));
+            }
+        }
+    }
+    lines.join("\n")
+}
+
+#[test]
+fn words_that_speak_of_what_was_done_before_are_understood_where_a_log_names_the_commands_before() {
+    let right = |before: bool| {
+        let run = goodbot(&["evaluate", "-", "--json"], conversations(before).as_bytes());
+        let answers = run.output.lines().map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+        let pointing = answers.filter(|it| it["type"] == "answer" && !it["command"].as_str().is_some_and(|words| words.contains(" an")));
+        pointing.map(|it| it["right"].as_bool().expect("a bool")).fold((0, 0), |(right, all), it| (right + u32::from(it), all + 1))
+    };
+    let ((with, of), (without, _)) = (right(true), right(false));
+    assert_eq!((with, of), (24, 24));
+    assert!(without < 10, "{without} are right by chance");
+}
+
+#[test]
+fn a_command_that_names_none_before_it_is_refused_by_line_and_a_long_conversation_is_read() {
+    let log = conversations(true).replacen("\"before\":[\"a00\"]", "\"before\":[\"x\"]", 1);
+    let refused = goodbot(&["check", "-"], log.as_bytes());
+    assert!(refused.messages.contains("3: field \"before\": \"x\" is no command of a line before"), "{}", refused.messages);
+    let mut log = vec![WORLD.to_owned()];
+    for number in 0..1_000 {
+        let before = if number > 0 { format!(",\"before\":[\"{}\"]", number - 1) } else { String::new() };
+        let meant = ["lampOn(a)", "fanOn(c)"][number % 2];
+        log.push(format!(r#"{{"type":"command","world":"flat","id":"{number}","command":"again","intended":["{meant}"]{before}}}"#));
+    }
+    let read = goodbot(&["check", "-"], log.join("\n").as_bytes());
+    assert_eq!(read.code, 0, "{}", read.messages);
+}
+
+#[test]
+fn a_task_of_two_objects_is_one_whichever_comes_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let world = WORLD.replace(r#""task_kinds":["lampOn(?x)","lampOff(?x)","#, r#""task_kinds":["lampOn(?x) & lampOn(?y)","#);
+    let pair = r#"{"type":"command","world":"flat","id":"1","group":"1","command":"beide","intended":["lampOn(b)","lampOn(a)"]}"#;
+    let (log, world) = (file(folder.path(), "log.jsonl", &format!("{world}\n{pair}")), file(folder.path(), "world.json", &world));
+    let model = folder.path().join("words.goodbot");
+    let [log, world, model] = [&log, &world, &model].map(|path| path.to_str().expect("UTF-8"));
+    let learned = goodbot(&["learn", log, "--out", model], b"");
+    assert_eq!(learned.code, 0, "{}", learned.messages);
+    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", "beide"], b""));
+    assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some("lampOn(a) & lampOn(b)"), Some(5)), "{answer}");
+}
+
 /// Three rooms with a lamp and a fan each.
 const HOUSE: &str = r#"{"type":"world","name":"flat","classes":["lamp","fan","place"],"attributes":{"room":["lamp","fan"],"kind":["lamp","fan"]},"propositions":{"lampOn":["lamp"],"lampOff":["lamp"],"fanOn":["fan"],"fanOff":["fan"]},"objects":[{"name":"kitchen","class":"place"},{"name":"bath","class":"place"},{"name":"hall","class":"place"},{"name":"lamp_kitchen","class":"lamp","attributes":{"room":"kitchen","kind":"lamp"}},{"name":"lamp_bath","class":"lamp","attributes":{"room":"bath","kind":"lamp"}},{"name":"lamp_hall","class":"lamp","attributes":{"room":"hall","kind":"lamp"}},{"name":"fan_kitchen","class":"fan","attributes":{"room":"kitchen","kind":"fan"}},{"name":"fan_bath","class":"fan","attributes":{"room":"bath","kind":"fan"}},{"name":"fan_hall","class":"fan","attributes":{"room":"hall","kind":"fan"}}],"facts":[],"task_kinds":["lampOn(?x)","lampOff(?x)","fanOn(?x)","fanOff(?x)"]}"#;
 

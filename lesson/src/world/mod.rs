@@ -6,21 +6,25 @@
 //! - one role has the words of the propositions' names, cut at capital letters: `coverOpen` and `coverClosed` share `cover`;
 //! - one role an argument has the values of the object there, a sort for each attribute, and what holds of the object alone.
 //!
-//! So what was learned of an object in one kind of task serves in all.
+//! So what was learned of an object in one kind of task serves in all. After other commands of a conversation, facts of [`before`] belong to these
+//! roles too, where a description has room for all of them.
 //!
 //! A world with actions is a robot's: see [`robot`]. Its tasks are told to the role model as those of a home are, so that what was learned in
 //! one is understood in the other; [`checked`] walks through sessions in it.
 
+pub mod before;
 pub mod checked;
 pub mod pddl;
 pub mod robot;
 
-use goodbot::capacity::NAME_BYTES;
+use before::Step;
+use goodbot::capacity::{NAME_BYTES, TOKENS_PER_COMMAND};
 use goodbot::oomdp::PropositionId;
 use goodbot::task::{Marker, Role, RoleKind, VALUE_SORTS};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, LiftedTaskText};
 use goodbot_formats::world::WorldFile;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// The most tasks that one world may have.
 pub const MOST_TASKS: usize = 100_000;
@@ -49,16 +53,20 @@ impl std::fmt::Display for TooMany {
     }
 }
 
-/// The tasks of a world in which `facts` hold: each kind of task with different objects for its variables, but those that hold already.
+/// The tasks of a world in which `facts` hold, after the steps `before`: each kind of task with different objects for its variables, but those that
+/// hold already.
 ///
 /// # Errors
 /// [`TooMany`].
-pub fn meanings(world: &WorldFile, facts: &[GroundAtomText]) -> Result<Vec<Meaning>, TooMany> {
+pub fn meanings(world: &WorldFile, facts: &[GroundAtomText], before: &[Arc<Step>]) -> Result<Vec<Meaning>, TooMany> {
     let facts: BTreeSet<&GroundAtomText> = facts.iter().collect();
-    let scene = Scene::of(world, &facts);
+    let scenes = [Scene::of(world, &facts, before), Scene::of(world, &facts, &[])];
+    let [scene, alone] = &scenes;
     let mut meanings: Vec<Meaning> = Vec::new();
     for atoms in tasks(world, &facts)? {
-        let (label, description) = (scene.label(&atoms), scene.description(&atoms));
+        let has_room = |description: &Vec<String>| description.len() <= TOKENS_PER_COMMAND;
+        let description = Some(scene.description(&atoms)).filter(has_room).unwrap_or_else(|| alone.description(&atoms));
+        let label = alone.label(&atoms);
         let Ok(name) = GroundTaskText::new(atoms) else { continue };
         meanings.push(Meaning { name, label, prior: 0.0, description });
     }
@@ -78,10 +86,13 @@ pub fn count_tasks(world: &WorldFile) -> Result<usize, TooMany> {
 /// The propositions of each task.
 fn tasks(world: &WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Result<Vec<Vec<GroundAtomText>>, TooMany> {
     let mut tasks: Vec<Vec<GroundAtomText>> = Vec::new();
+    let mut known = BTreeSet::new();
     for kind in &world.task_kinds {
         for objects in bindings(world, kind, MOST_TASKS - tasks.len())? {
             let atoms: Vec<GroundAtomText> = kind.atoms().iter().filter_map(|atom| ground(atom, &objects)).collect();
-            if !atoms.iter().all(|atom| facts.contains(atom)) {
+            // `swapped(?a) & swapped(?b)` is one task for two objects, whichever comes first.
+            let is_known = atoms.len() > 1 && !known.insert(atoms.iter().cloned().collect::<BTreeSet<_>>());
+            if !is_known && !atoms.iter().all(|atom| facts.contains(atom)) {
                 tasks.push(atoms);
             }
         }
@@ -131,10 +142,13 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
 /// What can be said of each object.
 struct Scene<'w> {
     objects: BTreeMap<&'w str, Vec<(usize, String)>>,
+    /// The sort of what holds of an object.
+    last: usize,
+    before: &'w [Arc<Step>],
 }
 
 impl<'w> Scene<'w> {
-    fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Self {
+    fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>, before: &'w [Arc<Step>]) -> Self {
         // An odd sort belongs to the objects that are at a goal, and training begins with no word for its values. So sorts are even, unless
         // a class has so many attributes that most would share the last one.
         let carried = |class: &String| world.attributes.iter().filter(|(_, classes)| classes.contains(class)).count();
@@ -163,11 +177,12 @@ impl<'w> Scene<'w> {
             for fact in alone.get(object.name.as_str()).into_iter().flatten() {
                 said.push((last, token("is", fact)));
             }
+            said.extend(before::of_object(before, object).into_iter().map(|fact| (last, fact)));
             said.sort();
             said.dedup();
             (object.name.as_str(), said)
         };
-        Self { objects: world.objects.iter().map(said).collect() }
+        Self { objects: world.objects.iter().map(said).collect(), last, before }
     }
 
     fn label(&self, atoms: &[GroundAtomText]) -> String {
@@ -188,18 +203,20 @@ impl<'w> Scene<'w> {
             let proposition = PropositionId::new(position as u8);
             let marker = |role, sort| Marker { role, sort }.to_string();
             let mut words: Vec<String> = parts_of_name(atom.function()).map(|part| token("is", part)).collect();
+            words.extend(before::of_proposition(self.before, atom.function()));
             words.sort();
             words.dedup();
             description.push(marker(Role::of_name(proposition), 0));
             description.extend(words);
             for (argument, object) in atom.arguments().iter().enumerate() {
+                let was_there = before::of_argument(self.before, atom, object).map(|fact| (self.last, fact));
                 let mut sort = None;
-                for (next, value) in self.said(object) {
-                    if sort != Some(*next) {
-                        sort = Some(*next);
-                        description.push(marker(Role::of_argument(RoleKind::Goal, proposition, argument), *next as u8));
+                for (next, value) in self.said(object).iter().cloned().chain(was_there) {
+                    if sort != Some(next) {
+                        sort = Some(next);
+                        description.push(marker(Role::of_argument(RoleKind::Goal, proposition, argument), next as u8));
                     }
-                    description.push(value.clone());
+                    description.push(value);
                 }
             }
         }
@@ -249,7 +266,7 @@ mod tests {
             values.join(",")
         );
         let Some(Ok(Line::World(world))) = WorldReader::new(world.as_bytes()).next() else { panic!("a world") };
-        let description = meanings(&world, &[]).unwrap().remove(0).description;
+        let description = meanings(&world, &[], &[]).unwrap().remove(0).description;
         let markers = description.iter().filter_map(|token| token.parse::<Marker>().ok());
         markers.filter(|marker| marker.role.kind() == RoleKind::Goal).map(|marker| marker.sort).collect()
     }

@@ -367,7 +367,7 @@ impl Converter<'_> {
         }
         if (2..=MOST_GOALS).contains(&self.problem.goal.len()) {
             world.task_kinds.push(lifted(&self.problem.goal)?);
-            let tasks = super::meanings(world, &world.facts).map_or(usize::MAX, |tasks| tasks.len());
+            let tasks = super::meanings(world, &world.facts, &[]).map_or(usize::MAX, |tasks| tasks.len());
             if tasks > MOST_TASKS_OF_A_ROBOT {
                 world.task_kinds.pop();
             }

@@ -13,6 +13,7 @@ use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, Wor
 use goodbot_lesson::Fault;
 use goodbot_lesson::fault::quoted;
 use goodbot_lesson::first_words::{self, too_long};
+use goodbot_lesson::world::before::{self, Step};
 use goodbot_lesson::world::robot::{self, Flaw, Robot, Tables};
 use goodbot_lesson::world::{TooMany, meanings};
 use std::collections::HashMap;
@@ -40,6 +41,8 @@ struct Worlds<'b> {
     believes: Option<&'b Believes>,
     plans: bool,
     worlds: HashMap<String, Known>,
+    /// The commands that were read, by their names: what was done before each and by it.
+    conversations: HashMap<String, Vec<Arc<Step>>>,
 }
 
 /// Reads a log of worlds, and hands over each lesson, or what is wrong with it: `None` for a command whose meaning is none of the tasks.
@@ -57,7 +60,7 @@ pub fn read<E>(
     left: &mut usize,
     mut take: impl FnMut(Result<Option<Lesson>, Fault>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut known = Worlds { options, believes, plans, worlds: HashMap::new() };
+    let mut known = Worlds { options, believes, plans, worlds: HashMap::new(), conversations: HashMap::new() };
     let mut lines = WorldReader::new(log);
     while let Some(line) = lines.next() {
         if *left == 0 {
@@ -88,12 +91,12 @@ pub fn read<E>(
 pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) -> Result<Lesson, Fault> {
     let asked = CommandRecord { line: 1, world: world.name.clone(), command: command.to_owned(), ..CommandRecord::default() };
     if !world.actions.is_empty() {
-        let mut worlds = Worlds { options, believes: None, plans: false, worlds: HashMap::new() };
+        let mut worlds = Worlds { options, believes: None, plans: false, worlds: HashMap::new(), conversations: HashMap::new() };
         worlds.meet(file, &Arc::new(world.clone()))?;
-        let lesson = worlds.told(file, &asked, None)?.ok_or_else(|| Fault::new(file, goodbot::AgentError::NoTask))?;
+        let lesson = worlds.told(file, &asked, &[], None)?.ok_or_else(|| Fault::new(file, goodbot::AgentError::NoTask))?;
         return Ok(Lesson { id: String::new(), learn: false, ..lesson });
     }
-    let readings = readings(world, &world.facts, options.language.model);
+    let readings = readings(world, &world.facts, &[], options.language.model);
     let readings: Arc<[Reading]> = readings.map_err(|error| Fault::new(file, error).in_field("task_kinds"))?.into();
     let read = first_words::read(command).map_err(|error| Fault::new(file, too_long(error)).in_field("command"))?;
     let long = read.long().map(|long| Fault::new(file, long).in_field("command"));
@@ -139,16 +142,46 @@ impl Worlds<'_> {
 
     fn command(&mut self, file: &str, command: &CommandRecord) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
+        let before = self.before(command).map_err(|unknown| at("before", &unknown))?;
+        self.remember(command, &before);
         let read = first_words::read(&command.command).map_err(|error| at("command", &too_long(error)))?;
         if read.count == 0 {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
         // What is to end besides is no task.
-        if command.ended.is_empty() { self.told(file, command, Some(&command.intended)) } else { Ok(None) }
+        if command.ended.is_empty() { self.told(file, command, &before, Some(&command.intended)) } else { Ok(None) }
+    }
+
+    /// What was done before a command, in order.
+    ///
+    /// # Errors
+    /// What is wrong with the names of those commands.
+    fn before(&self, command: &CommandRecord) -> Result<Vec<Arc<Step>>, String> {
+        let mut before: Vec<Arc<Step>> = Vec::new();
+        for id in &command.before {
+            let unknown = || format!("{} is no command of a line before; name one, or leave it out", quoted(id));
+            let steps = self.conversations.get(id).ok_or_else(unknown)?;
+            before.extend(steps.iter().filter(|&step| !before.iter().any(|known| Arc::ptr_eq(known, step))).cloned().collect::<Vec<_>>());
+        }
+        Ok(before)
+    }
+
+    /// Remembers a command, and what was done before it, by its name.
+    fn remember(&mut self, command: &CommandRecord, before: &[Arc<Step>]) {
+        let Some(id) = &command.id else { return };
+        let world = self.worlds.get(&command.world).map(|(Known::Told(world, _) | Known::Acted(world, ..))| Arc::clone(world));
+        let steps = world.map_or_else(|| before.to_vec(), |world| before::after(before, &world, command));
+        self.conversations.insert(id.clone(), steps);
     }
 
     /// A command whose meaning is told, or asked for.
-    fn told(&mut self, file: &str, command: &CommandRecord, intended: Option<&[GroundAtomText]>) -> Result<Option<Lesson>, Fault> {
+    fn told(
+        &mut self,
+        file: &str,
+        command: &CommandRecord,
+        before: &[Arc<Step>],
+        intended: Option<&[GroundAtomText]>,
+    ) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
         let id = command.id.clone().unwrap_or_else(|| format!("{file}:{}", command.line));
         let model = self.options.language.model;
@@ -173,9 +206,14 @@ impl Worlds<'_> {
         };
         let facts = command.facts.as_ref().unwrap_or(&world.facts);
         let place = place(world, facts);
+        let after;
         let scene = match scenes.entry(place.clone()) {
+            _ if !before.is_empty() => {
+                after = Scene::of(world, facts, before, model).map_err(|error| at("world", &error))?;
+                &after
+            }
             Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(new) => new.insert(Scene::of(world, facts, model).map_err(|error| at("world", &error))?),
+            Entry::Vacant(new) => new.insert(Scene::of(world, facts, &[], model).map_err(|error| at("world", &error))?),
         };
         let mut wanted = command.intended.clone();
         wanted.sort();
@@ -213,7 +251,7 @@ fn header(command: &CommandRecord) -> SessionHeader {
 ///
 /// # Errors
 /// [`TooMany`].
-fn readings(world: &WorldFile, facts: &[GroundAtomText], model: Model) -> Result<Vec<Reading>, TooMany> {
+fn readings(world: &WorldFile, facts: &[GroundAtomText], before: &[Arc<Step>], model: Model) -> Result<Vec<Reading>, TooMany> {
     let is_read = |token: &String| model == Model::Roles || token.parse::<Marker>().is_err();
     let reading = |meaning: goodbot_lesson::world::Meaning| Reading {
         name: meaning.name,
@@ -222,12 +260,12 @@ fn readings(world: &WorldFile, facts: &[GroundAtomText], model: Model) -> Result
         commands: vec![meaning.description.into_iter().filter(is_read).collect()],
         plan: vec![],
     };
-    Ok(meanings(world, facts)?.into_iter().map(reading).collect())
+    Ok(meanings(world, facts, before)?.into_iter().map(reading).collect())
 }
 
 impl Scene {
-    fn of(world: &WorldFile, facts: &[GroundAtomText], model: Model) -> Result<Self, TooMany> {
-        let readings: Arc<[Reading]> = readings(world, facts, model)?.into();
+    fn of(world: &WorldFile, facts: &[GroundAtomText], before: &[Arc<Step>], model: Model) -> Result<Self, TooMany> {
+        let readings: Arc<[Reading]> = readings(world, facts, before, model)?.into();
         let sorted = |name: &GroundTaskText| {
             let mut atoms = name.atoms().to_vec();
             atoms.sort();
