@@ -1,5 +1,6 @@
 //! Options that nothing can be learned with are refused by the name of the field.
 
+use goodbot::feedback::{Ending, Hazard};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, SettingError, Settings};
 use goodbot::{Agent, AgentError, Capacities, Options};
@@ -26,6 +27,34 @@ fn an_agent_names_the_option_that_is_none_to_learn_with() {
     }
     assert_eq!(refused(Options { least_weight: 1.0, ..Options::PAPER }), Some(AgentError::Setting(SettingError::LeastWeight(1.0))));
     assert_eq!((refused(Options::PAPER), refused(Options::DEFAULT)), (None, None));
+}
+
+#[test]
+fn the_end_of_a_session_is_less_than_sure_at_every_moment() {
+    let ending = |at_goal| Ending { at_goal, elsewhere: Hazard::of(0.0) };
+    let swapped = |at_goal| Ending { at_goal: Hazard::of(0.0), elsewhere: at_goal };
+    let half = Hazard::of(0.5);
+    for taken in [half, Hazard { praised: 1.5, ..half }, Hazard { scolded: 1.5, ..half }, Hazard { praised: 0.0, scolded: 0.0, ..half }] {
+        assert_eq!(refused(Options { ending: ending(taken), ..Options::PAPER }), None, "{taken:?}");
+        assert_eq!(refused(Options { ending: swapped(taken), ..Options::PAPER }), None, "{taken:?}");
+    }
+    // After praise or a scolding, a half twice is sure.
+    let wrong = [
+        Hazard { praised: 2.0, ..half },
+        Hazard { scolded: 2.0, ..half },
+        Hazard { praised: 3.0, scolded: 0.0, ..half },
+        Hazard { praised: -0.5, ..half },
+        Hazard { scolded: -0.5, ..half },
+        Hazard { moved: 1.0, praised: 0.5, scolded: 0.5, ..half },
+        Hazard { rested: -0.1, ..half },
+        Hazard { resting: f32::NAN, ..half },
+    ];
+    let error = Some(AgentError::Setting(SettingError::Ending));
+    for wrong in wrong {
+        assert_eq!(refused(Options { ending: ending(wrong), ..Options::PAPER }), error, "{wrong:?}");
+        assert_eq!(refused(Options { ending: swapped(wrong), ..Options::PAPER }), error, "{wrong:?}");
+    }
+    assert_eq!(refused(Options::DEFAULT.with_ends()), None);
 }
 
 #[test]
