@@ -137,7 +137,8 @@ export function attempt(action) {
   try {
     return action();
   } catch (error) {
-    tell(error.message, true);
+    // The core names the limit by its name in Rust.
+    tell(/::(WORDS_PER_COMMAND|NAME_BYTES) /.test(error.message) ? t('talk.tooLong') : error.message, true);
     return undefined;
   }
 }

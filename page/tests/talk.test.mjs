@@ -105,6 +105,18 @@ test('“good job” at the goal ends the session, and words that came with a bu
   await close(page);
 });
 
+test('what is too long is refused in the page’s words, whatever makes it so', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await play(page, 'A');
+  for (const words of ['geh in den '.repeat(30) + 'roten Raum', 'ge' + 'h'.repeat(90) + ' in den roten Raum']) {
+    await say(page, words);
+    await page.getByText('Das ist dem Roboter zu lang').first().waitFor();
+    await page.evaluate(() => { document.getElementById('toast').textContent = ''; });
+  }
+  assert.equal(await sessions(page), 0);
+  await close(page);
+});
+
 test('what shall not be is no command for it', async () => {
   const page = await taught();
   const red = await roomOf(page, 'red');
