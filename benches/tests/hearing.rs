@@ -7,7 +7,7 @@ use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
 use goodbot_benches::timing::{in_turn, median, ratio, time};
 use goodbot_console::learner::Learner;
-use goodbot_console::lessons::{Lesson, training, worlds};
+use goodbot_console::training_data::{Lesson, training, worlds};
 use serde_json::json;
 
 /// The commands in a world.

@@ -6,7 +6,7 @@ use crate::status::GoodbotStatus;
 #[cfg(feature = "table")]
 use crate::table;
 use crate::training::in_world;
-use crate::world::World;
+use crate::world::{World, usage};
 use goodbot::Capacities;
 use goodbot::capacity::Capacity;
 use goodbot::session::Lessons;
@@ -266,7 +266,7 @@ pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut Goo
     unsafe {
         with(robot, |robot| {
             let used = match &robot.world {
-                World::Here(domain, _) => robot.agent.needed(domain).at_least(domain.usage()),
+                World::Here(domain, _) => robot.agent.needed(domain).at_least(usage(domain)),
                 #[cfg(feature = "home")]
                 World::Nothing(_) | World::Plan(_) | World::Changing => robot.agent.most_used(),
             };

@@ -4,12 +4,12 @@ use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, give, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::tasks::kinds_of_tasks;
-use crate::world::{Standing, Surroundings, World};
+use crate::world::World;
 use core::ffi::c_char;
 use goodbot::capacity::BLOCKS;
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::memory::HomeTables;
-use goodbot::oomdp::ObjectId;
+use goodbot::oomdp::{Either, ObjectId};
 use goodbot::planning::Progress;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
                 return Err(GoodbotStatus::NoWorld.into());
             };
             let (world, result) = match builder.try_build(Moves::Push) {
-                Ok((home, start)) => (World::Here(Surroundings::Home(home), Standing::Home(start)), Ok(GoodbotStatus::Ok)),
+                Ok((home, start)) => (World::Here(Either::Floor(home), Either::Floor(start)), Ok(GoodbotStatus::Ok)),
                 Err((error, memory)) => (World::Nothing(memory), Err(error.into())),
             };
             robot.world = world;
@@ -233,12 +233,11 @@ pub unsafe extern "C" fn goodbot_home_derived(robot: *mut Goodbot, derived: bool
     unsafe {
         with(robot, |robot| {
             let (world, status) = match core::mem::replace(&mut robot.world, World::Changing) {
-                World::Here(Surroundings::Home(home), standing) => {
+                World::Here(Either::Floor(home), standing) => {
                     robot.agent.leave();
-                    (World::Here(Surroundings::Home(home.with_derived(derived)), standing), Ok(GoodbotStatus::Ok))
+                    (World::Here(Either::Floor(home.with_derived(derived)), standing), Ok(GoodbotStatus::Ok))
                 }
-                #[cfg(feature = "table")]
-                other @ World::Here(Surroundings::Table(_), _) => (other, Err(GoodbotStatus::World.into())),
+                other @ World::Here(Either::Other(_), _) => (other, Err(GoodbotStatus::World.into())),
                 other => (other, Err(GoodbotStatus::NoWorld.into())),
             };
             robot.world = world;
@@ -256,7 +255,7 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &mut robot.world else {
+            let World::Here(Either::Floor(home), Either::Floor(state)) = &mut robot.world else {
                 return Err(GoodbotStatus::NoWorld.into());
             };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;
@@ -288,7 +287,7 @@ pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const 
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &mut robot.world else {
+            let World::Here(Either::Floor(home), Either::Floor(state)) = &mut robot.world else {
                 return Err(GoodbotStatus::NoWorld.into());
             };
             if sensed.is_null() {
@@ -314,7 +313,7 @@ pub unsafe extern "C" fn goodbot_home_where(robot: *mut Goodbot, name: *const c_
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let World::Here(Surroundings::Home(home), Standing::Home(state)) = &robot.world else {
+            let World::Here(Either::Floor(home), Either::Floor(state)) = &robot.world else {
                 return Err(GoodbotStatus::NoWorld.into());
             };
             let object = home.objects().find(text(name)?).ok_or(GoodbotStatus::Unknown)?;

@@ -3,13 +3,13 @@
 use crate::arena::{Arena, deal_agent, deal_home};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{At, Failure, GoodbotStatus, Place};
-#[cfg(feature = "home")]
-use crate::world::Surroundings;
 use crate::world::World;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use goodbot::capacity::CapacityError;
 use goodbot::memory::{AgentTables, HomeTables};
+#[cfg(feature = "home")]
+use goodbot::oomdp::Either;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -30,14 +30,14 @@ pub struct Goodbot {
 impl Goodbot {
     /// The home's memory for a new description; the world there was is gone, and with it a session under way.
     pub(crate) fn empty_home(&mut self) -> Result<HomeTables<'static>, Failure> {
-        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Surroundings::Home(_), _)) {
+        if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Either::Floor(_), _)) {
             return Err(GoodbotStatus::World.into());
         }
         self.agent.leave();
         match core::mem::replace(&mut self.world, World::Changing) {
             World::Nothing(memory) => Ok(memory),
             World::Plan(builder) => Ok(builder.into_memory()),
-            World::Here(Surroundings::Home(home), _) => Ok(home.into_memory()),
+            World::Here(Either::Floor(home), _) => Ok(home.into_memory()),
             _ => Err(GoodbotStatus::World.into()),
         }
     }

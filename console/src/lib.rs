@@ -5,7 +5,7 @@
 //! | [`numbers`], [`learner`], [`believes`] | what is typed |
 //! | [`load`] | files that a command reads: homes, session logs, kinds of tasks, synonyms |
 //! | [`whole_file`] | files read and written as a whole |
-//! | [`lessons`] | recorded sessions as training data, and models trained on them |
+//! | [`training_data`] | recorded sessions as training data, and models trained on them |
 //! | [`output`] | where results go, and which files are never replaced |
 //! | [`messages`] | remarks and progress on standard error |
 //! | [`refusal`] | the core's errors in the words of who uses the program |
@@ -16,7 +16,6 @@
 
 pub mod believes;
 pub mod learner;
-pub mod lessons;
 pub mod load;
 pub mod messages;
 pub mod numbers;
@@ -24,4 +23,5 @@ pub mod outcome;
 pub mod output;
 pub mod refusal;
 pub mod starter;
+pub mod training_data;
 pub mod whole_file;

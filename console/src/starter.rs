@@ -4,10 +4,10 @@
 //! has what it speaks of. With n own sessions, 1 / (1 + n / 4) of the sentences are learned from beside them, and so few of many: what people say
 //! themselves soon counts alone.
 
-use crate::lessons::Lesson;
-use crate::lessons::evidence::Witness;
-use crate::lessons::{restored, training};
 use crate::outcome::Failure;
+use crate::training_data::Lesson;
+use crate::training_data::evidence::Witness;
+use crate::training_data::{restored, training};
 use clap::{Args, ValueEnum};
 use goodbot::capacity::Capacity;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
@@ -279,7 +279,7 @@ impl<'t> Text<'t> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lessons::training;
+    use crate::training_data::training;
     use goodbot::home::paper_tasks;
 
     #[test]

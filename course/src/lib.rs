@@ -24,11 +24,6 @@
 //! assert!(results.tests.iter().all(|test| test.right));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-//!
-//! # What a course costs
-//! `cargo run --profile dist -p goodbot-course --example cost` measures it. On one core of a 2020s server an agent's seven lessons take about
-//! 4 ms: 2.2 ms for 82 searches that expand 25,000 states together, 0.4 ms for the seven trainings of ten rounds of EM, 1 ms to draw the
-//! homes at random. `goodbot paper --runs 200` takes less than a second.
 
 #![no_std]
 #![forbid(unsafe_code)]

@@ -36,34 +36,44 @@ pub struct FormatError {
 }
 
 /// What can be wrong with a text.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
     /// Not JSON; the message of the JSON reader.
+    #[error("is not JSON ({0}); correct it (JSON has no NaN, no comments and no comma at the end of a list)")]
     Syntax(String),
     /// The text, or the line of a log, ends in the middle of a value.
+    #[error("the text ends in the middle of a value; complete it, or remove what is left of it")]
     CutShort,
     /// There is no text at all.
+    #[error("there is nothing here; give a file with a JSON text")]
     NoText,
     /// Not UTF-8.
+    #[error("is not UTF-8; save the file in UTF-8")]
     NotUtf8,
     /// A line of more than `limit` bytes.
+    #[error("the line has more than {limit} bytes; put each record on a line of its own")]
     LineTooLong {
         /// The most bytes that a line may have.
         limit: usize,
     },
     /// The file could not be read; the system's message.
+    #[error("could not be read ({0}); check the file and its disk")]
     Read(String),
     /// A field that the format does not have.
+    #[error("is not known here; known are {}", .known.join(", "))]
     UnknownField {
         /// The fields that it has.
         known: &'static [&'static str],
     },
     /// A field that is given twice.
+    #[error("is given twice; keep one of the two")]
     DuplicateField,
     /// A field that is not there.
+    #[error("is missing; add it")]
     MissingField,
     /// A value of another kind than the field has.
+    #[error("is {found}; write {expected}")]
     WrongKind {
         /// The kind that belongs there.
         expected: &'static str,
@@ -71,6 +81,7 @@ pub enum Problem {
         found: &'static str,
     },
     /// A word that the field does not know.
+    #[error("{} is not known; write {}", quoted(.found), alternatives(.known))]
     UnknownWord {
         /// The word.
         found: String,
@@ -78,6 +89,7 @@ pub enum Problem {
         known: &'static [&'static str],
     },
     /// An action that is neither `noop` nor one of the session's actions.
+    #[error("{} is no action of this session; write {} or noop, or name it in the session's \"actions\"", quoted(.found), .known.iter().map(|k| quoted(k)).collect::<Vec<_>>().join(", "))]
     UnknownAction {
         /// The action.
         found: String,
@@ -85,91 +97,124 @@ pub enum Problem {
         known: Vec<String>,
     },
     /// A version other than [`KNOWN_VERSIONS`].
+    #[error("version {found} is not known, known is {}; write that, or use a newer goodbot", KNOWN_VERSIONS.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))]
     UnknownVersion {
         /// The version as written.
         found: String,
     },
     /// A number that is no coordinate, that is no whole number of 32 bits.
+    #[error("{found} is no cell; write a whole number from {} to {}", i32::MIN, i32::MAX)]
     NotACoordinate {
         /// The number as written.
         found: String,
     },
     /// A number that counts nothing, that is no whole number from 0.
+    #[error("{found} is no count; write a whole number from 0")]
     NotACount {
         /// The number as written.
         found: String,
     },
     /// A number outside of the range from 0 to 1.
+    #[error("{found} is no probability; write a number from 0 to 1")]
     NotAProbability {
         /// The number as written.
         found: String,
     },
     /// A list or a name with nothing in it.
+    #[error("is empty; fill it, or leave out what is optional")]
     Empty,
     /// A list or an object of more than `limit` entries.
+    #[error("has more than {limit} entries; write no more than that")]
     TooMany {
         /// The most entries.
         limit: usize,
     },
     /// Probabilities that are all 0.
+    #[error("nothing here is above 0; give at least one a probability")]
     AllZero,
     /// A repeated name, where each may occur once.
+    #[error("{} is here twice; name each once", quoted(.name))]
     DuplicateName {
         /// The name.
         name: String,
     },
     /// A text that is no task, or a name that no task could hold.
+    #[error(transparent)]
     Task(TaskTextError),
     /// A step before the first session.
+    #[error("a step comes before any session; put a session line before it")]
     StepBeforeSession,
     /// A step after the end of its session.
+    #[error("a step comes after the end of its session; move it before the end line, or begin a session")]
     StepAfterEnd,
     /// An end without a session.
+    #[error("an end is outside of any session; remove it")]
     EndOutsideSession,
     /// A session that is not ended.
+    #[error("the session that begins here is not ended when {}", match .next_session {
+        Some(line) => format!("another begins on line {line}; add an end line before that"),
+        None => "the file ends; add an end line".to_owned(),
+    })]
     NoEnd {
         /// Where the next session begins, if it is not the file that ends.
         next_session: Option<usize>,
     },
     /// A step without feedback in a feedback session.
+    #[error("is missing in a feedback session; add reward, punish or neutral")]
     FeedbackMissing,
     /// A step with feedback in a demonstration.
+    #[error("does not belong in a demonstration; remove it, or make the session's kind feedback")]
     FeedbackInDemonstration,
     /// No session begins in the first `lines` lines.
+    #[error("no session begins in {lines} lines; check that this is a session log")]
     NoSession {
         /// How many lines were looked at.
         lines: usize,
     },
     /// A step in a labelled session.
+    #[error("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")]
     StepInLabelled,
     /// An answer in a session that is not of feedback.
+    #[error("an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback")]
     AnswerWithoutFeedback,
     /// An answer before the first session or after the end of one.
+    #[error("an answer is outside any session; put it between its session line and its end")]
     AnswerOutsideSession,
     /// Answers that are wrong as often as right, or more often.
+    #[error("must be less than 0.5: an answer that is more often wrong than right is no answer")]
     AnswersMostlyWrong,
     /// No other answer, or more than can be.
+    #[error("{others} other answers are none to choose from; write a number from 1 to 255")]
     OtherAnswers {
         /// The number.
         others: u64,
     },
     /// Lags that are not three probabilities that sum to 1.
+    #[error("must be three probabilities that sum to 1")]
     Lags,
     /// What is said to rests, where these are not four probabilities.
+    #[error("must be four probabilities")]
     Rests,
     /// A field that only a labelled session can have.
+    #[error("is the way of what was meant, which is not told; remove it, or write intended")]
     OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
+    #[error("does not belong in a session that continues the one before; remove it, or remove \"continues\"")]
     NotWithContinues,
     /// A field that a session with `utterance` cannot have.
+    #[error("does not belong where the robot listened; remove it, or remove \"utterance\"")]
     NotWithUtterance,
     /// A field that only a session with `utterance` can have.
+    #[error("belongs where the robot listened; write \"utterance\" too, or remove it")]
     OnlyWithUtterance,
     /// A session with `continues` and another command or environment than the one before.
+    #[error("the session before has another command or environment; remove \"continues\"")]
     ContinuesAnother,
     /// A session with `continues` after a session that could not be read.
+    #[error("the session before could not be read, so nothing can be continued; mend that one first")]
     ContinuesUnread,
     /// Something of a world that it does not have.
+    #[error("the world has no {what} {}; add it, or correct the name", quoted(.name))]
     NotInWorld {
         /// Of what kind it would be.
         what: &'static str,
@@ -177,11 +222,13 @@ pub enum Problem {
         name: String,
     },
     /// A value of an attribute that the object's class does not carry.
+    #[error("objects of the class {} do not carry this attribute; add the class to the attribute's list", quoted(.class))]
     NotCarried {
         /// The class.
         class: String,
     },
     /// A proposition with more or fewer arguments than it has in its world.
+    #[error("{} was given {given} arguments, and it has {wanted} in this world; write that many", quoted(.name))]
     ArgumentCount {
         /// The proposition.
         name: Box<str>,
@@ -191,6 +238,7 @@ pub enum Problem {
         wanted: usize,
     },
     /// An object, or a variable, of another class than belongs in its place.
+    #[error("{} is where an object of the class {} belongs; write one of those", quoted(.name), quoted(.class))]
     WrongClass {
         /// Its name.
         name: Box<str>,
@@ -198,37 +246,46 @@ pub enum Problem {
         class: Box<str>,
     },
     /// A proposition with `!` where something holds.
+    #[error("says what does not hold; leave it out, for what is not written does not hold")]
     Negated,
     /// A kind of task of a world that has a way.
+    #[error("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone")]
     KindWithWay,
     /// A variable of a world whose last argument can be no object.
+    #[error("is a variable without values: there is no object of the class {}; add one", quoted(.class))]
     NoValues {
         /// The class of its values.
         class: String,
     },
     /// A parameter that does not begin with `?`.
+    #[error("{} is no variable; begin it with ?, like \"?room\"", quoted(.name))]
     NoVariable {
         /// The parameter.
         name: String,
     },
     /// A variable in an effect that is no parameter and in no condition.
+    #[error("?{} has no value: it is no parameter and in no condition; add it to one of them", excerpt(.name, 40))]
     UnknownVariable {
         /// The variable.
         name: String,
     },
     /// An effect that takes a variable of the world its value and gives it none.
+    #[error("{} is a variable, which always has a value; write the effect that gives it another", quoted(.name))]
     NegatedVariable {
         /// The variable.
         name: String,
     },
     /// An action without an effect.
+    #[error("are none: an action that changes nothing is of no use; write what holds after it")]
     NoEffect,
     /// A cost that no action can have.
+    #[error("{cost} is no cost of an action; write a whole number from 1 to 16")]
     Cost {
         /// The cost.
         cost: u64,
     },
     /// A command in a world that was not named before it.
+    #[error("no world {} could be read on a line before this one; put the world's line first", quoted(.name))]
     NoSuchWorld {
         /// The world's name.
         name: String,
@@ -267,120 +324,6 @@ impl fmt::Display for FormatError {
 }
 
 impl std::error::Error for FormatError {}
-
-impl fmt::Display for Problem {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Problem::Syntax(message) => {
-                write!(f, "is not JSON ({message}); correct it (JSON has no NaN, no comments and no comma at the end of a list)")
-            }
-            Problem::CutShort => f.write_str("the text ends in the middle of a value; complete it, or remove what is left of it"),
-            Problem::NoText => f.write_str("there is nothing here; give a file with a JSON text"),
-            Problem::NotUtf8 => f.write_str("is not UTF-8; save the file in UTF-8"),
-            Problem::LineTooLong { limit } => write!(f, "the line has more than {limit} bytes; put each record on a line of its own"),
-            Problem::Read(message) => write!(f, "could not be read ({message}); check the file and its disk"),
-            Problem::UnknownField { known } => {
-                write!(f, "is not known here; known are {}", known.join(", "))
-            }
-            Problem::DuplicateField => f.write_str("is given twice; keep one of the two"),
-            Problem::MissingField => f.write_str("is missing; add it"),
-            Problem::WrongKind { expected, found } => {
-                write!(f, "is {found}; write {expected}")
-            }
-            Problem::UnknownWord { found, known } => write!(f, "{} is not known; write {}", quoted(found), alternatives(known)),
-            Problem::UnknownAction { found, known } => write!(
-                f,
-                "{} is no action of this session; write {} or noop, or name it in the session's \"actions\"",
-                quoted(found),
-                known.iter().map(|k| quoted(k)).collect::<Vec<_>>().join(", ")
-            ),
-            Problem::UnknownVersion { found } => {
-                let known: Vec<_> = KNOWN_VERSIONS.iter().map(u32::to_string).collect();
-                write!(f, "version {found} is not known, known is {}; write that, or use a newer goodbot", known.join(", "))
-            }
-            Problem::NotACoordinate { found } => write!(f, "{found} is no cell; write a whole number from {} to {}", i32::MIN, i32::MAX),
-            Problem::NotACount { found } => {
-                write!(f, "{found} is no count; write a whole number from 0")
-            }
-            Problem::NotAProbability { found } => write!(f, "{found} is no probability; write a number from 0 to 1"),
-            Problem::Empty => f.write_str("is empty; fill it, or leave out what is optional"),
-            Problem::TooMany { limit } => {
-                write!(f, "has more than {limit} entries; write no more than that")
-            }
-            Problem::AllZero => f.write_str("nothing here is above 0; give at least one a probability"),
-            Problem::DuplicateName { name } => {
-                write!(f, "{} is here twice; name each once", quoted(name))
-            }
-            Problem::Task(error) => error.fmt(f),
-            Problem::StepBeforeSession => f.write_str("a step comes before any session; put a session line before it"),
-            Problem::StepAfterEnd => {
-                f.write_str("a step comes after the end of its session; move it before the end line, or begin a session")
-            }
-            Problem::EndOutsideSession => f.write_str("an end is outside of any session; remove it"),
-            Problem::NoEnd { next_session: Some(line) } => {
-                write!(f, "the session that begins here is not ended when another begins on line {line}; add an end line before that")
-            }
-            Problem::NoEnd { next_session: None } => {
-                f.write_str("the session that begins here is not ended when the file ends; add an end line")
-            }
-            Problem::FeedbackMissing => f.write_str("is missing in a feedback session; add reward, punish or neutral"),
-            Problem::FeedbackInDemonstration => {
-                f.write_str("does not belong in a demonstration; remove it, or make the session's kind feedback")
-            }
-            Problem::NoSession { lines } => write!(f, "no session begins in {lines} lines; check that this is a session log"),
-            Problem::StepInLabelled => {
-                f.write_str("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")
-            }
-            Problem::AnswerWithoutFeedback => {
-                f.write_str("an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback")
-            }
-            Problem::AnswerOutsideSession => f.write_str("an answer is outside any session; put it between its session line and its end"),
-            Problem::AnswersMostlyWrong => f.write_str("must be less than 0.5: an answer that is more often wrong than right is no answer"),
-            Problem::OtherAnswers { others } => write!(f, "{others} other answers are none to choose from; write a number from 1 to 255"),
-            Problem::Lags => f.write_str("must be three probabilities that sum to 1"),
-            Problem::Rests => f.write_str("must be four probabilities"),
-            Problem::OnlyWithIntended => f.write_str("is the way of what was meant, which is not told; remove it, or write intended"),
-            Problem::NotWithContinues => {
-                f.write_str("does not belong in a session that continues the one before; remove it, or remove \"continues\"")
-            }
-            Problem::NotWithUtterance => f.write_str("does not belong where the robot listened; remove it, or remove \"utterance\""),
-            Problem::OnlyWithUtterance => f.write_str("belongs where the robot listened; write \"utterance\" too, or remove it"),
-            Problem::ContinuesAnother => f.write_str("the session before has another command or environment; remove \"continues\""),
-            Problem::ContinuesUnread => {
-                f.write_str("the session before could not be read, so nothing can be continued; mend that one first")
-            }
-            Problem::NotInWorld { what, name } => write!(f, "the world has no {what} {}; add it, or correct the name", quoted(name)),
-            Problem::NotCarried { class } => {
-                write!(f, "objects of the class {} do not carry this attribute; add the class to the attribute's list", quoted(class))
-            }
-            Problem::ArgumentCount { name, given, wanted } => {
-                write!(f, "{} was given {given} arguments, and it has {wanted} in this world; write that many", quoted(name))
-            }
-            Problem::WrongClass { name, class } => {
-                write!(f, "{} is where an object of the class {} belongs; write one of those", quoted(name), quoted(class))
-            }
-            Problem::Negated => f.write_str("says what does not hold; leave it out, for what is not written does not hold"),
-            Problem::KindWithWay => {
-                f.write_str("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone")
-            }
-            Problem::NoValues { class } => {
-                write!(f, "is a variable without values: there is no object of the class {}; add one", quoted(class))
-            }
-            Problem::NoVariable { name } => write!(f, "{} is no variable; begin it with ?, like \"?room\"", quoted(name)),
-            Problem::UnknownVariable { name } => {
-                write!(f, "?{} has no value: it is no parameter and in no condition; add it to one of them", excerpt(name, 40))
-            }
-            Problem::NegatedVariable { name } => {
-                write!(f, "{} is a variable, which always has a value; write the effect that gives it another", quoted(name))
-            }
-            Problem::NoEffect => f.write_str("are none: an action that changes nothing is of no use; write what holds after it"),
-            Problem::Cost { cost } => write!(f, "{cost} is no cost of an action; write a whole number from 1 to 16"),
-            Problem::NoSuchWorld { name } => {
-                write!(f, "no world {} could be read on a line before this one; put the world's line first", quoted(name))
-            }
-        }
-    }
-}
 
 /// The beginning of a text in quotes, with everything unprintable escaped: texts come from files, and end on a terminal.
 pub fn quoted(text: &str) -> String {

@@ -12,21 +12,14 @@ const COLORS: [(char, &str); 7] =
     [('r', "red"), ('g', "green"), ('b', "blue"), ('y', "yellow"), ('p', "purple"), ('o', "orange"), ('t', "tan")];
 
 /// What is wrong with a drawing, and on which line.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}: {message}")]
 pub struct Misdrawn {
     /// The line, from 1.
     pub line: usize,
     /// What is wrong, and what to do.
     pub message: String,
 }
-
-impl std::fmt::Display for Misdrawn {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "line {}: {}", self.line, self.message)
-    }
-}
-
-impl std::error::Error for Misdrawn {}
 
 /// Whether a text looks like a drawing.
 pub fn is_map(text: &str) -> bool {

@@ -17,7 +17,6 @@
 //! ```
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use ihex::{Reader, Record};
 
@@ -42,10 +41,11 @@ const LINE: usize = 16;
 const ERASED: u8 = 0xff;
 
 /// Why there is no file, or why something does not fit.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MicrobitError {
     /// Not Intel HEX.
+    #[error("line {line}: this is no Intel HEX ({problem}); name the file goodbot.hex")]
     NotHex {
         /// The line, from 1.
         line: usize,
@@ -53,13 +53,16 @@ pub enum MicrobitError {
         problem: String,
     },
     /// Intel HEX, but not goodbot's program for the micro:bit.
+    #[error("this is not goodbot's program for the micro:bit; `cargo xtask microbit` makes it")]
     NotGoodbot,
     /// The program is too long, or lies outside the flash.
+    #[error("the program has bytes at {address:#x}, which is not its part of the flash")]
     Program {
         /// The address that is out of bounds.
         address: u32,
     },
     /// Too many bytes.
+    #[error("{what} has {bytes} bytes, and the micro:bit has room for {most}")]
     TooLong {
         /// What they are.
         what: &'static str,
@@ -69,22 +72,9 @@ pub enum MicrobitError {
         most: usize,
     },
     /// A name, color or shape that the board cannot read on a line.
+    #[error("{0:?} cannot be said on one line; use a word without spaces")]
     Name(String),
 }
-
-impl fmt::Display for MicrobitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotHex { line, problem } => write!(f, "line {line}: this is no Intel HEX ({problem}); name the file goodbot.hex"),
-            Self::NotGoodbot => f.write_str("this is not goodbot's program for the micro:bit; `cargo xtask microbit` makes it"),
-            Self::Program { address } => write!(f, "the program has bytes at {address:#x}, which is not its part of the flash"),
-            Self::TooLong { what, bytes, most } => write!(f, "{what} has {bytes} bytes, and the micro:bit has room for {most}"),
-            Self::Name(name) => write!(f, "{name:?} cannot be said on one line; use a word without spaces"),
-        }
-    }
-}
-
-impl std::error::Error for MicrobitError {}
 
 /// What a micro:bit's flash is to hold.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! The help of the whole program: its commands in groups, for eighteen in one list are too many to read.
+//! The help of the whole program: its commands in groups, for all in one list are too many to read.
 
 use crate::cli::Cli;
 use clap::builder::StyledStr;
@@ -7,7 +7,7 @@ use clap::{Arg, Command, CommandFactory};
 /// The commands that most people need.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
 /// The commands for robots that are no host.
-const BOARDS: [&str; 4] = ["size", "table", "convert", "microbit"];
+const BOARDS: [&str; 5] = ["size", "table", "convert", "microbit", "parameters"];
 /// The commands about this program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 

@@ -6,7 +6,6 @@
 use goodbot::oomdp::Schema;
 use goodbot::snapshot::KINDS_MAGIC;
 use goodbot::task::{LiftedProposition, LiftedTask, Piece, Wording};
-use std::fmt;
 
 /// Bytes of the magic and the length, and of the check at the end.
 const HEAD: usize = 12;
@@ -15,16 +14,9 @@ const CHECK: usize = 4;
 const STATED: std::ops::Range<usize> = 10..14;
 
 /// What is wrong with a record.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the kinds of task after the model are damaged: their length or their check is wrong; take another copy")]
 pub struct Damaged;
-
-impl fmt::Display for Damaged {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the kinds of task after the model are damaged: their length or their check is wrong; take another copy")
-    }
-}
-
-impl std::error::Error for Damaged {}
 
 /// A model without the record after it.
 pub fn model_alone(file: &[u8]) -> &[u8] {

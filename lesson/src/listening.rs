@@ -99,8 +99,10 @@ fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) ->
     loop {
         part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
         let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();
+        // Letter by letter, as the words of the table became lower case.
+        let word: String = last.chars().flat_map(char::to_lowercase).collect();
         match part.strip_suffix(last) {
-            Some(before) if !before.is_empty() && closed.of(&last.to_lowercase()).contains(Class::Connective) => part = before,
+            Some(before) if !before.is_empty() && closed.of(&word).contains(Class::Connective) => part = before,
             _ => return part,
         }
     }

@@ -26,18 +26,24 @@ use goodbot_formats::quoted;
 use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
 use rand_core::Rng;
-use std::fmt;
 
 /// What cannot be done in a session now.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LiveError {
     /// No command was heard.
+    #[error("no session is under way; give a command first")]
     NoSession,
     /// The last step is not over: [`Lesson::go_on`] leads on.
+    #[error("the last step waits for a word, or for silence")]
     StepNotOver,
     /// No step waits for a word.
+    #[error("there is no step to judge yet; let the robot go first")]
     NoStep,
     /// No conversation has this name.
+    #[error("no conversation in this home is called {}; {}", quoted(.id), match &.known[..] {
+        [] => "none has begun yet: give a command first".to_owned(),
+        known => format!("known are {}", known.join(", ")),
+    })]
     NoConversation {
         /// The name.
         id: String,
@@ -45,15 +51,11 @@ pub enum LiveError {
         known: Vec<String>,
     },
     /// The home has no action of this name.
+    #[error("{0} is no action here")]
     NoAction(String),
     /// The agent refuses it.
-    Agent(AgentError),
-}
-
-impl From<AgentError> for LiveError {
-    fn from(error: AgentError) -> Self {
-        Self::Agent(error)
-    }
+    #[error(transparent)]
+    Agent(#[from] AgentError),
 }
 
 impl From<ReplayError> for LiveError {
@@ -61,26 +63,6 @@ impl From<ReplayError> for LiveError {
         Self::Agent(error)
     }
 }
-
-impl fmt::Display for LiveError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoSession => f.write_str("no session is under way; give a command first"),
-            Self::StepNotOver => f.write_str("the last step waits for a word, or for silence"),
-            Self::NoStep => f.write_str("there is no step to judge yet; let the robot go first"),
-            Self::NoConversation { id, known } if known.is_empty() => {
-                write!(f, "no conversation is called {}: none has begun in this home; give a command first", quoted(id))
-            }
-            Self::NoConversation { id, known } => {
-                write!(f, "no conversation in this home is called {}; known are {}", quoted(id), known.join(", "))
-            }
-            Self::NoAction(name) => write!(f, "{name} is no action here"),
-            Self::Agent(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for LiveError {}
 
 /// The step that the robot took last.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use crate::home;
 use goodbot::home::Home;
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::Domain;
+use goodbot::oomdp::{Domain, Either, PushGrid};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
 use std::fmt;
@@ -44,5 +44,26 @@ impl<M: HomeMemory + fmt::Debug> Place for Home<M> {
         session.header.environment = record.clone();
         session.header.actions = named_actions(self).map(|names| names.map(str::to_owned).collect());
         session
+    }
+}
+
+impl<H: Place + PushGrid, W: Place> Place for Either<H, W> {
+    type Record = Either<H::Record, W::Record>;
+    type Recorded = Either<H::Recorded, W::Recorded>;
+
+    fn record(&self, state: &Self::State) -> Self::Record {
+        match (self, state) {
+            (Self::Floor(home), Either::Floor(state)) => Either::Floor(home.record(state)),
+            (Self::Other(world), Either::Other(state)) => Either::Other(world.record(state)),
+            _ => unreachable!("a lesson has one place, and its states"),
+        }
+    }
+
+    fn recorded(&self, record: &Self::Record, session: RecordedSession) -> Self::Recorded {
+        match (self, record) {
+            (Self::Floor(home), Either::Floor(record)) => Either::Floor(home.recorded(record, session)),
+            (Self::Other(world), Either::Other(record)) => Either::Other(world.recorded(record, session)),
+            _ => unreachable!("a lesson has one place, and its records"),
+        }
     }
 }

@@ -10,7 +10,6 @@ use goodbot::session::Evidence;
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError, Options};
 use goodbot_formats::session::Kind;
-use std::fmt;
 
 /// Which parts of a recorded session count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,21 +57,14 @@ pub enum Event<'s, S = HomeState> {
 }
 
 /// What an agent refused, and the line that led to it.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{error}")]
 pub struct ReplayError {
     /// The line in the log.
     pub line: usize,
     /// Why it was refused.
     pub error: AgentError,
 }
-
-impl fmt::Display for ReplayError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.error.fmt(f)
-    }
-}
-
-impl std::error::Error for ReplayError {}
 
 #[derive(Clone, Copy, Debug)]
 enum Next {

@@ -251,7 +251,7 @@ fn a_conversation_begins_anew_where_things_are_put_elsewhere_and_can_be_gone_on_
     let mut lesson = taught();
     assert_eq!(
         lesson.converse("said-7").expect_err("none").to_string(),
-        "no conversation is called \"said-7\": none has begun in this home; give a command first"
+        "no conversation in this home is called \"said-7\"; none has begun yet: give a command first"
     );
     lesson.name_conversation("said-1");
     lesson.listen("go to the red room", rooms(), false).expect("heard");

@@ -3,7 +3,7 @@ import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
 import { t } from './language.js';
-import { clearWords, ideaWords } from './learned.js';
+import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { rename } from './roster.js';
@@ -74,7 +74,7 @@ export function renderFinale(over, score, stops) {
   card.catch(error => tell(error.message, true));
   const known = clearWords();
   const guest = state.robot.log !== undefined;
-  const name = make('input', { id: 'robot-name', value: state.robot.name, maxlength: 40, autocomplete: 'off' });
+  const name = make('input', { id: 'robot-name', 'aria-label': t('card.name'), value: state.robot.name, maxlength: 40, autocomplete: 'off' });
   name.addEventListener('change', () => giveName(name.value));
   $('card').replaceChildren(
     make('div', { class: 'row' },
@@ -83,7 +83,7 @@ export function renderFinale(over, score, stops) {
       canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
       make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
     make('p', {}, t('card.knows', { n: known.length })),
-    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token)))));
+    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
   if (!world.ways()) renderWorth(stops);
 }
 

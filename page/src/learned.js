@@ -62,12 +62,20 @@ export function ideaWords(token) {
   return named('idea.' + token) || tokenWords(token);
 }
 
+/** What a word means, unless it says so itself: a chair is a chair.
+ * @param {string} word
+ * @param {string} token */
+export function meaning(word, token) {
+  const idea = ideaWords(token);
+  return idea === t('idea.shape', { 0: word }) ? '' : ' = ' + idea;
+}
+
 /** What the last session taught: a sentence, and the words that became clear.
  * @param {string[]} heardNew the words of the command that were new */
 export function lessonLearned(heardNew) {
   const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
   const clear = [...now].filter(([word, token]) => before.get(word) !== token);
-  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => t('learned.means', { word: asWritten(word), idea: ideaWords(token) }))) });
+  if (clear.length) return t('learned.nowKnown', { list: listed(clear.map(([word, token]) => (meaning(asWritten(word), token) ? t('learned.means', { word: asWritten(word), idea: ideaWords(token) }) : quoted(asWritten(word))))) });
   if (heardNew.length) return t('learned.newWords', { words: listed(heardNew.map(asWritten)) });
   return now.size ? t('learned.surer', { words: listed([...now.keys()].map(asWritten)) }) : t('learned.onceMore');
 }
@@ -85,6 +93,10 @@ export function spaced(written) {
   if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
   return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
 }
+
+/** A command as people write it: `spaced` undone.
+ * @param {string} command */
+export const unspaced = command => (UNSPACED.test(command) ? command.replaceAll(' ', '') : command);
 
 const hasWay = task => / (through|avoiding) /.test(task.name);
 

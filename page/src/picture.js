@@ -2,7 +2,7 @@
 import { robotDrawing } from './robot.js';
 import { squares } from './share.js';
 import { draw } from './state.js';
-import { ideaWords } from './learned.js';
+import { meaning } from './learned.js';
 
 const STYLE = 'text{font-family:Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif;fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
 const [WIDTH, MIDDLE, EDGE] = [1080, 540, 64];
@@ -22,8 +22,8 @@ function chips(known, top) {
   const [size, high] = [30, 62];
   const rows = /** @type {{ width: number, chips: { word: string, idea: string, width: number }[] }[]} */ ([]);
   for (const [word, token] of known) {
-    const idea = ideaWords(token);
-    const width = Math.min(WIDTH - 2 * EDGE, widthOf(word + ' ' + idea, size) + 40);
+    const idea = meaning(word, token);
+    const width = Math.min(WIDTH - 2 * EDGE, widthOf(word + idea, size) + 40);
     if (!rows.length || rows[rows.length - 1].width + width > WIDTH - 2 * EDGE) rows.push({ width: 0, chips: [] });
     const row = rows[rows.length - 1];
     row.chips.push({ word, idea, width });
@@ -36,7 +36,7 @@ function chips(known, top) {
       return row.chips.map(({ word, idea, width }) => {
         const y = top + at * (high + 14);
         const chip = draw('g', {}, draw('rect', { x, y, width, height: high, rx: 20, fill: '#fffdf7', stroke: '#d9cfba', 'stroke-width': 3 }),
-          draw('text', { x: x + width / 2, y: y + 41, 'text-anchor': 'middle', 'font-size': size }, draw('tspan', { 'font-weight': 700 }, word), ' ' + idea));
+          draw('text', { x: x + width / 2, y: y + 41, 'text-anchor': 'middle', 'font-size': size }, draw('tspan', { 'font-weight': 700 }, word), idea));
         x += width + 14;
         return chip;
       });

@@ -3,7 +3,7 @@ import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
 import { $, draw, make, state } from './state.js';
 import { isOver } from './tour.js';
-import { colorWords, describeScene, labelWords } from './words.js';
+import { describeScene, formsOf, labelWords } from './words.js';
 
 export const CELL = 48;
 
@@ -139,9 +139,10 @@ export function houseDrawing(frame, scene) {
 
 // What a room is called: what tells it from others, and the word “room”, which is left out where there is no place for it.
 function roomName(room) {
-  const [name, color] = [labelWords({ ...room, shape: 'room' }), colorWords(room.color)];
+  const name = labelWords({ ...room, shape: 'room' });
+  const color = formsOf(room.color).find(form => name.includes(form));
+  if (!color) return [name];
   const at = name.indexOf(color);
-  if (at < 0) return [name];
   const rest = [name.slice(0, at), name.slice(at + color.length)].map(kind => (kind ? draw('tspan', { class: 'kind' }, kind) : null));
   return [rest[0], color, rest[1]];
 }
@@ -237,6 +238,7 @@ export function watchSize() {
       const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
       if (scale > 0) root.style.setProperty('--name', Math.max(11, 12 / scale).toFixed(1) + 'px');
       root.classList.toggle('short', scale < 0.6);
+      root.classList.toggle('tiny', scale < 0.5);
     }
   });
   for (const id of ['plan', 'draft']) sizes.observe($(id));

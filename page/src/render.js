@@ -2,7 +2,7 @@
 import { renderQuestion } from './asking.js';
 import { renderBuild } from './build.js';
 import { t } from './language.js';
-import { unknownWords } from './learned.js';
+import { unknownWords, unspaced } from './learned.js';
 import { renderNext } from './next.js';
 import { renderOwnTests } from './owntests.js';
 import { renderPlan } from './plan.js';
@@ -92,5 +92,5 @@ export function render() {
 // The command, with the words underlined that the robot does not know.
 export function heardWords(command) {
   const unknown = new Set(unknownWords());
-  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part));
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part === ' ' && unspaced(command) !== command ? '' : part));
 }

@@ -2,7 +2,7 @@
 // what the robot does. Until then the page tells nothing of its thoughts.
 import { download } from './files.js';
 import { t } from './language.js';
-import { clearWords, ideaWords } from './learned.js';
+import { clearWords, ideaWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { render } from './render.js';
@@ -57,7 +57,7 @@ export function renderSecret() {
   const told = state.secret === 'told';
   $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length });
   if (told) {
-    $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), ' ' + ideaWords(token))));
+    $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token))));
     $('secret-buttons').replaceChildren(make('button', { type: 'button', class: 'small', onclick: async () => download('secret-language.png', await picture(state.robot.name, $('secret-say').textContent, all), 'image/png') }, t('card.save')));
     return;
   }

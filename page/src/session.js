@@ -3,7 +3,7 @@ import { parsed, world } from './core.js';
 import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
 import { t } from './language.js';
-import { lessonLearned, spaced, unknownWords } from './learned.js';
+import { lessonLearned, spaced, unknownWords, unspaced } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
@@ -102,7 +102,7 @@ export function showSession(records) {
   const session = begin(records[0].command, { looking: true, recorded: records.slice(1) });
   session.onEnd = () => {
     const [{ words, probability }] = ranked();
-    state.said = [t('told.heard', { command: session.command, task: words, sure: percent(probability) }), ''];
+    state.said = [t('told.heard', { command: unspaced(session.command), task: words, sure: percent(probability) }), ''];
     render();
   };
 }
@@ -136,7 +136,7 @@ export async function leaveSession() {
     return true;
   }
   if (!session.paused && !session.question) togglePause();
-  const answer = await ask(t('leave.ask', { command: session.command }), { learn: t('leave.learn'), drop: t('leave.drop'), stay: t('leave.stay') });
+  const answer = await ask(t('leave.ask', { command: unspaced(session.command) }), { learn: t('leave.learn'), drop: t('leave.drop'), stay: t('leave.stay') });
   if (answer === 'learn') await finishSession();
   else if (answer === 'drop') stopSession();
   return answer !== 'stay';

@@ -2,6 +2,7 @@
 import { course, world } from './core.js';
 import { renderFinale } from './finale.js';
 import { named, t } from './language.js';
+import { spaced, unspaced } from './learned.js';
 import { heardWords, render } from './render.js';
 import { beginGuest, endGuest, newRobot } from './roster.js';
 import { endWalk, leaveSession, refresh, startSession, stopSession } from './session.js';
@@ -35,7 +36,7 @@ export const inOwnWords = command => state.tour.said[command] || command;
 function aboutTest(stop) {
   const log = logOf(state.robot);
   if ((log.match(/"learn":true/g) || []).length < state.sessions) return t('tour.hint.test');
-  return t(log.includes(JSON.stringify({ command: inOwnWords(commandOf(stop)) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
+  return t(log.includes(JSON.stringify({ command: spaced(inOwnWords(commandOf(stop))) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
 }
 
 export function enterStop(at) {
@@ -121,7 +122,7 @@ function passStop(understood, session) {
   const astray = wentAstray(stop, session);
   state.tour.done[state.tour.at] = astray ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
   const { said } = state;
-  const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: session.command, task: session.took.words }) : verdictOf(stop, session);
+  const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: unspaced(session.command), task: session.took.words }) : verdictOf(stop, session);
   enterStop(state.tour.at + 1);
   [state.said, state.verdict, state.astray] = [stop.test ? null : said, verdict, astray];
   announce(state.verdict);
@@ -138,7 +139,7 @@ function passStop(understood, session) {
 const nameOf = at => (at >= lengthOfCourse() ? t('tour.appendix', { n: at - lengthOfCourse() + 1 })
   : at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
-export const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
+const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
 /** Shows the whole tour, with a robot that is only shown: one's own waits. */
 export async function watchTour() {
@@ -212,7 +213,7 @@ export function renderTour() {
     $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
   const walking = Boolean(state.session?.looking);
-  $('verdict').hidden = !state.verdict || (Boolean(state.session) && !walking);
+  $('verdict').hidden = !state.verdict || !stop || (Boolean(state.session) && !walking);
   $('verdict').textContent = state.verdict;
   renderFinale(!stop, scoreWords(), each.filter(one => !one.appendix));
   $('lesson').hidden = !stop || watching || (Boolean(state.session) && !walking);

@@ -2,9 +2,9 @@
 import { questionWords } from './asking.js';
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { asWritten, unknownWords } from './learned.js';
+import { asWritten, unknownWords, unspaced } from './learned.js';
 import { percent, state } from './state.js';
-import { isOver, scoreWords } from './tour.js';
+import { isOver } from './tour.js';
 
 /** @typedef {import('./language.js').Key} Key */
 
@@ -14,7 +14,8 @@ export const ACTIONS = ['north', 'south', 'east', 'west', 'pull', 'noop'];
 export const acted = action => named('did.' + action) || action;
 
 // A colour or a shape as it was entered, and in the language where it knows it. Colours may have a second form.
-const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
+/** @param {string} color */
+export const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
 const inForm = (text, thing) => {
   const [m, f] = formsOf(thing.color);
   return text.replace('{m}', m).replace('{f}', f || m).replace('{shape}', shapeWords(thing.shape));
@@ -120,7 +121,7 @@ export function ranked() {
 // A word of which the robot may have kept the first letters only.
 export const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
-export const quoted = word => t('say.quoted', { 0: word });
+export const quoted = word => t('say.quoted', { 0: unspaced(word) });
 
 // The robot at its goal: where it is, or else what is done.
 const hereWords = (name, task) => {
@@ -134,7 +135,7 @@ export function speech() {
   const session = state.session;
   if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
   if (!session) {
-    if (isOver()) return [t('say.iAm', state.robot), scoreWords()];
+    if (isOver()) return [t('say.iAm', state.robot), ''];
     if (state.said) return /** @type {[string, string]} */ (state.said);
     if (state.sessions === 0) return [t('say.hello'), t('say.helloMore')];
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];

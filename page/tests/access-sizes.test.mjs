@@ -1,7 +1,7 @@
 // What is seen on screens of every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, play, second, still } from './browser.mjs';
+import { address, close, launch, learned, open, play, second, still } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -56,6 +56,33 @@ for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [
     await close(page);
   });
 }
+
+for (const locale of ['de', 'es']) test('on the smallest phone no name lies over another or over a wall: ' + locale, async () => {
+  const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
+  await page.locator('#dots button.test').first().click();
+  await still(page);
+  const over = await page.evaluate(() => {
+    const names = [...document.querySelectorAll('#plan :is(.roomname, .blockname)')].filter(name => name.getBoundingClientRect().width);
+    const within = document.querySelector('#plan .wall').getBoundingClientRect();
+    const boxes = names.map(name => ({ name: name.textContent, box: name.getBoundingClientRect() }));
+    return boxes.filter(({ box }, at) => box.left < within.left || box.right > within.right
+      || boxes.some((other, there) => there !== at && other.box.left < box.right && box.left < other.box.right && other.box.top < box.bottom && box.top < other.box.bottom)).map(({ name }) => name);
+  });
+  assert.deepEqual(over, []);
+  await close(page);
+});
+
+test('on the smallest phone all tabs are seen whole, in every language', async () => {
+  for (const locale of ['de', 'en', 'es', 'fr', 'zh-CN']) {
+    const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
+    await page.selectOption('#speed', 'once');
+    await page.click('#auto');
+    await learned(page, 1);
+    const cut = await page.locator('[role=tab]:visible').evaluateAll(tabs => tabs.filter(tab => tab.getBoundingClientRect().right > 320).map(tab => tab.id));
+    assert.deepEqual(cut, [], locale);
+    await close(page);
+  }
+});
 
 // Those that can be pressed or looked at: where they are, whether nothing lies over them, and how wide the page is.
 const seen = (page, ids) => page.evaluate(names => ({

@@ -64,6 +64,7 @@ test('at the end Good and Bad make room for the plan, and the next thing is seen
     if (height > 720) tall.push(language + ': ' + height);
   }
   assert.deepEqual(tall, []);
+  assert.ok(await page.locator('#card li').evaluateAll(all => all.every(one => parseFloat(getComputedStyle(one).fontSize) >= 12)), 'the class reads what the words mean');
   await page.click('#end-presenter');
   await page.click('[data-mode=play]');
   assert.ok(await page.locator('#good').isVisible());
@@ -76,13 +77,15 @@ const sizeOf = png => [png.subarray(1, 4).toString(), png.readUInt32BE(16), png.
 test('the tour ends with a name, a dance and a card of what the robot knows', async () => {
   const page = await open(browser, { reducedMotion: 'no-preference' });
   await finished(page);
-  assert.match(await page.textContent('#card'), /green the colour green/);
+  assert.match(await page.textContent('#card'), /green = the colour green/);
   const dancing = () => page.evaluate(() => document.getAnimations().some(({ animationName }) => animationName === 'dance'));
   assert.ok(await dancing());
   await page.fill('#robot-name', 'Rusty');
   await page.press('#robot-name', 'Enter');
   await page.getByText('I am Rusty!').first().waitFor();
-  assert.match(await page.textContent('#say'), /I am Rusty! 5 of 5 tests understood/);
+  assert.equal((await page.textContent('#say')).trim(), 'I am Rusty!');
+  assert.equal((await page.innerText('body')).match(/5 of 5|all five/g).length, 1, 'the score is told once');
+  assert.equal(await page.locator('#card li', { hasText: 'chair' }).textContent(), 'chair', 'a chair is a chair');
   assert.ok(await dancing());
   await page.reload();
   await page.waitForSelector('body.ready');
@@ -92,6 +95,15 @@ test('the tour ends with a name, a dance and a card of what the robot knows', as
   const [kind, width, height] = sizeOf(readFileSync(await download.path()));
   assert.deepEqual([kind, width], ['PNG', 1080]);
   assert.ok(height > 800, String(height));
+  await close(page);
+});
+
+test('on a phone the dance is seen first', async () => {
+  const page = await open(browser, { viewport: { width: 390, height: 844 }, isMobile: true, hasTouch: true });
+  await finished(page);
+  await page.evaluate(() => scrollTo(0, 0));
+  const { top, bottom } = await page.evaluate(() => document.querySelector('#plan .robot').getBoundingClientRect());
+  assert.ok(top > 0 && bottom < 844 / 2, JSON.stringify([top, bottom]));
   await close(page);
 });
 

@@ -86,6 +86,23 @@ test('in Chinese, no English is left anywhere', async () => {
   await close(page);
 });
 
+test('Chinese is written without spaces, its words stand upright, and a test knows which lesson it repeats', async () => {
+  const page = await open(browser, { locale: 'zh-CN' });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await page.waitForFunction(() => document.body.dataset.phase === 'waiting');
+  assert.match(await page.textContent('#tour-title'), /“去绿色的房间”/);
+  await page.click('#good');
+  await page.click('#finish');
+  await learned(page, 1);
+  assert.equal(await page.textContent('#undo'), '撤销：“去绿色的房间”');
+  await page.locator('#tab-words').click();
+  assert.equal(await page.locator('.heat thead span').first().evaluate(word => getComputedStyle(word).transform), 'none');
+  await page.locator('#dots button.test').nth(2).click();
+  assert.match(await page.textContent('#tour-hint'), /这个命令教过它/);
+  await close(page);
+});
+
 test('a command may be in any language, whatever the page speaks', async () => {
   const page = await open(browser, { locale: 'de' });
   await play(page, 'A');

@@ -33,7 +33,7 @@ fn pairs(lines: &str) -> Vec<(String, String)> {
 }
 
 fn json(value: &impl Serialize) -> Thrown<String> {
-    serde_json::to_string(value).map_err(|error| JsError::new(&error.to_string()))
+    crate::json::json(value).ok_or_else(|| JsError::new("what the page draws is no JSON; please report this"))
 }
 
 /// One world with one robot.

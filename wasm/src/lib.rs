@@ -24,6 +24,7 @@ pub mod asking;
 pub mod bindings;
 pub mod cells;
 pub mod course;
+mod json;
 mod log;
 pub mod next;
 pub mod replay;

@@ -12,7 +12,7 @@ use std::fmt::Write;
 pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     let (walk, session) = lesson.session()?;
     let (agent, home) = (&lesson.agent, lesson.home());
-    let environment = session.environment.to_json_line();
+    let environment = json(&session.environment);
     let command = json(&walk.command);
     // "Again" has no words for its task.
     let learn = learn && !agent.sentence().is_empty();
@@ -81,6 +81,5 @@ fn list(items: impl Iterator<Item = String>) -> String {
 
 /// A text, a number or numbers as JSON.
 fn json<T: Serialize + ?Sized>(it: &T) -> String {
-    // Nothing of these has no JSON.
-    serde_json::to_string(it).unwrap_or_default()
+    crate::json::json(it).unwrap_or_default()
 }

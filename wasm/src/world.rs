@@ -22,16 +22,9 @@ use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
 pub struct Refusal(pub String);
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl std::error::Error for Refusal {}
 
 impl Refusal {
     pub(crate) fn from(error: impl fmt::Display) -> Self {
@@ -172,7 +165,7 @@ impl World {
 
     /// The home as it was entered, as JSON.
     pub fn environment(&self) -> String {
-        self.file.to_json_line()
+        crate::json::json(&self.file).unwrap_or_default()
     }
 
     /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.

@@ -14,7 +14,7 @@ use xshell::cmd;
 
 use crate::process::{once, root, shell, within};
 use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
-use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV};
+use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
 
 /// No run should come near this; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
@@ -244,7 +244,16 @@ fn is_panic(symbol: &str) -> bool {
 /// Builds a program that has a package of its own: the micro:bit's, `microbit`; the robot among embassy's tasks, `embassy`; the Raspberry Pi Pico's,
 /// `pico`. Returns where it is.
 pub fn for_cortex_m0(name: &str) -> Result<PathBuf> {
-    Ok(build(CORTEX_M0, &["--package", &format!("goodbot-{name}")])?.join(name))
+    package(CORTEX_M0, name)
+}
+
+/// Builds the ESP32-C3's program. No emulator that can be had runs it.
+pub fn for_esp32c3() -> Result<PathBuf> {
+    package(RISCV_C3, "esp32c3")
+}
+
+fn package(target: &str, name: &str) -> Result<PathBuf> {
+    Ok(build(target, &["--package", &format!("goodbot-{name}")])?.join(name))
 }
 
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns where that is.

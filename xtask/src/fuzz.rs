@@ -25,7 +25,7 @@ const HOST: &str = "x86_64-unknown-linux-gnu";
 /// Builds and runs the targets. libFuzzer says how many inputs each had, at the head of its lines.
 pub fn run(options: &Options) -> Result<()> {
     let (sh, folder) = (shell()?, target_dir().join("fuzz"));
-    let build = cmd!(sh, "cargo build --release --bins --target {HOST} --manifest-path fuzz/Cargo.toml --target-dir {folder}");
+    let build = cmd!(sh, "cargo build --locked --release --bins --target {HOST} --manifest-path fuzz/Cargo.toml --target-dir {folder}");
     build.env("RUSTFLAGS", FLAGS).run().context("the fuzz targets need Linux on x86-64")?;
     let files = sh.read_dir("fuzz/fuzz_targets")?;
     let mut targets: Vec<_> = files.iter().filter_map(|file| file.file_stem()?.to_str()).collect();

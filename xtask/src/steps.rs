@@ -6,7 +6,8 @@ use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
+    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, for_esp32c3, full, images, nothing_panics, obeying, run_alone, run_pico,
+    trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
@@ -65,6 +66,9 @@ pub fn workflows() -> Result<()> {
 /// Takes long to build, so a program that is not here is not built for it: the workflow `check` has both.
 pub fn trust() -> Result<()> {
     let sh = shell()?;
+    // No other step builds the fuzz targets.
+    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path fuzz/Cargo.toml").run();
+    lock.context("the crates that fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
     match built_by_cargo("cargo-deny") {
         Some(deny) => cmd!(sh, "{deny} --offline check bans licenses sources").run()?,
         None => println!("not checked: licences and sources, for lack of cargo-deny (`cargo install --locked cargo-deny`)"),
@@ -261,6 +265,7 @@ pub fn same_bits() -> Result<()> {
     }
     all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
     all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
+    println!("built and not run: {}", for_esp32c3()?.display());
     let other = all.iter().find(|(_, digest)| *digest != host);
     ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));
     Ok(())

@@ -26,7 +26,7 @@ pub enum Step {
     Clippy,
     /// the tests of all crates
     Tests,
-    /// licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
+    /// locked crates, licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
     Trust,
     /// the documentation is built without a warning
     Docs,

@@ -14,12 +14,12 @@ use crate::robot::{Goodbot, give, list, plot, settle, text, with};
 use crate::status::text_of;
 use crate::status::{At, Failure, GoodbotStatus, Place};
 use crate::tasks::kinds_of_tasks;
-use crate::world::{Standing, Surroundings, World};
+use crate::world::World;
 use core::ffi::{c_char, c_void};
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
 use goodbot::memory::HomeTables;
-use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, ObjectCount, ObjectSet, Proposition, Schema};
+use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, Either, ObjectCount, ObjectSet, Proposition, Schema};
 
 const NO_CARRIER: Carrier<'static> = Carrier::new(ClassId::new(0), "");
 const NO_ATTRIBUTE: Attribute<'static> = Attribute { name: "", carriers: &[] };
@@ -159,7 +159,7 @@ unsafe fn init(
             let objects = objects(table, attributes, &mut memory)?;
             let (holds, derived, context, states) = (table.holds, table.derived, table.context, table.state_count);
             let domain = TableDomain { schema, memory, objects, actions, steps, holds, derived, context, states };
-            Ok(World::Here(Surroundings::Table(domain), Standing::Table(table.start)))
+            Ok(World::Here(Either::Other(domain), Either::Other(table.start)))
         };
         settle(plot, &tasks, world, robot)
     }
@@ -370,7 +370,7 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
     unsafe {
         with(robot, |robot| {
             #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
-            let World::Here(Surroundings::Table(domain), Standing::Table(now)) = &mut robot.world else {
+            let World::Here(Either::Other(domain), Either::Other(now)) = &mut robot.world else {
                 return Err(GoodbotStatus::World.into());
             };
             if state >= domain.states() {
@@ -392,7 +392,7 @@ pub unsafe extern "C" fn goodbot_table_state(robot: *mut Goodbot, state: *mut u3
     unsafe {
         with(robot, |robot| {
             #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
-            let World::Here(_, Standing::Table(now)) = &robot.world else { return Err(GoodbotStatus::World.into()) };
+            let World::Here(_, Either::Other(now)) = &robot.world else { return Err(GoodbotStatus::World.into()) };
             give(state, *now)
         })
     }

@@ -137,6 +137,7 @@ impl<'t> LanguageRef<'t> {
     }
 
     /// Which model it is.
+    #[inline]
     pub(crate) const fn model(self) -> Model {
         self.settings.model.in_use()
     }
@@ -554,6 +555,7 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Which model it is.
+    #[inline]
     pub(crate) const fn model(&self) -> Model {
         self.settings.model.in_use()
     }

@@ -23,11 +23,13 @@ pub enum Model {
 
 impl Model {
     /// The model that is built in. Without the feature `model2` it is always the role model, and the compiler leaves out the code of the other.
+    #[inline]
     pub(crate) const fn in_use(self) -> Self {
         if cfg!(feature = "model2") { self } else { Self::Roles }
     }
 
     /// Whether it is built in.
+    #[inline]
     pub(crate) const fn is_there(self) -> bool {
         cfg!(feature = "model2") || matches!(self, Self::Roles)
     }

@@ -17,7 +17,7 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     let letters = if word.starts_with(|first| matches!(first, '\u{ac00}'..='\u{d7a3}')) { letters.div_ceil(2) } else { letters };
     let form = word_form(word, letters);
     // A word of fewer letters is alike to itself alone.
-    let has_form = letters > 0 && (form.len() < word.len() || form.chars().count() == letters);
+    let has_form = letters > 0 && (form.len() < word.len() || self::letters(form) == letters);
     let begins_alike = |known: &str| has_form && known.starts_with(form);
     let find =
         |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
@@ -35,33 +35,32 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
 /// assert!(!is_slip("take", "tale") && !is_slip("orange", "oarnges") && !is_slip("green", "green"));
 /// ```
 pub fn is_slip(one: &str, other: &str) -> bool {
-    one.chars().count().min(other.chars().count()) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
+    letters(one).min(letters(other)) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
+}
+
+/// How many letters a word has. The core's own count is for long texts, and takes flash.
+fn letters(word: &str) -> usize {
+    word.bytes().filter(|byte| byte & 0xc0 != 0x80).count()
 }
 
 /// Whether two words differ by one slip.
 pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
-    let (a, b) = (one.chars().count(), other.chars().count());
-    let (short, long) = if a <= b { (one, other) } else { (other, one) };
-    if a.abs_diff(b) > 1 {
-        return false;
-    }
-    let (mut shorter, mut longer) = (short.chars(), long.chars());
-    loop {
-        let rests = (shorter.as_str(), longer.as_str());
-        match (shorter.next(), longer.next()) {
-            (Some(x), Some(y)) if x == y => {}
-            (None, None) => return false,
-            (None, Some(_)) => return longer.as_str().is_empty(),
-            (_, None) => return false,
-            (Some(x), Some(y)) => {
-                if a != b {
-                    return rests.0 == longer.as_str();
-                }
-                if shorter.as_str() == longer.as_str() {
-                    return true;
-                }
-                return shorter.next() == Some(y) && longer.next() == Some(x) && shorter.as_str() == longer.as_str();
+    // What is left where they begin and end alike.
+    let (mut one, mut other) = (one, other);
+    for from_end in [false, true] {
+        loop {
+            let (mut a, mut b) = (one.chars(), other.chars());
+            let (x, y) = if from_end { (a.next_back(), b.next_back()) } else { (a.next(), b.next()) };
+            if x.is_none() || x != y {
+                break;
             }
+            (one, other) = (a.as_str(), b.as_str());
         }
+    }
+    match (letters(one), letters(other)) {
+        (0 | 1, 1) | (1, 0) => true,
+        // Neighbours in the other order.
+        (2, 2) => one.chars().eq(other.chars().rev()),
+        _ => false,
     }
 }

@@ -177,25 +177,19 @@ mod letters {
             || matches!(letter, '\u{202f}' | '\u{205f}' | '\u{3000}')
     }
 
-    pub const fn is_alphanumeric(letter: char) -> bool {
-        letter.is_ascii_alphanumeric() || !(letter.is_ascii() || is_punctuation(letter))
+    pub fn is_alphanumeric(letter: char) -> bool {
+        letter.is_ascii_alphanumeric() || !(letter.is_ascii() || super::is_in(&PUNCTUATION, letter))
     }
 
     /// The punctuation and the blanks of living scripts, beyond ASCII: no table of all characters.
-    const fn is_punctuation(letter: char) -> bool {
-        let of_europe = matches!(letter, '\u{80}'..='\u{a9}' | '\u{ab}'..='\u{b4}' | '\u{b6}'..='\u{b9}' | '\u{bb}'..='\u{bf}')
-            || matches!(letter, '×' | '÷' | '\u{37e}' | '\u{387}' | '\u{55a}'..='\u{55f}' | '\u{589}'..='\u{58f}' | '\u{1680}')
-            || matches!(letter, '\u{2000}'..='\u{206f}' | '\u{20a0}'..='\u{20cf}' | '\u{2190}'..='\u{245f}' | '\u{2500}'..='\u{2bff}');
-        let of_asia = matches!(letter, '\u{5be}' | '\u{5c0}' | '\u{5c3}' | '\u{5c6}' | '\u{5f3}' | '\u{5f4}' | '\u{60c}' | '\u{60d}')
-            || matches!(letter, '\u{61b}'..='\u{61f}' | '\u{66a}'..='\u{66d}' | '\u{6d4}' | '\u{700}'..='\u{70f}')
-            || matches!(letter, '\u{964}' | '\u{965}' | '\u{970}' | '\u{df4}' | '\u{e4f}' | '\u{e5a}' | '\u{e5b}')
-            || matches!(letter, '\u{f04}'..='\u{f14}' | '\u{f3a}'..='\u{f3d}' | '\u{104a}'..='\u{104f}' | '\u{1360}'..='\u{1368}')
-            || matches!(letter, '\u{17d4}'..='\u{17da}' | '\u{1800}'..='\u{180a}' | '\u{2e00}'..='\u{2e5d}')
-            || matches!(letter, '\u{3000}'..='\u{3004}' | '\u{3008}'..='\u{3020}' | '\u{3030}' | '\u{303d}' | '\u{30a0}' | '\u{30fb}')
-            || matches!(letter, '\u{fe10}'..='\u{fe1f}' | '\u{fe30}'..='\u{fe6f}' | '\u{feff}' | '\u{ff00}'..='\u{ff0f}')
-            || matches!(letter, '\u{ff1a}'..='\u{ff20}' | '\u{ff3b}'..='\u{ff40}' | '\u{ff5b}'..='\u{ff65}');
-        of_europe || of_asia
-    }
+    const PUNCTUATION: [u16; 98] = [
+        0x80, 0xa9, 0xab, 0xb4, 0xb6, 0xb9, 0xbb, 0xbf, 0xd7, 0xd7, 0xf7, 0xf7, 0x37e, 0x37e, 0x387, 0x387, 0x55a, 0x55f, 0x589, 0x58f,
+        0x5be, 0x5be, 0x5c0, 0x5c0, 0x5c3, 0x5c3, 0x5c6, 0x5c6, 0x5f3, 0x5f4, 0x60c, 0x60d, 0x61b, 0x61f, 0x66a, 0x66d, 0x6d4, 0x6d4,
+        0x700, 0x70f, 0x964, 0x965, 0x970, 0x970, 0xdf4, 0xdf4, 0xe4f, 0xe4f, 0xe5a, 0xe5b, 0xf04, 0xf14, 0xf3a, 0xf3d, 0x104a, 0x104f,
+        0x1360, 0x1368, 0x1680, 0x1680, 0x17d4, 0x17da, 0x1800, 0x180a, 0x2000, 0x206f, 0x20a0, 0x20cf, 0x2190, 0x245f, 0x2500, 0x2bff,
+        0x2e00, 0x2e5d, 0x3000, 0x3004, 0x3008, 0x3020, 0x3030, 0x3030, 0x303d, 0x303d, 0x30a0, 0x30a0, 0x30fb, 0x30fb, 0xfe10, 0xfe1f,
+        0xfe30, 0xfe6f, 0xfeff, 0xff0f, 0xff1a, 0xff20, 0xff3b, 0xff40, 0xff5b, 0xff65,
+    ];
 
     pub fn to_lower_case(letter: char) -> impl Iterator<Item = char> {
         core::iter::once(letter.to_ascii_lowercase())
@@ -206,15 +200,23 @@ const fn is_apostrophe(letter: char) -> bool {
     matches!(letter, '\'' | '’' | '‘')
 }
 
+/// Whether a character is in one of these ranges, each with its first and its last. A table takes less flash than comparisons.
+fn is_in(ranges: &[u16], letter: char) -> bool {
+    ranges.as_chunks().0.iter().any(|&[first, last]| (u32::from(first)..=u32::from(last)).contains(&u32::from(letter)))
+}
+
+/// The marks of scripts that write vowels and accents by themselves.
+const MARKS: [u16; 24] = [
+    0x300, 0x36f, 0x591, 0x5c7, 0x610, 0x61a, 0x64b, 0x670, 0x900, 0x963, 0x966, 0xddf, 0xe31, 0xe4e, 0xeb1, 0xecd, 0xf71, 0xf84, 0x102b,
+    0x103e, 0x17b4, 0x17d3, 0x200c, 0x200d,
+];
+
 /// Letters and digits, and other characters of words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
 fn is_of_word(letter: char) -> bool {
     if letter.is_ascii() {
         return letter.is_ascii_alphanumeric() || is_apostrophe(letter);
     }
-    let is_mark = matches!(letter, '\u{300}'..='\u{36f}' | '\u{591}'..='\u{5c7}' | '\u{610}'..='\u{61a}' | '\u{64b}'..='\u{670}')
-        || matches!(letter, '\u{900}'..='\u{963}' | '\u{966}'..='\u{ddf}' | '\u{e31}'..='\u{e4e}' | '\u{eb1}'..='\u{ecd}')
-        || matches!(letter, '\u{f71}'..='\u{f84}' | '\u{102b}'..='\u{103e}' | '\u{17b4}'..='\u{17d3}' | '\u{200c}' | '\u{200d}');
-    is_alphanumeric(letter) || is_apostrophe(letter) || is_mark
+    is_alphanumeric(letter) || is_apostrophe(letter) || is_in(&MARKS, letter)
 }
 
 /// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.

@@ -5,6 +5,7 @@
 //! - `objects`: the objects of one environment;
 //! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
+//! - `either`: one type for domains of two kinds;
 //! - `soundness`: whether a domain is what the trait asks for;
 //! - `state_key`: a state as an agent keeps it;
 //! - `search_kind`: which search plans for a domain;
@@ -13,6 +14,7 @@
 
 pub(crate) mod divider;
 pub(crate) mod domain;
+pub(crate) mod either;
 pub(crate) mod objects;
 pub(crate) mod push_grid;
 pub(crate) mod schema;
@@ -25,10 +27,11 @@ pub use crate::memory::{ObjectTables, ObjectTablesRef};
 pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
+pub use either::Either;
 pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};
 pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};
 pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};
-pub use search_kind::{BitRows, OneByOne, SearchKind};
+pub use search_kind::{BitRows, NoGrid, OneByOne, SearchKind};
 pub use soundness::DomainFlaw;
 pub(crate) use soundness::check_actions;
 #[cfg(feature = "alloc")]

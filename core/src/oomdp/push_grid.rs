@@ -97,8 +97,8 @@ impl Piece {
 /// - any other action changes nothing unless a piece is beside the robot;
 /// - one action moves a piece by at most one cell.
 pub trait PushGrid: Domain {
-    /// Whether this domain is such a floor. One type may serve domains of several kinds; if this is false, states are expanded one by one,
-    /// and the other functions are not called.
+    /// Whether this domain is such a floor. One type may serve domains of several kinds, as [`Either`](super::Either) does; if this is false,
+    /// states are expanded one by one, and the other functions are not called.
     fn is_floor(&self) -> bool {
         true
     }

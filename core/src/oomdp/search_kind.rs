@@ -48,8 +48,8 @@ impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
     }
 }
 
-/// A grid that does not exist: the compiler leaves out what is written for it.
-#[doc(hidden)]
+/// A domain that does not exist: the compiler leaves out what is written for it. It takes the place of a kind of an [`Either`](super::Either) that a
+/// program is built without.
 #[derive(Debug)]
 pub struct NoGrid<S>(Infallible, PhantomData<S>);
 

@@ -237,16 +237,6 @@ impl<'t> ClosedWords<'t> {
     pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt"), silent: 0 };
     /// The words of Chinese, 1.3 KB.
     pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt"), silent: 0 };
-    /// The words of English, German, French and Spanish.
-    pub const EUROPEAN: ClosedWords<'static> = ClosedWords {
-        text: concat!(
-            include_str!("classes/english.txt"),
-            include_str!("classes/german.txt"),
-            include_str!("classes/french.txt"),
-            include_str!("classes/spanish.txt")
-        ),
-        silent: 0,
-    };
     /// The words of all five languages.
     pub const ALL: ClosedWords<'static> = ClosedWords {
         text: concat!(

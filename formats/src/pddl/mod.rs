@@ -18,21 +18,14 @@ mod reading;
 use std::fmt;
 
 /// What is wrong with a text, and where.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}: {message}")]
 pub struct PddlError {
     /// The line, counted from 1.
     pub line: usize,
     /// What is wrong, and what to do.
     pub message: String,
 }
-
-impl fmt::Display for PddlError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: {}", self.line, self.message)
-    }
-}
-
-impl std::error::Error for PddlError {}
 
 /// A name with its type; `object` where it has none.
 #[derive(Debug, Clone, PartialEq, Eq)]

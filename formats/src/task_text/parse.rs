@@ -7,10 +7,11 @@ use super::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, Task
 use crate::error::quoted;
 
 /// A text that is no task. Places count characters from 1.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskTextError {
     /// Something else is where this belongs.
+    #[error("is no task, {what} belongs at its character {column}; write it like agentInRoom(agent0,room1) & blockInRoom(block0,room2)")]
     Expected {
         /// What belongs there.
         what: &'static str,
@@ -18,54 +19,33 @@ pub enum TaskTextError {
         column: usize,
     },
     /// A variable in a ground task.
+    #[error("has a variable at its character {column}; name objects, like agentInRoom(agent0,room1)")]
     VariableInGround {
         /// Where.
         column: usize,
     },
     /// An argument without `?` in a lifted task.
+    #[error("has no variable at its character {column}; begin each with ?, like agentInRoom(?a,?r)")]
     ObjectInLifted {
         /// Where.
         column: usize,
     },
     /// A name with characters that a task text has a use for.
+    #[error("{} cannot be in a task; use a name without blanks and without ( ) , & ? and quotes", quoted(.name))]
     UnusableName {
         /// The name.
         name: String,
     },
     /// A task of no proposition, or a proposition of no argument.
+    #[error("is empty; write at least one proposition, and each with an argument, like agentInRoom(agent0,room1)")]
     Empty,
     /// The way avoids what the task asks for.
+    #[error("avoids {atom}, which it asks for as well; remove the one or the other")]
     AvoidsGoal {
         /// What is both avoided and asked for.
         atom: String,
     },
 }
-
-impl fmt::Display for TaskTextError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TaskTextError::Expected { what, column } => write!(
-                f,
-                "is no task, {what} belongs at its character {column}; write it like agentInRoom(agent0,room1) & blockInRoom(block0,room2)"
-            ),
-            TaskTextError::VariableInGround { column } => {
-                write!(f, "has a variable at its character {column}; name objects, like agentInRoom(agent0,room1)")
-            }
-            TaskTextError::ObjectInLifted { column } => {
-                write!(f, "has no variable at its character {column}; begin each with ?, like agentInRoom(?a,?r)")
-            }
-            TaskTextError::UnusableName { name } => {
-                write!(f, "{} cannot be in a task; use a name without blanks and without ( ) , & ? and quotes", quoted(name))
-            }
-            TaskTextError::Empty => {
-                f.write_str("is empty; write at least one proposition, and each with an argument, like agentInRoom(agent0,room1)")
-            }
-            TaskTextError::AvoidsGoal { atom } => write!(f, "avoids {atom}, which it asks for as well; remove the one or the other"),
-        }
-    }
-}
-
-impl std::error::Error for TaskTextError {}
 
 /// The rest of a text that is being read.
 struct Rest<'a> {

@@ -8,7 +8,7 @@ use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
-use goodbot_console::lessons::{MachineCommand, evidence, training};
+use goodbot_console::training_data::{MachineCommand, evidence, training};
 use goodbot_lesson::first_words::heard;
 
 /// How a word was explained.

@@ -4,9 +4,10 @@ use super::{Finding, State};
 use std::path::Path;
 
 /// Each program, and what uses it.
-const PROGRAMS: [(&str, &str); 10] = [
+const PROGRAMS: [(&str, &str); 11] = [
     ("git", "style checks"),
     ("gcc", "the C interface"),
+    ("g++", "the C interface from C++"),
     ("node", "the page"),
     ("npm", "the page"),
     ("python3", "the package for Python"),

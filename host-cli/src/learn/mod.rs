@@ -4,13 +4,13 @@ use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
-use goodbot_console::lessons::{self, Told, training};
 use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::starter::StarterOptions;
+use goodbot_console::training_data::{self, Told, training};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -63,8 +63,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
     let told = Told { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
-    let lessons::Lessons { mut lessons, skipped, with_way, no_task, long } =
-        lessons::read(&options.files, &lifted, options.learner.options(), false, &told)?;
+    let training_data::Lessons { mut lessons, skipped, with_way, no_task, long } =
+        training_data::read(&options.files, &lifted, options.learner.options(), false, &told)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
         return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
     }

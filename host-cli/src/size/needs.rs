@@ -10,10 +10,10 @@ use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::capacities::bytes_32;
-use goodbot_console::lessons::{self, Lesson, Told, training};
 use goodbot_console::load::input::{self, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
+use goodbot_console::training_data::{self, Lesson, Told, training};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::heard;
 use goodbot_lesson::home;
@@ -64,8 +64,11 @@ impl Needs {
     pub fn find(options: &SizeOptions) -> Result<Self, Failure> {
         let lifted = options.kinds.lifted()?;
         let learner = options.learner.options();
-        let log =
-            if options.log.is_empty() { vec![] } else { lessons::read(&options.log, &lifted, learner, false, &Told::default())?.lessons };
+        let log = if options.log.is_empty() {
+            vec![]
+        } else {
+            training_data::read(&options.log, &lifted, learner, false, &Told::default())?.lessons
+        };
         let log: Vec<Lesson> = log.into_iter().filter(|lesson| lesson.learn).collect();
         if log.is_empty() && !options.log.is_empty() {
             return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));

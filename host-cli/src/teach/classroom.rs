@@ -4,8 +4,8 @@ use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
-use super::site::{Recorded, Site};
-use super::trainer::{Heard, Meaning, Trainer};
+use super::pupil::{Heard, Meaning, Pupil};
+use super::site::{Recorded, Site, session};
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::words_read;
@@ -14,7 +14,7 @@ use goodbot_lesson::live::Lesson;
 /// A robot, what is kept of it, and the tour.
 pub struct Classroom {
     /// The robot in its home.
-    pub trainer: Trainer,
+    pub pupil: Pupil,
     /// The tour, if it is one.
     pub tour: Option<Tour>,
     /// The words that were said.
@@ -51,19 +51,17 @@ fn add_once(said: &mut Vec<String>, command: &str) {
 
 impl Classroom {
     /// A robot as its files have it. With a tour, it is in the tour's home.
-    pub fn new(mut trainer: Trainer, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Failure> {
-        let mut words = FullWords::new(trainer.word_letters());
+    pub fn new(mut pupil: Pupil, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Failure> {
+        let mut words = FullWords::new(pupil.word_letters());
         let (mut sessions, mut said) = (0, Vec::new());
         let kept = match kept {
             None => None,
             Some((kept, past)) => {
                 if let Some(model) = &past.model {
                     let name = kept.places().model.display();
-                    trainer
-                        .restore(model)
-                        .map_err(|refusal| Failure::Input(format!("{name}: {refusal}; name another file with --model")))?;
+                    pupil.restore(model).map_err(|refusal| Failure::Input(format!("{name}: {refusal}; name another file with --model")))?;
                 }
-                words = FullWords::new(trainer.word_letters());
+                words = FullWords::new(pupil.word_letters());
                 past.commands.iter().for_each(|command| words.hear(command));
                 sessions = past.sessions;
                 past.commands.into_iter().for_each(|command| add_once(&mut said, &command));
@@ -71,13 +69,13 @@ impl Classroom {
             }
         };
         let (wanted, before, learning, learned) = (Vec::new(), Vec::new(), None, Vec::new());
-        let mut classroom = Self { trainer, tour, words, wanted, said, last: None, kept, before, learning, learned, sessions };
+        let mut classroom = Self { pupil, tour, words, wanted, said, last: None, kept, before, learning, learned, sessions };
         classroom.enter_tour()?;
         Ok(classroom)
     }
 
     fn enter_tour(&mut self) -> Result<(), Failure> {
-        self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.trainer.enter(&home))
+        self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.pupil.enter(&home))
     }
 
     /// Where the robot is kept.
@@ -90,10 +88,10 @@ impl Classroom {
         self.forget()?;
         let stop = self.tour.as_ref().and_then(Tour::stop);
         if stop.is_some() {
-            self.trainer.put_back();
+            self.pupil.put_back();
         }
         let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
-        let heard = self.trainer.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
+        let heard = self.pupil.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
         self.last = Some(command.to_owned());
         if heard == Heard::Command {
             let read = words_read(command);
@@ -110,7 +108,7 @@ impl Classroom {
             return Err(Failure::Input("in the tour the intended task is known".to_owned()));
         }
         let named = |meaning: &Meaning| task.is_none_or(|task| meaning.name == task || meaning.words == task);
-        let meanings = self.trainer.meanings();
+        let meanings = self.pupil.meanings();
         let Some(first) = meanings.first().map(|meaning| meaning.words.clone()) else {
             return Err(Failure::Input("no session is under way; give a command first".to_owned()));
         };
@@ -120,13 +118,13 @@ impl Classroom {
                 task.unwrap_or_default()
             ))
         })?;
-        self.trainer.mean(meant.position);
+        self.pupil.mean(meant.position);
         Ok(meant)
     }
 
     /// Hears the rest of the utterance, once a part is over and learned from; `None` if there is no rest.
     pub fn hear_rest(&mut self) -> Result<Option<Heard>, Failure> {
-        self.trainer.hear_rest(Some(format!("said-{}", self.sessions + 1)))
+        self.pupil.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }
 
     /// What was said last, as a command.
@@ -136,20 +134,20 @@ impl Classroom {
 
     /// What to teach next.
     pub fn next_lesson(&self) -> Result<Next, Failure> {
-        propose(&self.trainer, if self.wanted.is_empty() { &self.said } else { &self.wanted })
+        propose(&self.pupil, if self.wanted.is_empty() { &self.said } else { &self.wanted })
     }
 
     /// The result of a test whose command has just been heard.
     pub fn tested(&self) -> Option<Tested> {
         self.tour.as_ref().and_then(Tour::stop).filter(|stop| stop.test)?;
-        let heard = self.trainer.meanings().into_iter().next()?;
-        let right = self.trainer.intended()? == heard.position;
+        let heard = self.pupil.meanings().into_iter().next()?;
+        let right = self.pupil.intended()? == heard.position;
         Some(Tested { heard, right })
     }
 
     /// A test is over: on to the next.
     pub fn pass_test(&mut self, right: bool) -> Result<(), Failure> {
-        self.trainer.forget();
+        self.pupil.forget();
         if let Some(tour) = &mut self.tour {
             tour.pass(right);
         }
@@ -159,24 +157,24 @@ impl Classroom {
     /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done. Gives how many older sessions gave way
     /// because memory was full.
     pub fn finish(&mut self) -> Result<usize, Failure> {
-        let before = self.trainer.save()?;
-        let (record, finished) = self.trainer.finish()?;
+        let before = self.pupil.save()?;
+        let (record, finished) = self.pupil.finish()?;
         self.learning = Some((record, before));
         Ok(finished.gave_way.count())
     }
 
     /// Goes on learning. Gives whether it is done; what was learned is then kept, and the tour goes on.
     pub fn learn(&mut self, budget: u32) -> Result<bool, Failure> {
-        if !self.trainer.learn(budget) {
+        if !self.pupil.learn(budget) {
             return Ok(false);
         }
         let Some((record, before)) = self.learning.take() else { return Ok(true) };
         self.sessions += 1;
-        let id = record.session().header.id.clone();
+        let id = session(&record).header.id.clone();
         self.learned.push(id.clone());
         let kept = match &mut self.kept {
             Some(kept) => {
-                let model = self.trainer.save()?;
+                let model = self.pupil.save()?;
                 kept.keep(&record, Some(model))
             }
             None => {
@@ -193,9 +191,9 @@ impl Classroom {
 
     /// Ends the session under way without learning from it; it is written to the log all the same. Gives whether there was one.
     pub fn forget(&mut self) -> Result<bool, Failure> {
-        let under_way = self.trainer.lesson().is_under_way();
+        let under_way = self.pupil.lesson().is_under_way();
         let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
-        if let (Some(record), Some(kept), false) = (self.trainer.forget(), &mut self.kept, testing) {
+        if let (Some(record), Some(kept), false) = (self.pupil.forget(), &mut self.kept, testing) {
             self.sessions += 1;
             kept.keep(&record, None)?;
         }
@@ -231,8 +229,8 @@ impl Classroom {
         };
         let Some(before) = before else { return Ok(false) };
         match before {
-            Some(model) => self.trainer.restore(&model)?,
-            None => self.trainer.start_anew()?,
+            Some(model) => self.pupil.restore(&model)?,
+            None => self.pupil.start_anew()?,
         }
         let was = self.learned.pop().flatten();
         if let Some(tour) = self.tour.as_mut().filter(|_| was.is_some_and(|id| is_lesson(&id))) {
@@ -245,17 +243,17 @@ impl Classroom {
     /// Begins another conversation, or goes on with one, by its name. A session under way ends unlearned.
     pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         self.forget()?;
-        self.trainer.converse(id)
+        self.pupil.converse(id)
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Failure> {
         self.forget()?;
-        self.trainer.enter(home)
+        self.pupil.enter(home)
     }
 
     /// The robot, its home and the session under way.
     pub const fn lesson(&self) -> &Lesson<Site> {
-        self.trainer.lesson()
+        self.pupil.lesson()
     }
 }

@@ -3,7 +3,7 @@
 //! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
 //! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
 
-use super::site::Recorded;
+use super::site::{self, Recorded};
 use etcetera::BaseStrategy;
 use goodbot::snapshot::Contents;
 use goodbot_console::messages::{counted, say};
@@ -220,7 +220,7 @@ impl Kept {
     /// A [`Failure`] that names the file. What was not written is tried again with the next session, and by
     /// [`write_what_is_left`](Self::write_what_is_left).
     pub fn keep(&mut self, session: &Recorded, model: Option<Vec<u8>>) -> Result<(), Failure> {
-        let lines = session.to_lines().map_err(|error| cannot(&self.places.log, "written to", error))?;
+        let lines = site::lines(session).map_err(|error| cannot(&self.places.log, "written to", error))?;
         let introduction = self.introduction.take();
         let text = format!("{}{}\n", introduction.as_deref().unwrap_or_default(), lines.join("\n"));
         let was_behind = self.is_behind();
@@ -315,7 +315,7 @@ mod tests {
     );
 
     fn session() -> Recorded {
-        Recorded::Home(SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap())
+        Recorded::Floor(SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap())
     }
 
     fn places(folder: &tempfile::TempDir) -> Places {
@@ -351,7 +351,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
         let mut unlearned = session();
-        unlearned.session_mut().learn = false;
+        site::session_mut(&mut unlearned).learn = false;
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
         kept.keep(&session(), Some(b"second".to_vec())).unwrap();
         kept.keep(&unlearned, None).unwrap();

@@ -1,6 +1,6 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`trainer`]: one robot, its home and the session under way; all that is asked of the core, in its [`site`], seen as a [`scene`] or a [`table`];
+//! - [`pupil`]: one robot, its home and the session under way; all that is asked of the core, in its [`site`], seen as a [`scene`] or a [`table`];
 //! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
 //! - [`protocol`]: lines in, JSON out;
 //! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
@@ -18,12 +18,12 @@ mod picture;
 pub mod plain_names;
 mod prompt;
 mod protocol;
+mod pupil;
 mod scene;
 mod screen;
 pub mod site;
 mod table;
 mod terminal;
-mod trainer;
 mod visit;
 
 use clap::{Args, ValueHint};
@@ -48,12 +48,12 @@ use keys::Intent;
 use lessons::Tour;
 use pace::Pace;
 use palette::Palette;
+use pupil::Pupil;
 use site::Setting;
 use std::io::{IsTerminal, Write, stdin, stdout};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
-use trainer::Trainer;
 use visit::{Phase, Visit};
 
 /// The robot's name where none is given, and that of the tour.
@@ -157,7 +157,7 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     let shown = terminal::show(&mut visit, palette);
     // What was being learned is learned to its end, and a session under way is written down.
     let written = visit.classroom.leave();
-    let learned = visit.classroom.trainer.lessons_learned();
+    let learned = visit.classroom.pupil.lessons_learned();
     if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
         // Where the window was closed nobody reads this.
         let all = counted(learned, "session");
@@ -176,9 +176,9 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     const SIZE: (u16, u16) = (80, 24);
     const LESSON: usize = 5;
     const STEPS: usize = 3;
-    let trainer = Trainer::new(&Setting::Home(first_home()?), seed, false, None)?;
+    let pupil = Pupil::new(&Setting::Floor(first_home()?), seed, false, None)?;
     let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
-    let mut visit = Visit::new(Classroom::new(trainer, None, Some(tour))?, Pace::Normal, seed);
+    let mut visit = Visit::new(Classroom::new(pupil, None, Some(tour))?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
     loop {
         let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
@@ -198,27 +198,27 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
 /// The robot with its files, in its home.
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let home = setting(options)?;
-    let world = if let Setting::World(world) = &home { Some(world) } else { None };
+    let world = if let Setting::Other(world) = &home { Some(world) } else { None };
     let name = options.home.as_deref().map(input::name);
-    let trainer = Trainer::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
+    let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
     let places = places(options, lines, world)?;
-    let trainer = match places.as_ref().filter(|places| world.is_none() && places.model.exists()) {
-        Some(Places { model, .. }) => of_kept_kinds(options, trainer, model)?,
-        None => trainer,
+    let pupil = match places.as_ref().filter(|places| world.is_none() && places.model.exists()) {
+        Some(Places { model, .. }) => of_kept_kinds(options, pupil, model)?,
+        None => pupil,
     };
     if options.starter.is_given() && world.is_some() {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
     }
-    let starter = options.starter.read(trainer.lesson().agent.lifted(), Learner::Default.options())?;
-    let trainer = trainer.with_starter(starter)?;
-    let trainer = trainer.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
+    let starter = options.starter.read(pupil.lesson().agent.lifted(), Learner::Default.options())?;
+    let pupil = pupil.with_starter(starter)?;
+    let pupil = pupil.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
     let kept = places.map(|places| Kept::open(places, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
-    let mut classroom = Classroom::new(trainer, kept, tour)?;
-    let known = classroom.trainer.lessons_learned();
+    let mut classroom = Classroom::new(pupil, kept, tour)?;
+    let known = classroom.pupil.lessons_learned();
     if let Some(Places { model, log }) = classroom.kept().map(Kept::places).filter(|_| known < in_log) {
         let (model, log) = (model.display(), log.display());
         say!(
@@ -249,11 +249,11 @@ fn places(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -
 }
 
 /// The robot with the kinds of task that its file keeps.
-fn of_kept_kinds(options: &TeachOptions, trainer: Trainer, model: &Path) -> Result<Trainer, Failure> {
-    let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(trainer) };
-    let asked = options.routes.then(|| trainer.lesson().agent.lifted().to_vec());
+fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, model: &Path) -> Result<Pupil, Failure> {
+    let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(pupil) };
+    let asked = options.routes.then(|| pupil.lesson().agent.lifted().to_vec());
     let kinds = kinds::agreed(model, kinds, asked, "--routes")?;
-    trainer.with_kinds(&kinds)
+    pupil.with_kinds(&kinds)
 }
 
 /// What is expected of the trainer. There is no log whose sessions could say so.
@@ -289,7 +289,7 @@ fn first_home() -> Result<EnvironmentFile, Failure> {
 fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     let Some(file) = &options.home else {
         let home = if options.random { lessons::random_home(options.seed.unwrap_or(1)).ok_or_else(no_home) } else { first_home() };
-        return home.map(Setting::Home);
+        return home.map(Setting::Floor);
     };
     if file == "-" {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
@@ -299,8 +299,8 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
             // What is wrong with the robot is told in its place.
             let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
             robot.map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
-            Ok(Setting::World(Arc::new(read.world)))
+            Ok(Setting::Other(Arc::new(read.world)))
         }
-        None => Ok(input::home(file).map(Setting::Home)?),
+        None => Ok(input::home(file).map(Setting::Floor)?),
     }
 }

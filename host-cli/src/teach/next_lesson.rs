@@ -1,7 +1,7 @@
 //! What to teach next, and why.
 
 use super::lessons::{course_lessons, home_named};
-use super::trainer::Trainer;
+use super::pupil::Pupil;
 use goodbot_console::outcome::Failure;
 use goodbot_course::next_lesson::next_lesson;
 use goodbot_formats::environment::EnvironmentFile;
@@ -46,18 +46,18 @@ pub enum Next {
 }
 
 /// The lesson that teaches most of what is wanted, of all that can be taught in the course's homes, and of the wanted commands themselves.
-pub fn propose(trainer: &Trainer, wanted: &[String]) -> Result<Next, Failure> {
+pub fn propose(pupil: &Pupil, wanted: &[String]) -> Result<Next, Failure> {
     if wanted.is_empty() {
         return Ok(Next::NothingWanted);
     }
     // The course's lessons are of homes.
-    let is_home = trainer.lesson().home().home().is_some();
+    let is_home = pupil.lesson().home().as_floor().is_some();
     let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
     lessons.extend(own.into_iter().map(|command| (None, command)));
     let [commands, wanted]: [Vec<&str>; 2] =
         [lessons.iter().map(|(_, command)| command.as_str()).collect(), wanted.iter().map(String::as_str).collect()];
-    let found = next_lesson(&commands, &wanted, |word| trainer.times_heard(word))?;
+    let found = next_lesson(&commands, &wanted, |word| pupil.times_heard(word))?;
     let Some((next, (home, command))) = found.filter(|next| !next.is_known()).and_then(|next| Some((next, lessons.get(next.lesson)?)))
     else {
         return Ok(Next::LittleLeft);

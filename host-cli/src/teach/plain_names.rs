@@ -9,8 +9,8 @@ use goodbot_lesson::name::{in_words, object_in_words, way_in_words};
 /// file it is told by the names there: `lamp on: red kitchen lamp`.
 pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> String {
     match site {
-        Site::Home(home) => in_words(home, lifted, task),
-        Site::World(robot) => {
+        Site::Floor(home) => in_words(home, lifted, task),
+        Site::Other(robot) => {
             let told = |part: GroundProposition| {
                 let schema = robot.world().schema;
                 let count = schema.parameters(part.proposition).len();
@@ -26,8 +26,8 @@ pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> Stri
 /// An object as a person calls it.
 pub fn object_words(site: &Site, id: ObjectId) -> String {
     match site {
-        Site::Home(home) => object_in_words(home, id),
-        Site::World(robot) => looks(robot, id),
+        Site::Floor(home) => object_in_words(home, id),
+        Site::Other(robot) => looks(robot, id),
     }
 }
 
@@ -103,7 +103,7 @@ mod tests {
         let (home, start) = homes::build(&rooms, Moves::Push, homes::memory()).unwrap();
         let (kinds, mut tasks) = (paper_tasks().unwrap(), [GroundedTask::UNUSED; 4]);
         ground(&home, &kinds, &start, &mut tasks).unwrap();
-        let (site, go) = (Site::Home(home), tasks[0]);
+        let (site, go) = (Site::Floor(home), tasks[0]);
         let told = [go, go.negated(&kinds[0]).unwrap()].map(|task| task_words(&site, &kinds[0], &task));
         assert_eq!(told, ["go to the green room", "stay out of the green room"]);
     }

@@ -15,8 +15,12 @@ use crossterm::terminal::{EnterAlternateScreen, LeaveAlternateScreen, disable_ra
 use ratatui::Terminal;
 use ratatui::backend::CrosstermBackend;
 use ratatui::layout::Rect;
+#[cfg(unix)]
+use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
 use std::io::{self, Stdout, stdout};
 use std::mem::ManuallyDrop;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
@@ -68,80 +72,37 @@ fn give_back_in_a_panic() {
     }));
 }
 
-/// What other programs and the system ask of this one.
-#[cfg(unix)]
-mod signals {
-    use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP};
-    use std::io;
-    use std::sync::Arc;
-    use std::sync::atomic::{AtomicBool, Ordering};
-
-    #[derive(Default)]
-    pub struct Signals {
-        leave: Arc<AtomicBool>,
-        stop: Arc<AtomicBool>,
-        go_on: Arc<AtomicBool>,
-    }
-
-    impl Signals {
-        pub fn listen() -> io::Result<Self> {
-            let signals = Self::default();
-            for signal in [SIGHUP, SIGINT, SIGQUIT, SIGTERM] {
-                signal_hook::flag::register(signal, Arc::clone(&signals.leave))?;
-            }
-            signal_hook::flag::register(SIGTSTP, Arc::clone(&signals.stop))?;
-            signal_hook::flag::register(SIGCONT, Arc::clone(&signals.go_on))?;
-            Ok(signals)
-        }
-
-        pub fn leave(&self) -> bool {
-            self.leave.load(Ordering::Relaxed)
-        }
-
-        pub fn stop(&self) -> bool {
-            self.stop.swap(false, Ordering::Relaxed)
-        }
-
-        pub fn go_on(&self) -> bool {
-            self.go_on.swap(false, Ordering::Relaxed)
-        }
-
-        /// Stops this program until it is told to go on.
-        pub fn suspend(&self) -> io::Result<()> {
-            signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
-            self.go_on.store(false, Ordering::Relaxed);
-            Ok(())
-        }
-    }
+/// What other programs and the system ask of this one. Only Unix does.
+#[derive(Default)]
+struct Signals {
+    leave: Arc<AtomicBool>,
+    stop: Arc<AtomicBool>,
+    go_on: Arc<AtomicBool>,
 }
 
-/// Elsewhere there are none.
-#[cfg(not(unix))]
-mod signals {
-    use std::io;
-
-    pub struct Signals;
-
-    impl Signals {
-        pub fn listen() -> io::Result<Self> {
-            Ok(Self)
+impl Signals {
+    fn listen() -> io::Result<Self> {
+        let signals = Self::default();
+        #[cfg(unix)]
+        for (signal, asked) in [
+            (SIGHUP, &signals.leave),
+            (SIGINT, &signals.leave),
+            (SIGQUIT, &signals.leave),
+            (SIGTERM, &signals.leave),
+            (SIGTSTP, &signals.stop),
+            (SIGCONT, &signals.go_on),
+        ] {
+            signal_hook::flag::register(signal, Arc::clone(asked))?;
         }
+        Ok(signals)
+    }
 
-        pub fn leave(&self) -> bool {
-            false
-        }
-
-        pub fn stop(&self) -> bool {
-            false
-        }
-
-        pub fn go_on(&self) -> bool {
-            false
-        }
-
-        pub fn suspend(&self) -> io::Result<()> {
-            Ok(())
-        }
+    /// Stops this program until it is told to go on.
+    fn suspend(&self) -> io::Result<()> {
+        #[cfg(unix)]
+        signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
+        self.go_on.store(false, Ordering::Relaxed);
+        Ok(())
     }
 }
 
@@ -166,21 +127,21 @@ fn listen() -> Receiver<io::Result<Event>> {
 /// Where the terminal cannot be read or drawn on, as when its window is closed.
 pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
     give_back_in_a_panic();
-    let signals = signals::Signals::listen()?;
+    let signals = Signals::listen()?;
     let mut stage = Stage::enter()?;
     let events = listen();
     let begun = Instant::now();
     while !visit.left {
         visit.tick(begun.elapsed());
         stage.terminal.draw(|frame| screen::draw(frame, visit, palette))?;
-        if signals.leave() {
+        if signals.leave.load(Ordering::Relaxed) {
             visit.take(Intent::Leave, begun.elapsed());
             continue;
         }
-        if signals.stop() {
+        if signals.stop.swap(false, Ordering::Relaxed) {
             suspend(&mut stage, &signals)?;
         }
-        if signals.go_on() {
+        if signals.go_on.swap(false, Ordering::Relaxed) {
             take_over()?;
             stage.redraw()?;
         }
@@ -205,7 +166,7 @@ pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
     Ok(())
 }
 
-fn suspend(stage: &mut Stage, signals: &signals::Signals) -> io::Result<()> {
+fn suspend(stage: &mut Stage, signals: &Signals) -> io::Result<()> {
     give_back();
     signals.suspend()?;
     take_over()?;

@@ -1,6 +1,6 @@
 //! Sessions that were trained on and are asked all the same: the same id, or the same content under another.
 
-use goodbot_console::lessons::Lesson;
+use goodbot_console::training_data::Lesson;
 use std::collections::HashMap;
 
 /// What a session is known by: its id, and its content.

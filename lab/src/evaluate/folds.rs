@@ -4,10 +4,10 @@ use super::method::{Method, Trained};
 use super::novel::Novel;
 use super::wordless::Wordless;
 use goodbot::language::{Settings, Synonyms};
-use goodbot_console::lessons::{Lesson, Reading, training};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
+use goodbot_console::training_data::{Lesson, Reading, training};
 use rand_core::Rng;
 use rayon::prelude::*;
 

@@ -8,10 +8,10 @@ use goodbot::memory::AgentHeap;
 use goodbot::task::TokenOrder;
 use goodbot::{Agent, Options};
 use goodbot_console::learner::Learner;
-use goodbot_console::lessons::training;
-use goodbot_console::lessons::{Lesson, MachineCommand};
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
+use goodbot_console::training_data::training;
+use goodbot_console::training_data::{Lesson, MachineCommand};
 use goodbot_lesson::first_words::heard;
 use goodbot_lesson::{checked, home};
 use std::borrow::Cow;
@@ -188,7 +188,7 @@ impl Bags {
             };
             words.iter().filter(|word| self.words.contains(*word)).map(each).product::<f64>()
         };
-        let score = |reading: &goodbot_console::lessons::Reading| {
+        let score = |reading: &goodbot_console::training_data::Reading| {
             let sum: f64 = reading.commands.iter().map(likelihood).sum();
             f64::from(reading.prior) * sum / reading.commands.len().max(1) as f64
         };

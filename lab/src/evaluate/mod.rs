@@ -24,7 +24,6 @@ use folds::Experiment;
 use goodbot::memory::AgentHeap;
 use goodbot::task::LiftedTask;
 use goodbot::{Capacities, Options};
-use goodbot_console::lessons::{self, Lesson, Lessons, Told, restored};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
 use goodbot_console::load::synonyms::SynonymOptions;
@@ -33,6 +32,7 @@ use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::starter::{Starter, StarterOptions};
+use goodbot_console::training_data::{self, Lesson, Lessons, Told, restored};
 use method::{Method, Trained};
 use novel::Novel;
 use report::{Read, Summary};
@@ -230,7 +230,7 @@ fn with_model(
     }
     let agent = restored::options(file)?;
     let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
-    let asked = lessons::read(&files, lifted, agent, false, &told)?;
+    let asked = training_data::read(&files, lifted, agent, false, &told)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -269,10 +269,10 @@ impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let plans = options.learner == Method::Action;
         let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
-        let taught = lessons::read(&options.files, lifted, agent, plans, &told)?;
+        let taught = training_data::read(&options.files, lifted, agent, plans, &told)?;
         let asked = match options.test.as_slice() {
             [] => None,
-            files => Some(lessons::read(files, lifted, agent, plans, &told)?),
+            files => Some(training_data::read(files, lifted, agent, plans, &told)?),
         };
         Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }

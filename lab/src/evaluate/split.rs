@@ -3,7 +3,7 @@
 use super::folds::shuffled;
 use clap::ValueEnum;
 use goodbot::language::Model;
-use goodbot_console::lessons::Lesson;
+use goodbot_console::training_data::Lesson;
 use goodbot_lesson::first_words::heard;
 use std::collections::BTreeMap;
 

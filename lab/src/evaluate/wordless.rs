@@ -3,7 +3,7 @@
 //! Where each task always begins in a room of its own, such a learner understands every command. An accuracy says something of words only
 //! as far as it is above this one's.
 
-use goodbot_console::lessons::Lesson;
+use goodbot_console::training_data::Lesson;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::BTreeMap;
 
@@ -59,7 +59,7 @@ impl Wordless {
             here.map_or(everywhere, |here| here.share(label, everywhere))
         };
         // Tasks that look alike share what their look has.
-        let part = |reading: &goodbot_console::lessons::Reading| {
+        let part = |reading: &goodbot_console::training_data::Reading| {
             f64::from(reading.prior) / alike.get(reading.label.as_str()).copied().unwrap_or(1.0)
         };
         let scores: Vec<f64> = lesson.readings.iter().map(|reading| score(&reading.label) * part(reading)).collect();

@@ -47,10 +47,9 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let mut text = format!(
         "# Comparison with other agents\n\n\
-         An agent that learns from a person's words needs two things: an inference, which finds out in a lesson what is meant, and a \
-         language, which learns from that what words mean. Here each inference goes with each language. {} kinds of trainers teach them, \
-         in {} courses. Every number covers {} seeds ({first} to {last}); each seed has its own homes, and all agents meet the same \
-         homes and trainers. Intervals are 95 %.\n\n\
+         An inference finds out in a lesson what is meant, and a language learns from that what words mean. Here each inference goes with \
+         each language. {} kinds of trainers teach them, in {} courses. Every number covers {} seeds ({first} to {last}); each seed has its \
+         own homes, and all agents meet the same homes and trainers. Intervals are 95 %.\n\n\
          `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
          share the work, and `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
         plan.trainers.len(),
@@ -62,10 +61,10 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &format!(
         "## Limitations\n\
          - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
-         with four commands only. A simulated trainer never tires and never changes its mind. \
-         A study with people needs a link to [the page](page.md#a-study-in-a-class), and no server.\n\
+         with four commands only. A simulated trainer never tires and never changes its mind. For a study with people see [the \
+         page](page.md#a-study-in-a-class).\n\
          - TAMER, COACH and policy shaping were made for other purposes. Here they choose among tasks, begin with what the language says, \
-         and have goodbot's exact planner. That is more than they ask for; it makes them comparable.\n\
+         and have goodbot's exact planner, so that they can be compared.\n\
          - A lesson ends when the agent has rested three times at the goal, when the goal becomes unreachable, or after {MOST_STEPS} \
          steps. That the trainer ends it at the goal tells no agent anything.\n\
          - `this` expects trainers that were fitted to the same recorded sessions as `population`.\n\
@@ -77,8 +76,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     for course in &plan.courses {
         text += &format!("| `{}` | {} |\n", course.name(), course.is());
     }
-    text += "\nIn `told` all lessons are in one home, and all tests in another; the robot and both blocks begin in the yellow room. So the same nine tasks are possible each time, and a \
-             purple block is always a chair: no comparison of lessons tells what a word means.\n\n| agent | description | settings |\n|---|---|---|\n";
+    text += "\nIn `told` all lessons are in one home, and all tests in another; the robot and both blocks begin in the yellow room. So the same nine tasks are \
+             possible each time: no comparison of lessons tells what a word means.\n\n| agent | description | settings |\n|---|---|---|\n";
     for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }

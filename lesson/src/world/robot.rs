@@ -27,21 +27,14 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// Why a world file is no robot's.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("field \"{field}\": {message}")]
 pub struct Flaw {
     /// The field at fault.
     pub field: String,
     /// What is wrong, and what to do.
     pub message: String,
 }
-
-impl std::fmt::Display for Flaw {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "field \"{}\": {}", self.field, self.message)
-    }
-}
-
-impl std::error::Error for Flaw {}
 
 pub(super) fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Flaw> {
     Err(Flaw { field: field.into(), message: message.into() })

@@ -6,9 +6,9 @@ use crate::teach::classroom::Classroom;
 use crate::teach::kept::Kept;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
+use crate::teach::pupil::Judged;
+use crate::teach::pupil::{Heard, Meaning};
 use crate::teach::table::Table;
-use crate::teach::trainer::Judged;
-use crate::teach::trainer::{Heard, Meaning};
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
@@ -157,8 +157,8 @@ impl Speaker<'_> {
             "undo" => self.undo(),
             "reset" => {
                 self.classroom.forget()?;
-                self.classroom.trainer.put_back();
-                Ok(vec![self.place(if self.classroom.trainer.table().is_some() { "world" } else { "home" })])
+                self.classroom.pupil.put_back();
+                Ok(vec![self.place(if self.classroom.pupil.table().is_some() { "world" } else { "home" })])
             }
             "state" => Ok(vec![self.state()]),
             "words" => Ok(vec![self.words()]),
@@ -173,7 +173,7 @@ impl Speaker<'_> {
 
     fn ready(&self) -> Value {
         let mut ready =
-            json!({"type": "ready", "protocol": PROTOCOL, "seed": self.seed, "sessions": self.classroom.trainer.lessons_learned()});
+            json!({"type": "ready", "protocol": PROTOCOL, "seed": self.seed, "sessions": self.classroom.pupil.lessons_learned()});
         self.add_place(&mut ready);
         self.add_lesson(&mut ready);
         ready
@@ -184,7 +184,7 @@ impl Speaker<'_> {
         let failure = self.classroom.leave().err();
         let places = self.classroom.kept().map(|kept| kept.places());
         let mut bye = json!({
-            "type": "bye", "sessions": self.classroom.trainer.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
+            "type": "bye", "sessions": self.classroom.pupil.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
             "model": places.map(|places| places.model.display().to_string()),
             "log": places.map(|places| places.log.display().to_string()),
         });
@@ -221,8 +221,8 @@ impl Speaker<'_> {
 
     /// The result of a command.
     fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
-        let trainer = &self.classroom.trainer;
-        let (certainty, meant) = (trainer.certainty(), trainer.taken_for().to_string());
+        let pupil = &self.classroom.pupil;
+        let (certainty, meant) = (pupil.certainty(), pupil.taken_for().to_string());
         let declined = match heard {
             Heard::Command => None,
             Heard::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
@@ -241,8 +241,8 @@ impl Speaker<'_> {
         if let Some(rest) = self.classroom.lesson().rest() {
             heard["rest"] = rest.into();
         }
-        if trainer.unread() > 0 {
-            heard["unread"] = trainer.unread().into();
+        if pupil.unread() > 0 {
+            heard["unread"] = pupil.unread().into();
         }
         self.add_tasks(&mut heard);
         Ok(heard)
@@ -257,7 +257,7 @@ impl Speaker<'_> {
             });
         }
         let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
-        match self.classroom.trainer.said(words)? {
+        match self.classroom.pupil.said(words)? {
             Said::Judgement(feedback) => self.judge(feedback),
             Said::Finish => {
                 let mut answers = self.judge(Feedback::Reward)?;
@@ -266,7 +266,7 @@ impl Speaker<'_> {
             }
             Said::Answer(answer) => self.reply_as(words, answer),
             Said::Correction => {
-                let evidence = self.classroom.trainer.correct(words)?;
+                let evidence = self.classroom.pupil.correct(words)?;
                 let mut told = json!({"type": "corrected", "words": words, "counted": evidence == Evidence::Used});
                 self.add_tasks(&mut told);
                 Ok(vec![told])
@@ -288,19 +288,19 @@ impl Speaker<'_> {
     /// A word to the last step, and what was said along with it.
     fn judge_saying(&mut self, feedback: Feedback, words: &str) -> Answers {
         let judged = self.judge(feedback)?;
-        self.classroom.trainer.learn_word(words, feedback)?;
+        self.classroom.pupil.learn_word(words, feedback)?;
         Ok(judged)
     }
 
     fn support(&self) -> Result<Vec<Value>, Failure> {
-        let meanings = self.classroom.trainer.meanings();
+        let meanings = self.classroom.pupil.meanings();
         let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
-        let word = |word: crate::teach::trainer::WordSupport| {
+        let word = |word: crate::teach::pupil::WordSupport| {
             let shares: Map<String, Value> =
                 word.shares.iter().enumerate().filter_map(|(position, &share)| Some((of(position)?, number(share)))).collect();
             json!({"word": word.word, "known": word.known, "speaks_for": shares})
         };
-        Ok(self.classroom.trainer.word_support()?.into_iter().map(word).collect())
+        Ok(self.classroom.pupil.word_support()?.into_iter().map(word).collect())
     }
 
     fn step(&mut self) -> Answers {
@@ -310,11 +310,11 @@ impl Speaker<'_> {
                 instead: "send a command first, such as: command go to the red room",
             });
         }
-        let trainer = &mut self.classroom.trainer;
-        trainer.lesson_mut().go_on()?;
-        trainer.plan_fully()?;
-        let meanings = trainer.meanings();
-        let acted = trainer.act()?.clone();
+        let pupil = &mut self.classroom.pupil;
+        pupil.lesson_mut().go_on()?;
+        pupil.plan_fully()?;
+        let meanings = pupil.meanings();
+        let acted = pupil.act()?.clone();
         let task = meanings.iter().find(|meaning| meaning.position == acted.task);
         let mut answer = json!({
             "type": "acted", "action": acted.action, "confidence": number(acted.confidence), "plan": acted.plan.name(),
@@ -323,7 +323,7 @@ impl Speaker<'_> {
         self.add_cells(&mut answer);
         self.add_tasks(&mut answer);
         if let Some(tasks) = answer.get_mut("tasks").and_then(Value::as_array_mut) {
-            for (meaning, task) in self.classroom.trainer.meanings().iter().zip(tasks) {
+            for (meaning, task) in self.classroom.pupil.meanings().iter().zip(tasks) {
                 task["right"] = acted.is_right(meaning.position).into();
             }
         }
@@ -331,11 +331,11 @@ impl Speaker<'_> {
     }
 
     fn judge(&mut self, feedback: Feedback) -> Answers {
-        let trainer = &mut self.classroom.trainer;
-        let Some(action) = trainer.lesson().acted().map(|acted| acted.action.clone()) else {
+        let pupil = &mut self.classroom.pupil;
+        let Some(action) = pupil.lesson().acted().map(|acted| acted.action.clone()) else {
             return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
         };
-        let judged = trainer.lesson_mut().judge(feedback)?;
+        let judged = pupil.lesson_mut().judge(feedback)?;
         let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::As(Evidence::Used) | Judged::AsBefore)});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
@@ -348,10 +348,10 @@ impl Speaker<'_> {
                 instead: "send a command first, such as: command go to the red room",
             });
         }
-        let trainer = &mut self.classroom.trainer;
-        trainer.plan_fully()?;
-        let asks = trainer.ask(&Asking::DEFAULT)?;
-        let meanings = trainer.meanings();
+        let pupil = &mut self.classroom.pupil;
+        pupil.plan_fully()?;
+        let asks = pupil.ask(&Asking::DEFAULT)?;
+        let meanings = pupil.meanings();
         let of = |position: &usize| meanings.iter().find(|meaning| meaning.position == *position).map(|meaning| meaning.name.clone());
         Ok(vec![match asks {
             None => json!({"type": "question", "text": null}),
@@ -377,8 +377,8 @@ impl Speaker<'_> {
 
     fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
         let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
-        let trainer = &mut self.classroom.trainer;
-        let evidence = trainer.lesson_mut().answer(given).map_err(|refused| Misunderstood::told(refused, instead))?;
+        let pupil = &mut self.classroom.pupil;
+        let evidence = pupil.lesson_mut().answer(given).map_err(|refused| Misunderstood::told(refused, instead))?;
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
         self.add_tasks(&mut told);
         Ok(vec![told])
@@ -405,7 +405,7 @@ impl Speaker<'_> {
     }
 
     fn auto(&mut self) -> Answers {
-        let feedback = self.classroom.trainer.simulated_word().ok_or(Misunderstood {
+        let feedback = self.classroom.pupil.simulated_word().ok_or(Misunderstood {
             message: "a simulated trainer judges only if it knows the intended task: in lessons of the tour, or after intended".to_owned(),
             instead: "send good, bad or silence; or send intended and the task first",
         })?;
@@ -413,11 +413,11 @@ impl Speaker<'_> {
     }
 
     fn back(&mut self) -> Answers {
-        let trainer = &mut self.classroom.trainer;
-        if !trainer.lesson_mut().take_back()? {
+        let pupil = &mut self.classroom.pupil;
+        if !pupil.lesson_mut().take_back()? {
             return Err(Misunderstood { message: "no step was taken yet".to_owned(), instead: "send step" });
         }
-        trainer.lesson_mut().walk_on()?;
+        pupil.lesson_mut().walk_on()?;
         let mut answer = json!({"type": "back"});
         self.add_cells(&mut answer);
         self.add_tasks(&mut answer);
@@ -446,7 +446,7 @@ impl Speaker<'_> {
     }
 
     fn over(&self, learned: bool, steps: usize, gave_way: usize) -> Vec<Value> {
-        let sessions = self.classroom.trainer.lessons_learned();
+        let sessions = self.classroom.pupil.lessons_learned();
         let over = json!({"type": "finished", "learned": learned, "steps": steps, "sessions": sessions, "gave_way": gave_way});
         std::iter::once(over).chain(self.lesson().filter(|_| learned)).collect()
     }
@@ -458,7 +458,7 @@ impl Speaker<'_> {
                 instead: "send a command, step, good and finish first",
             });
         }
-        let undone = json!({"type": "undone", "sessions": self.classroom.trainer.lessons_learned()});
+        let undone = json!({"type": "undone", "sessions": self.classroom.pupil.lessons_learned()});
         Ok(std::iter::once(undone).chain(self.lesson()).collect())
     }
 
@@ -488,7 +488,7 @@ impl Speaker<'_> {
     fn state(&self) -> Value {
         let mut state = json!({
             "type": "state", "command": self.classroom.lesson().command(),
-            "sessions": self.classroom.trainer.lessons_learned(),
+            "sessions": self.classroom.pupil.lessons_learned(),
         });
         self.add_place(&mut state);
         self.add_cells(&mut state);
@@ -498,11 +498,11 @@ impl Speaker<'_> {
     }
 
     fn words(&self) -> Value {
-        let idea = |idea: crate::teach::trainer::Idea| {
+        let idea = |idea: crate::teach::pupil::Idea| {
             let called = idea.called.iter().map(|(word, share)| (self.classroom.words.of(word), number(*share)));
             json!({"token": idea.token, "words": idea.words, "called": called.collect::<Map<String, Value>>()})
         };
-        json!({"type": "words", "ideas": self.classroom.trainer.ideas().into_iter().map(idea).collect::<Vec<_>>()})
+        json!({"type": "words", "ideas": self.classroom.pupil.ideas().into_iter().map(idea).collect::<Vec<_>>()})
     }
 
     /// The tour's current lesson or test, as a line of its own; nothing outside of it.
@@ -529,11 +529,11 @@ impl Speaker<'_> {
     }
 
     fn add_place(&self, answer: &mut Value) {
-        if let Some(table) = self.classroom.trainer.table() {
+        if let Some(table) = self.classroom.pupil.table() {
             answer["world"] = table.name.as_str().into();
             answer["facts"] = facts(&table);
         }
-        if let Some(scene) = self.classroom.trainer.scene() {
+        if let Some(scene) = self.classroom.pupil.scene() {
             answer["home"] = json!(scene.environment);
             answer["map"] = scene.map.lines().collect();
         }
@@ -541,10 +541,10 @@ impl Speaker<'_> {
 
     /// Where the robot and the blocks are; in a world from a file, what holds there.
     fn add_cells(&self, answer: &mut Value) {
-        if let Some(table) = self.classroom.trainer.table() {
+        if let Some(table) = self.classroom.pupil.table() {
             answer["facts"] = facts(&table);
         }
-        let Some(scene) = self.classroom.trainer.scene() else { return };
+        let Some(scene) = self.classroom.pupil.scene() else { return };
         let cell = |object: &ObjectRecord| match object {
             ObjectRecord::Agent { name, x, y } | ObjectRecord::Block { name, x, y, .. } => Some((name.clone(), json!([x, y]))),
             ObjectRecord::Room { .. } | ObjectRecord::Door { .. } => None,
@@ -555,7 +555,7 @@ impl Speaker<'_> {
     /// The tasks, the likeliest first.
     fn add_tasks(&self, answer: &mut Value) {
         let task = |meaning: Meaning| json!({"task": meaning.name, "words": meaning.words, "probability": number(meaning.probability)});
-        answer["tasks"] = self.classroom.trainer.meanings().into_iter().map(task).collect();
+        answer["tasks"] = self.classroom.pupil.meanings().into_iter().map(task).collect();
     }
 }
 

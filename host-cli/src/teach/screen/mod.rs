@@ -65,7 +65,7 @@ fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
         None if visit.classroom.tour.is_some() => "The tour is over".to_owned(),
         None => "Free play".to_owned(),
     };
-    let learned = counted(visit.classroom.trainer.lessons_learned(), "session");
+    let learned = counted(visit.classroom.pupil.lessons_learned(), "session");
     let left = format!(" goodbot · {place}");
     let right = format!("learned from {learned} · speed: {} ", visit.pace.name());
     let gap = usize::from(area.width).saturating_sub(left.chars().count() + right.chars().count());
@@ -74,7 +74,7 @@ fn draw_title(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
 }
 
 fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
-    let place = match (visit.classroom.trainer.scene(), visit.classroom.trainer.table()) {
+    let place = match (visit.classroom.pupil.scene(), visit.classroom.pupil.table()) {
         (Some(scene), _) => Shown::Home(scene),
         (None, Some(table)) => Shown::World(table),
         (None, None) => return,

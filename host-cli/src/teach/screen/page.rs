@@ -63,7 +63,7 @@ fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
          as you say good or bad. A word of yours counts for each guess by whether the step was right for it: ▲ for it, ▼ against it. Silence \
          tells it little. When you finish, it learns what your words mean.",
     )];
-    if let Some(best) = visit.classroom.trainer.meanings().first() {
+    if let Some(best) = visit.classroom.pupil.meanings().first() {
         lines.push(Line::styled(format!("Now: {} Its best guess is \"{}\".", visit.told(), best.words), palette.strong()));
     }
     for (key, what) in KEYS {

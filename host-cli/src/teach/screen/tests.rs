@@ -5,8 +5,8 @@ use crate::teach::classroom::Classroom;
 use crate::teach::keys::Intent;
 use crate::teach::lessons::{Tour, first_home};
 use crate::teach::pace::Pace;
+use crate::teach::pupil::Pupil;
 use crate::teach::site::Setting;
-use crate::teach::trainer::Trainer;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home;
 use ratatui::Terminal;
@@ -15,15 +15,15 @@ use ratatui::style::Color;
 use std::time::Duration;
 
 fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
-    let trainer = Trainer::new(&Setting::Home(home.clone()), 1, false, None).unwrap();
+    let pupil = Pupil::new(&Setting::Floor(home.clone()), 1, false, None).unwrap();
     let tour = tour.then(|| Tour::new(None, std::iter::empty()));
-    Visit::new(Classroom::new(trainer, None, tour).unwrap(), Pace::Normal, 1)
+    Visit::new(Classroom::new(pupil, None, tour).unwrap(), Pace::Normal, 1)
 }
 
 /// A visit in a world from a file, as it begins.
 fn in_world(text: &str) -> Visit {
     let world = std::sync::Arc::new(goodbot_formats::world::WorldFile::parse(text).unwrap());
-    Visit::new(Classroom::new(Trainer::new(&Setting::World(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
+    Visit::new(Classroom::new(Pupil::new(&Setting::Other(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
 }
 
 fn drawn(visit: &Visit, columns: u16, rows: u16, palette: Palette) -> TestBackend {
@@ -58,7 +58,7 @@ fn a_lesson_under_way_at_80_by_24() {
 #[test]
 fn a_narrow_screen_shows_guesses_too_and_the_explanation_to_its_end() {
     let mut visit = first_lesson();
-    let best = visit.classroom.trainer.meanings()[0].words.clone();
+    let best = visit.classroom.pupil.meanings()[0].words.clone();
     assert!(text(&drawn(&visit, 40, 20, Palette::None)).contains(&best));
     visit.take(Intent::Explain, Duration::ZERO);
     assert!(!text(&drawn(&visit, 40, 20, Palette::None)).contains("leave; all"));
@@ -84,7 +84,7 @@ fn tab_proposes_a_lesson_goes_where_it_can_be_taught_and_says_why() {
     assert!(visit.message.starts_with("To teach next, as \"") && visit.message.contains("is in 1 of the commands"), "{}", visit.message);
     let proposed = visit.prompt.text();
     visit.take(Intent::Say, Duration::ZERO);
-    assert!(visit.classroom.trainer.meanings().iter().any(|meaning| meaning.words == proposed), "{proposed} can be meant here");
+    assert!(visit.classroom.pupil.meanings().iter().any(|meaning| meaning.words == proposed), "{proposed} can be meant here");
     visit.take(Intent::NextLesson, Duration::ZERO);
     assert!(visit.message.starts_with("First end this session"));
     assert_eq!(visit.classroom.lesson().command(), Some(proposed.as_str()));
@@ -131,7 +131,7 @@ fn a_word_to_its_goal_does_not_change_what_it_thought_was_done() {
     let done = visit.told();
     let task = done.split('"').nth(1).unwrap().to_owned();
     visit.take(Intent::Bad, now);
-    assert!(!visit.classroom.trainer.meanings()[0].words.contains(&task));
+    assert!(!visit.classroom.pupil.meanings()[0].words.contains(&task));
     assert!(visit.told().starts_with(&format!("It thinks that it is done: \"{task}\".")), "{}", visit.told());
 }
 

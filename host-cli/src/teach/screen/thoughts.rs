@@ -2,7 +2,7 @@
 
 use super::super::palette::Palette;
 use super::super::plain_names::percent;
-use super::super::trainer::{Idea, Meaning};
+use super::super::pupil::{Idea, Meaning};
 use super::super::visit::Visit;
 use super::framed;
 use goodbot::feedback::Feedback;
@@ -26,7 +26,7 @@ const LEAST_BAR: usize = 5;
 
 /// The rows that the words take.
 pub fn wanted(visit: &Visit) -> u16 {
-    let tasks = visit.classroom.trainer.meanings().len().min(TABLED);
+    let tasks = visit.classroom.pupil.meanings().len().min(TABLED);
     u16::try_from(tasks.max(2)).unwrap_or(2) + 2
 }
 
@@ -35,7 +35,7 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     let block = framed("What it thinks you mean", palette);
     let inner = block.inner(area);
     frame.render_widget(block, area);
-    let meanings = visit.classroom.trainer.meanings();
+    let meanings = visit.classroom.pupil.meanings();
     if meanings.is_empty() {
         frame.render_widget(Paragraph::new(introduction(visit)).style(palette.quiet()).wrap(ratatui::widgets::Wrap { trim: true }), inner);
         return;
@@ -104,7 +104,7 @@ fn cut(text: &str, width: usize) -> String {
 }
 
 fn introduction(visit: &Visit) -> &'static str {
-    if visit.classroom.trainer.lessons_learned() == 0 {
+    if visit.classroom.pupil.lessons_learned() == 0 {
         "Tell it what to do, in your own words. It knows none of them yet: it takes a guess and goes. Say good when it goes the right way, and \
          bad when it does not. When it is there, finish: then it learns what your words mean.\n\nIts guesses appear here, the likeliest first."
     } else {
@@ -114,7 +114,7 @@ fn introduction(visit: &Visit) -> &'static str {
 
 /// Draws which word spoke for which of the likeliest tasks; where nothing was said, what the robot calls things.
 pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
-    let meanings = visit.classroom.trainer.meanings();
+    let meanings = visit.classroom.pupil.meanings();
     if meanings.is_empty() {
         draw_ideas(frame, area, visit, palette);
         return;
@@ -168,7 +168,7 @@ fn draw_ideas(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
     let block = framed("What it calls things (w: all of it)", palette);
     let inner = block.inner(area);
     frame.render_widget(block, area);
-    let ideas = visit.classroom.trainer.ideas();
+    let ideas = visit.classroom.pupil.ideas();
     let entry =
         |(idea, word, share): (&Idea, &str, f32)| format!("{} \"{}\" {}", idea.words, visit.classroom.words.of(word), percent(share));
     let entries: Vec<String> = ideas.iter().filter_map(|idea| own_word(idea, &ideas)).map(entry).collect();
@@ -189,7 +189,7 @@ fn draw_ideas(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
 
 /// What the robot calls things, an idea a line.
 pub fn all_ideas<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
-    let ideas = visit.classroom.trainer.ideas();
+    let ideas = visit.classroom.pupil.ideas();
     if ideas.is_empty() {
         return vec![Line::raw("It has learned no word yet. Teach it something, and finish.")];
     }

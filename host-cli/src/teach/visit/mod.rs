@@ -11,8 +11,8 @@ use crate::teach::next_lesson::Next;
 use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
-use crate::teach::trainer::Judged;
-use crate::teach::trainer::{Acted, Heard, WordSupport};
+use crate::teach::pupil::Judged;
+use crate::teach::pupil::{Acted, Heard, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
@@ -105,7 +105,7 @@ impl Visit {
             word_at: None,
             homes: seed,
         };
-        let learned = visit.classroom.trainer.lessons_learned();
+        let learned = visit.classroom.pupil.lessons_learned();
         visit.idle(if learned == 0 {
             String::new()
         } else {
@@ -220,7 +220,7 @@ impl Visit {
             Intent::NextLesson if self.stop().is_some() => self.message = "In the tour the lessons are given.".to_owned(),
             Intent::NextLesson => self.propose()?,
             Intent::AnotherHome if self.stop().is_some() => self.message = "In the tour the homes are given.".to_owned(),
-            Intent::AnotherHome if self.classroom.trainer.table().is_some() => {
+            Intent::AnotherHome if self.classroom.pupil.table().is_some() => {
                 self.message = "This robot is in a world from a file. Leave, and start it with another file.".to_owned();
             }
             Intent::AnotherHome => {
@@ -230,7 +230,7 @@ impl Visit {
                 self.message = "Another home.".to_owned();
             }
             Intent::PutBack => {
-                self.classroom.trainer.put_back();
+                self.classroom.pupil.put_back();
                 self.message = "Everything is back where it was.".to_owned();
             }
             Intent::Good => self.judge(Feedback::Reward, now)?,
@@ -308,7 +308,7 @@ impl Visit {
         }
         self.prompt.said();
         self.begin()?;
-        if self.classroom.trainer.unread() > 0 {
+        if self.classroom.pupil.unread() > 0 {
             self.message = format!("It reads the first {WORDS_PER_COMMAND} words of that. Say it in parts.");
         }
         self.tested = self.classroom.tested();
@@ -321,7 +321,7 @@ impl Visit {
 
     /// A session begins.
     fn begin(&mut self) -> Result<(), Failure> {
-        self.support = self.classroom.trainer.word_support()?;
+        self.support = self.classroom.pupil.word_support()?;
         (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
         (self.typing, self.paused, self.stepping, self.word_at) = (false, false, false, None);
         Ok(())
@@ -348,7 +348,7 @@ impl Visit {
             return Ok(());
         };
         let waits = self.wait(acted).is_none();
-        match self.classroom.trainer.lesson_mut().judge(feedback)? {
+        match self.classroom.pupil.lesson_mut().judge(feedback)? {
             Judged::As(Evidence::Impossible) => {
                 self.message = "Your word is impossible under every task, so it was not counted.".to_owned()
             }
@@ -363,11 +363,11 @@ impl Visit {
 
     /// Answers the robot's question.
     fn answer(&mut self, answer: Answer) -> Result<(), Failure> {
-        if self.classroom.trainer.open_question().is_none() {
+        if self.classroom.pupil.open_question().is_none() {
             self.message = "It has asked nothing. It asks where an answer would tell it more than its next steps.".to_owned();
             return Ok(());
         }
-        let _ = self.classroom.trainer.lesson_mut().answer(answer)?;
+        let _ = self.classroom.pupil.lesson_mut().answer(answer)?;
         self.message = "It takes your answer into account.".to_owned();
         Ok(())
     }
@@ -377,7 +377,7 @@ impl Visit {
         if self.auto || self.tested.is_some() {
             return Ok(());
         }
-        if let Some(asks) = self.classroom.trainer.ask(&Asking::DEFAULT)? {
+        if let Some(asks) = self.classroom.pupil.ask(&Asking::DEFAULT)? {
             let choices: Vec<String> = asks.choices.iter().zip(1..).map(|(choice, number)| format!("{number} {choice}")).collect();
             self.message = if choices.is_empty() {
                 format!("It asks: {} y yes, n no.", asks.text)
@@ -412,7 +412,7 @@ impl Visit {
             self.message = "Wait until this is over.".to_owned();
         } else if self.classroom.lesson().is_under_way() {
             (self.paused, self.auto, self.word_at) = (true, false, None);
-            let taken = self.classroom.trainer.lesson_mut().take_back()?;
+            let taken = self.classroom.pupil.lesson_mut().take_back()?;
             self.message =
                 if taken { "One step back. o takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
             if taken {
@@ -420,7 +420,7 @@ impl Visit {
             }
         } else if self.classroom.unlearn()? {
             self.support.clear();
-            let learned = counted(self.classroom.trainer.lessons_learned(), "session");
+            let learned = counted(self.classroom.pupil.lessons_learned(), "session");
             self.idle(format!("The last session is forgotten. It knows what it learned from {learned}."));
         } else {
             self.message = "Nothing was learned since you came; there is nothing to take back.".to_owned();
@@ -430,7 +430,7 @@ impl Visit {
 
     fn go_on(&mut self) -> Result<(), Failure> {
         let rested = self.acted().map(|acted| acted.action == "noop");
-        self.classroom.trainer.lesson_mut().go_on()?;
+        self.classroom.pupil.lesson_mut().go_on()?;
         match rested {
             Some(true) => self.rests = self.rests.saturating_add(1),
             Some(false) => self.rests = 0,

@@ -1,7 +1,7 @@
 //! What the person says in words: the one field takes commands and all that is said to a robot on its way.
 
 use super::{Phase, Visit, telling};
-use crate::teach::trainer::Heard;
+use crate::teach::pupil::Heard;
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
 use goodbot::talk::Class;
@@ -19,7 +19,7 @@ impl Visit {
                 if in_session { (String::new(), false) } else { ("Write what it shall do, such as: go to the red room".to_owned(), true) };
             return Ok(());
         }
-        let said = self.classroom.trainer.said(&words)?;
+        let said = self.classroom.pupil.said(&words)?;
         if said == Said::Command {
             return self.command(&words);
         }
@@ -61,8 +61,8 @@ impl Visit {
             self.message = "This is a test: it hears no words. Enter goes on.".to_owned();
             return Ok(());
         }
-        let evidence = self.classroom.trainer.correct(words)?;
-        let best = self.classroom.trainer.meanings().into_iter().next().map(|meaning| meaning.words).unwrap_or_default();
+        let evidence = self.classroom.pupil.correct(words)?;
+        let best = self.classroom.pupil.meanings().into_iter().next().map(|meaning| meaning.words).unwrap_or_default();
         self.message = match evidence {
             Evidence::Used => format!("It thinks again: \"{best}\"."),
             Evidence::Impossible | Evidence::SaysNothing => "That tells it nothing.".to_owned(),

@@ -2,7 +2,7 @@
 
 use super::{Phase, Visit};
 use crate::teach::plain_names::{action_words, percent};
-use crate::teach::trainer::{Heard, Meaning};
+use crate::teach::pupil::{Heard, Meaning};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::talk::Hypothesis;
@@ -23,13 +23,13 @@ pub fn declined(heard: &Heard) -> String {
 impl Visit {
     /// Whether several tasks may still be meant.
     fn is_undecided(&self) -> bool {
-        self.classroom.trainer.meanings().first().is_some_and(|best| best.probability < ALL)
+        self.classroom.pupil.meanings().first().is_some_and(|best| best.probability < ALL)
     }
 
     /// What the robot did last, and what was said to that.
     pub fn told(&self) -> String {
         // Not the likeliest now: a word to its step may have changed that.
-        let followed = |task| self.classroom.trainer.meanings().into_iter().find(|meaning| meaning.position == task);
+        let followed = |task| self.classroom.pupil.meanings().into_iter().find(|meaning| meaning.position == task);
         match (self.phase, self.acted()) {
             (Phase::Idle, _) => self.stop().map_or_else(String::new, |stop| stop.hint().to_owned()),
             (Phase::Learning, _) => String::new(),

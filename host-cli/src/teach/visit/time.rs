@@ -21,12 +21,12 @@ impl Visit {
 
     fn advance(&mut self, now: Duration) -> Result<(), Failure> {
         match self.phase {
-            Phase::Planning if self.classroom.trainer.lesson_mut().plan(PLAN_BUDGET)? => self.act(now),
+            Phase::Planning if self.classroom.pupil.lesson_mut().plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
                 if self.go_on_with_the_rest()? {
                     return Ok(());
                 }
-                let learned = counted(self.classroom.trainer.lessons_learned(), "session");
+                let learned = counted(self.classroom.pupil.lessons_learned(), "session");
                 let gave_way = match self.gave_way {
                     0 => "u takes the last one back".to_owned(),
                     some => format!("memory was full, and {} gave way", counted(some, "older one")),
@@ -46,7 +46,7 @@ impl Visit {
                 return Ok(());
             }
             self.ask()?;
-            self.classroom.trainer.act()?;
+            self.classroom.pupil.act()?;
         }
         self.stepping = false;
         let wait = self.acted().and_then(|acted| self.wait(acted));
@@ -58,8 +58,8 @@ impl Visit {
     fn wait_over(&mut self, until: Option<Duration>, now: Duration) -> Result<(), Failure> {
         if self.word_at.is_some_and(|at| at <= now) {
             self.word_at = None;
-            if let Some(word) = self.classroom.trainer.simulated_word() {
-                self.classroom.trainer.lesson_mut().judge(word)?;
+            if let Some(word) = self.classroom.pupil.simulated_word() {
+                self.classroom.pupil.lesson_mut().judge(word)?;
             }
             return Ok(());
         }
@@ -69,7 +69,7 @@ impl Visit {
         if self.tested.is_some() && self.acted().is_some_and(|acted| acted.plan.onward().is_none()) {
             return self.pass_test();
         }
-        let intended = self.classroom.trainer.intended_plan();
+        let intended = self.classroom.pupil.intended_plan();
         self.go_on()?;
         let long = self.done().len() >= usize::from(MOST_STEPS);
         let there = intended == Some(OptimalSet::Goal) && self.rests >= RESTS;

@@ -1,13 +1,13 @@
 //! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
 
-use super::{Trainer, no_session};
+use super::{Pupil, no_session};
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
 use goodbot::task::GroundedTask;
-use goodbot_console::lessons::evidence;
 use goodbot_console::outcome::Failure;
+use goodbot_console::training_data::evidence;
 use goodbot_lesson::first_words::heard;
 
 /// A task that the command may mean.
@@ -45,7 +45,7 @@ pub struct Idea {
     pub called: Vec<(String, f32)>,
 }
 
-impl Trainer {
+impl Pupil {
     /// A task as a person says it.
     pub(super) fn words_of(&self, position: usize) -> Option<String> {
         let agent = &self.lesson.agent;

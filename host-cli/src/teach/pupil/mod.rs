@@ -1,7 +1,7 @@
 //! One robot, one home, and the session under way. All that this command asks of the core is asked here.
 //!
-//! [`Trainer::hear`], then over and over [`Trainer::plan`] until it is done, [`Trainer::act`], [`Trainer::judge`], [`Trainer::go_on`]; at the
-//! end [`Trainer::finish`] and [`Trainer::learn`] until it is done, or [`Trainer::forget`].
+//! [`Pupil::hear`], then over and over [`Pupil::plan`] until it is done, [`Pupil::act`], [`Pupil::judge`], [`Pupil::go_on`]; at the
+//! end [`Pupil::finish`] and [`Pupil::learn`] until it is done, or [`Pupil::forget`].
 //!
 //! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
 //! again up to there: the same actions and the same feedback give the same belief.
@@ -18,7 +18,7 @@ pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::ask::SURE;
 use crate::teach::scene::{Scene, scene};
-use crate::teach::site::{Recorded, Setting, Site, SiteState};
+use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
 use crate::teach::table::{Table, table};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
@@ -31,12 +31,12 @@ use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, AgentError, Capacities};
 use goodbot_console::believes::Believes;
-use goodbot_console::lessons::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::load::synonyms::said_in_known_words;
 use goodbot_console::messages::say;
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
+use goodbot_console::training_data::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
@@ -65,7 +65,7 @@ pub enum Heard {
 }
 
 /// One robot, one home or other world, and the session under way.
-pub struct Trainer {
+pub struct Pupil {
     lesson: Lesson<Site>,
     /// Where everything is at first.
     start: SiteState,
@@ -85,7 +85,7 @@ pub struct Trainer {
     synonyms: Synonyms<'static>,
 }
 
-impl Trainer {
+impl Pupil {
     /// A robot that has learned nothing yet, in a home or another world. `seed` decides its draws among what is equally good, `ways` whether commands may mean
     /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
     pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Failure> {
@@ -185,16 +185,16 @@ impl Trainer {
             None => self.lesson.agent.saved()?,
         };
         // A world names its kinds of task itself.
-        Ok(if self.lesson.home().home().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
+        Ok(if self.lesson.home().as_floor().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, file: &EnvironmentFile) -> Result<(), Failure> {
-        if self.lesson.home().robot().is_some() {
+        if self.lesson.home().as_other().is_some() {
             let message = "this robot is in a world from a file, and its commands mean nothing in a home; teach another one there";
             return Err(Failure::Input(message.to_owned()));
         }
-        let (rooms, start) = build(&Setting::Home(file.clone()))?;
+        let (rooms, start) = build(&Setting::Floor(file.clone()))?;
         self.start = start;
         self.lesson.enter(rooms, start);
         Ok(())
@@ -208,7 +208,7 @@ impl Trainer {
     /// The home as it is now; `None` in another world.
     pub fn scene(&self) -> Option<Scene> {
         match (self.lesson.home(), self.lesson.state()) {
-            (Site::Home(home), SiteState::Home(state)) => Some(scene(home, state)),
+            (Site::Floor(home), SiteState::Floor(state)) => Some(scene(home, state)),
             _ => None,
         }
     }
@@ -216,7 +216,7 @@ impl Trainer {
     /// The world from a file as it is now; `None` in a home.
     pub fn table(&self) -> Option<Table> {
         match (self.lesson.home(), self.lesson.state()) {
-            (Site::World(robot), SiteState::World(state)) => Some(table(robot, *state)),
+            (Site::Other(robot), SiteState::Other(state)) => Some(table(robot, *state)),
             _ => None,
         }
     }
@@ -397,19 +397,19 @@ impl Trainer {
 
     /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
     pub fn forget(&mut self) -> Option<Recorded> {
-        let record = self.record(false).filter(|record| !record.session().steps.is_empty() || !record.session().answers.is_empty());
+        let record = self.record(false).filter(|record| !session(record).steps.is_empty() || !session(record).answers.is_empty());
         self.lesson.forget();
         record
     }
 
     fn record(&self, learn: bool) -> Option<Recorded> {
         let mut record = self.lesson.recorded(learn)?;
-        record.session_mut().header.id = self.id.clone();
+        session_mut(&mut record).header.id = self.id.clone();
         // A log tells what was meant where it is a task of the paper's kind that is to be done.
         let is_to_do =
             |position: &usize| !self.lesson.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
-        record.session_mut().header.set_meant(meant.as_ref());
+        session_mut(&mut record).header.set_meant(meant.as_ref());
         Some(record)
     }
 }

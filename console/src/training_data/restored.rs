@@ -1,10 +1,10 @@
 //! A model file as an agent that can be asked, or as a language model where it was learned in worlds from files.
 
 use crate::learner;
-use crate::lessons::training;
 use crate::messages::{counted, working};
 use crate::outcome::Failure;
 use crate::starter::Starter;
+use crate::training_data::training;
 use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};

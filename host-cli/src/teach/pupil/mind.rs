@@ -16,12 +16,12 @@ use std::sync::Arc;
 /// What commands may mean in a place. `ways` says whether that is tasks with a way too, in a home.
 pub fn kinds_of_task(site: &Site, ways: bool) -> Result<Vec<LiftedTask>, Failure> {
     match site {
-        Site::Home(_) => {
+        Site::Floor(_) => {
             let paper = home::paper_tasks()?;
             Ok(if ways { home::with_routes(&paper)?.to_vec() } else { paper.to_vec() })
         }
-        Site::World(_) if ways => Err(Failure::Input("commands may mean ways in homes only; leave out --routes".to_owned())),
-        Site::World(robot) => robot::tasks(robot.file(), robot).map_err(flawed),
+        Site::Other(_) if ways => Err(Failure::Input("commands may mean ways in homes only; leave out --routes".to_owned())),
+        Site::Other(robot) => robot::tasks(robot.file(), robot).map_err(flawed),
     }
 }
 
@@ -50,14 +50,14 @@ pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Resul
 /// The place of a file, and where everything is in it.
 pub fn build(file: &Setting) -> Result<(Site, SiteState), Failure> {
     match file {
-        Setting::Home(file) => {
+        Setting::Floor(file) => {
             let (home, start) = homes::build(file, Moves::Push, homes::memory()).map_err(|flaw| Failure::Input(flaw.message(file)))?;
-            Ok((Site::Home(home), SiteState::Home(start)))
+            Ok((Site::Floor(home), SiteState::Floor(start)))
         }
-        Setting::World(file) => {
+        Setting::Other(file) => {
             let tables = Tables::of(Arc::clone(file)).map_err(flawed)?;
             let start = tables.start();
-            Ok((Site::World(tables.keep()), SiteState::World(start)))
+            Ok((Site::Other(tables.keep()), SiteState::Other(start)))
         }
     }
 }

@@ -5,9 +5,9 @@
 use goodbot::memory::AgentHeap;
 use goodbot::session::Finished;
 use goodbot::{Agent, Capacities};
-use goodbot_console::lessons::training;
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
+use goodbot_console::training_data::training;
 use std::ops::Range;
 
 /// The sentences, and where they are in a mind.

@@ -1,6 +1,6 @@
 //! What the robot asks, and what it is answered.
 
-use super::{Trainer, no_session};
+use super::{Pupil, no_session};
 use crate::teach::plain_names::{in_plain_words, object_words, task_words};
 use crate::teach::site::Site;
 use goodbot::asking::{Asking, Question, Subject};
@@ -20,7 +20,7 @@ pub struct Asks {
     pub tasks: Vec<usize>,
 }
 
-impl Trainer {
+impl Pupil {
     /// What the robot asks here, where a question teaches it more than acting does. The plan must be done.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Failure> {
         if !self.lesson.is_under_way() {
@@ -47,8 +47,8 @@ impl Trainer {
             Subject::Kind(kind) => {
                 let kind = agent.lifted().get(usize::from(kind))?;
                 let text = match rooms {
-                    Site::Home(_) => kind_question(agent.lifted(), kind),
-                    Site::World(robot) => kind_in_world(robot, kind),
+                    Site::Floor(_) => kind_question(agent.lifted(), kind),
+                    Site::Other(robot) => kind_in_world(robot, kind),
                 };
                 (text, vec![])
             }

@@ -1,0 +1,164 @@
+//! One type for domains of two kinds.
+
+#[cfg(feature = "derived")]
+use super::ObjectId;
+use super::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, StateKey, World};
+
+/// A floor with pieces, or a domain of another kind: for a program that meets both, whose code for a domain is then linked once. Its states
+/// are of the same two kinds; nothing can be done in a state of the other one, and nothing holds there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Either<F, O> {
+    /// A floor with pieces, such as a home, or what belongs to it.
+    Floor(F),
+    /// A domain of another kind, whose states are expanded one by one, or what belongs to it.
+    Other(O),
+}
+
+impl<F, O> Either<F, O> {
+    /// The floor, if it is one.
+    #[inline]
+    pub const fn as_floor(&self) -> Option<&F> {
+        match self {
+            Self::Floor(floor) => Some(floor),
+            Self::Other(_) => None,
+        }
+    }
+
+    /// The domain of the other kind, if it is one.
+    #[inline]
+    pub const fn as_other(&self) -> Option<&O> {
+        match self {
+            Self::Floor(_) => None,
+            Self::Other(other) => Some(other),
+        }
+    }
+}
+
+impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
+    type State = Either<F::State, O::State>;
+    type Search = BitRows;
+
+    fn world(&self) -> World<'_> {
+        match self {
+            Self::Floor(floor) => floor.world(),
+            Self::Other(other) => other.world(),
+        }
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        match self {
+            Self::Floor(floor) => floor.actions(),
+            Self::Other(other) => other.actions(),
+        }
+    }
+
+    fn step(&self, state: &Self::State, action: Action) -> Option<Self::State> {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.step(state, action).map(Either::Floor),
+            (Self::Other(other), Either::Other(state)) => other.step(state, action).map(Either::Other),
+            _ => None,
+        }
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.holds(proposition, state),
+            (Self::Other(other), Either::Other(state)) => other.holds(proposition, state),
+            _ => false,
+        }
+    }
+
+    fn state_count(&self) -> u64 {
+        match self {
+            Self::Floor(floor) => floor.state_count(),
+            Self::Other(other) => other.state_count(),
+        }
+    }
+
+    fn number(&self, state: &Self::State) -> u64 {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.number(state),
+            (Self::Other(other), Either::Other(state)) => other.number(state),
+            // A state of the other kind has no number here.
+            _ => u64::MAX,
+        }
+    }
+
+    fn numbered(&self, number: u64) -> Self::State {
+        match self {
+            Self::Floor(floor) => Either::Floor(floor.numbered(number)),
+            Self::Other(other) => Either::Other(other.numbered(number)),
+        }
+    }
+
+    fn key(&self, state: &Self::State) -> StateKey {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.key(state),
+            _ => StateKey::of(self.number(state)),
+        }
+    }
+
+    fn keyed(&self, key: StateKey) -> Self::State {
+        match self {
+            Self::Floor(floor) => Either::Floor(floor.keyed(key)),
+            Self::Other(other) => Either::Other(other.keyed(key)),
+        }
+    }
+
+    #[cfg(feature = "derived")]
+    fn tell_derived(&self, state: &Self::State, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.tell_derived(state, object, tell),
+            (Self::Other(other), Either::Other(state)) => other.tell_derived(state, object, tell),
+            _ => {}
+        }
+    }
+}
+
+impl<F: PushGrid, O: Domain> PushGrid for Either<F, O> {
+    fn is_floor(&self) -> bool {
+        self.as_floor().is_some_and(F::is_floor)
+    }
+
+    fn is_numbered(&self) -> bool {
+        self.as_floor().is_none_or(F::is_numbered)
+    }
+
+    fn floor(&self) -> Floor<'_> {
+        self.as_floor().map_or(Floor { cells: &[], directions: [Action::NOOP; 4] }, F::floor)
+    }
+
+    fn pieces(&self) -> usize {
+        self.as_floor().map_or(0, F::pieces)
+    }
+
+    fn cell(&self, state: &Self::State, piece: Piece) -> CellId {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => floor.cell(state, piece),
+            _ => CellId::NONE,
+        }
+    }
+
+    fn put(&self, state: &Self::State, piece: Piece, cell: CellId) -> Self::State {
+        match (self, state) {
+            (Self::Floor(floor), Either::Floor(state)) => Either::Floor(floor.put(state, piece, cell)),
+            _ => *state,
+        }
+    }
+
+    fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece> {
+        self.as_floor()?.piece_of(proposition)
+    }
+
+    fn can_pull(&self) -> bool {
+        self.as_floor().is_some_and(F::can_pull)
+    }
+
+    fn pushes_plainly(&self) -> bool {
+        self.as_floor().is_some_and(F::pushes_plainly)
+    }
+
+    fn swaps(&self) -> bool {
+        self.as_floor().is_some_and(F::swaps)
+    }
+}
