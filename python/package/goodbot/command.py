@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -34,8 +35,14 @@ def file_of(log: Log | None) -> Iterator[str | None]:
         yield None if log is None else os.fspath(log)
         return
     with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "sessions.jsonl"
-        write_log(file, log)
+        file, items = Path(folder) / "log.jsonl", list(log)
+        sessions = [it for it in items if not isinstance(it, Mapping)]
+        if not sessions and items:
+            file.write_text("\n".join(map(json.dumps, items)), encoding="utf-8")
+        elif len(sessions) == len(items):
+            write_log(file, sessions)
+        else:
+            raise ValueError("a log has sessions, or the lines of worlds and of commands in them, and not both")
         yield str(file)
 
 

@@ -25,9 +25,9 @@ class Evaluation:
 def evaluate(train: Log | None = None, *, test: Log | None = None, **options: Option) -> Evaluation:
     """Trains on some sessions of a log and asks the others.
 
-    `train` and `test` are files or sessions. Without `test` each session of `train` is asked in its turn, by a model of the others. The options
-    are those of `goodbot evaluate --help`, with `_` for `-`: `k_fold=10`, `group="worker"`, `leave_environment_out=True`, `learner="paper"`,
-    `seed=2`, `with_="words.goodbot"`, a list for what may come several times.
+    `train` and `test` are files or sessions, or the lines of a log of worlds as dicts. Without `test` each session of `train` is asked in its
+    turn, by a model of the others. The options are those of `goodbot evaluate --help`, with `_` for `-`: `k_fold=10`, `group="worker"`,
+    `leave_environment_out=True`, `learner="paper"`, `seed=2`, `with_="words.goodbot"`, a list for what may come several times.
 
     Raises `ValueError` with the command line's message where a log or an option is at fault, and `RuntimeError` where the command fails.
 

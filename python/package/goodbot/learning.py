@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,11 +15,14 @@ if TYPE_CHECKING:
     from .names import Log, Option
 
 
-def learn(log: Log, *, tasks: Sequence[str] | None = None, seed: int = 0, **options: Option) -> Agent:
+def learn(
+    log: Log, *, tasks: Sequence[str] | None = None, seed: int = 0, out: str | os.PathLike[str] | None = None, **options: Option
+) -> Agent:
     """Learns from all sessions of a log at once, and returns the agent. It has room for all of them.
 
-    `log` is a file or sessions, `tasks` are the kinds of tasks that commands may mean, as `Agent` takes them. The other options are those of
-    `goodbot learn --help`, with `_` for `-`: `learner="paper"`, `believes="population"`, `starter="en"`, `without=["b3"]`.
+    `log` is a file or sessions, or the lines of a log of worlds as dicts. `tasks` are the kinds of tasks that commands may mean, as
+    `Agent` takes them. `out` is a model file to write, which keeps that a log was of worlds, for `evaluate(with_=out)`. The other options are
+    those of `goodbot learn --help`, with `_` for `-`: `learner="paper"`, `believes="population"`, `starter="en"`, `without=["b3"]`.
 
     Raises `ValueError` with the command line's message where a log or an option is at fault, and `RuntimeError` where the command fails.
 
@@ -31,10 +35,8 @@ def learn(log: Log, *, tasks: Sequence[str] | None = None, seed: int = 0, **opti
     for name in ("routes", "task", "only_these_tasks"):
         if name in options:
             raise ValueError(f"{name}: name the kinds of tasks by tasks=, as for an Agent; the agent must know them too")
-    if "out" in options:
-        raise ValueError("out: save the agent that is returned")
     kinds = [] if tasks is None else ["--only-these-tasks", *(f"--task={kind}" for kind in tasks)]
     with file_of(log) as file, tempfile.TemporaryDirectory() as folder:
-        model = Path(folder, "learned.goodbot")
+        model = Path(folder, "learned.goodbot") if out is None else Path(out)
         run("learn", "--quiet", *kinds, *arguments(options), f"--out={model}", "--", str(file))
         return Agent.load(model, tasks, seed=seed)

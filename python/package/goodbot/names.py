@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Literal, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from ._native import Session
 
@@ -21,7 +21,7 @@ Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"
 Said: TypeAlias = Literal["command", "reward", "punish", "finish", "answer", "correction", "stop", "undo", "again", "nothing"]
 # A preset of capacities, or what is to differ from `standard`.
 Sizes: TypeAlias = "str | Mapping[str, int]"
-# A log: its file, or its sessions.
-Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session]"
+# A log: its file, its sessions, or the lines of a log of worlds.
+Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session] | Iterable[Mapping[str, Any]]"
 # The value of an option of the command line.
 Option: TypeAlias = "bool | int | float | str | os.PathLike[str] | Sequence[str]"
