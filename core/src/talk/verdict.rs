@@ -70,19 +70,16 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Judged<'w>, AgentError> {
-        let mut words = words;
-        let reversed = reversed(words);
-        if let Some((first, last)) = reversed {
-            // The rest is all once more: what it says first is done then.
+        let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
+        if let Some((first, last)) = reversed(words) {
+            // The rest is all once more, "before" and all: what is done first is done then.
             words = if place.is_rest { last } else { first };
             self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
-        }
-        let begin = reversed.filter(|_| !place.is_rest).and_then(|(_, last)| last.get(0));
-        if let Some(begin) = begin {
-            let taken = self.hypotheses(domain, words, wording, explained, place, None)?;
-            let part = self.judge_one(domain, words, explained, wording, place, taken)?;
-            let rest = Some(usize::from(begin.piece));
-            return Ok(Judged { hypothesis: Hypothesis::Several, rest, ..part });
+            if !place.is_rest {
+                let taken = self.hypotheses(domain, words, wording, explained, place, None)?;
+                let part = self.judge_one(domain, words, explained, wording, place, taken)?;
+                return Ok(Judged { hypothesis: Hypothesis::Several, rest: begin, ..part });
+            }
         }
         let parting = self.part(domain, words, wording, place)?;
         let (best, share, command) = self.hypotheses(domain, words, wording, explained, place, parting)?;
