@@ -95,7 +95,8 @@ fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
 
 /// The words before the rest of an utterance, without the connective.
 fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) -> &'u str {
-    let Some(mut part) = rest.and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
+    // What is done last may be said first: "before ..., ...".
+    let Some(mut part) = rest.filter(|&rest| rest > 0).and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
     loop {
         part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
         let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();

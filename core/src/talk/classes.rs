@@ -58,7 +58,7 @@ pub enum Class {
     Speaker,
     /// "you": who is told, so that "I want you to go" asks for something.
     You,
-    /// "if".
+    /// "if". A connective that is of this class as well, such as "before", begins what is done last.
     If,
     /// "to", "into", "towards": a way leads where the words behind it say. Commands have such words themselves.
     Toward,
@@ -177,6 +177,11 @@ impl Classes {
     /// Whether it is a word such as "forget".
     pub const fn forgets(self) -> bool {
         self.contains(Class::Act) && self.contains(Class::If)
+    }
+
+    /// Whether what follows is done last, as behind "before".
+    pub const fn is_before(self) -> bool {
+        self.contains(Class::Connective) && self.contains(Class::If)
     }
 
     /// In one class alone.

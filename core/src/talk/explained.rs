@@ -25,7 +25,7 @@ use heapless::Vec;
 /// The factor of tasks of another kind than that of the command before, where no word tells the kind.
 const OTHER_KIND: f32 = 0.05;
 /// The factor of tasks that words name something outside of, where there are others.
-const FOREIGN: f32 = 0.02;
+pub(super) const FOREIGN: f32 = 0.02;
 /// A sentence with more new words is not a command in another's words.
 const MOST_NEW: usize = 2;
 
@@ -180,6 +180,7 @@ impl<M: AgentMemory> Agent<M> {
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
         // "Put the basket in the green room" is about a basket sooner than about the green bag.
+        let is_here = !explained.own.is_empty() && new_names(words) == 0;
         let is_likely = |task: usize| explained.likelihoods.get(task).is_some_and(|likelihood| !likelihood.is_zero());
         if explained.own.iter().any(is_likely) {
             for (task, (weight, likelihood)) in explained.weights.iter_mut().zip(&mut explained.likelihoods).enumerate() {
@@ -202,7 +203,11 @@ impl<M: AgentMemory> Agent<M> {
             explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
         }
         let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
-        (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(factors));
+        // A thing that is not here has a name that nothing here has.
+        let absent = factors.scaled_by(if is_here { FOREIGN } else { 1.0 });
+        // Names of two things are of no one command.
+        let factors = factors.scaled_by(if explained.own.is_empty() { FOREIGN } else { 1.0 });
+        (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(absent));
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
         Ok(())
     }
@@ -249,6 +254,11 @@ fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&G
 fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
+    // "Grandma sleeps in the red room".
+    let is_told = words.iter().any(|word| word.is_name && !word.is_toward)
+        && words.iter().take_while(|word| !word.is_toward).filter(|word| word.is_new).count() == MOST_NEW
+        && words.iter().take_while(|word| !word.is_toward).all(|word| word.is_new);
+    let is_verb = is_verb && !is_told;
     // "All bags": a thing.
     let before = first.checked_sub(1).and_then(|before| words.get(before));
     let is_other = before.is_some_and(|word| word.classes.contains_any(&[Class::All, Class::Speaker]));
@@ -260,7 +270,7 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
 }
 
 /// Whether no word tells what to do, but at most where a way leads.
-fn is_verbless(words: Words<'_>) -> bool {
+pub(super) fn is_verbless(words: Words<'_>) -> bool {
     !words.iter().any(|word| word.may_act() && !word.is_toward)
 }
 

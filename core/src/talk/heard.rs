@@ -261,7 +261,7 @@ impl Heard {
 
     /// It stands among polite words alone.
     const fn make_polite(&mut self) {
-        if self.classes.contains(Class::Connective) {
+        if self.classes.contains(Class::Connective) && !self.classes.is_before() {
             (self.factor, self.said.chatter, self.classes) = (1.0, POLITE, Classes::of(Class::Polite));
         }
     }

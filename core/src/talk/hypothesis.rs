@@ -1,7 +1,7 @@
 //! What an utterance may be, and how probable each hypothesis is.
 
 use super::classes::{Class, Classes};
-use super::explained::Explained;
+use super::explained::{Explained, FOREIGN, new_names};
 use super::heard::{Heard, Words, learned};
 use super::place::Place;
 use super::readings::{Parting, all, may_turn, negated};
@@ -95,13 +95,16 @@ impl<M: AgentMemory> Agent<M> {
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {
             add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
         }
-        add(Hypothesis::Command, explained.here.scaled_by(1.0 - NOTHING - ABSENT - ABOUT - SEVERAL));
+        // Names of two things are of two commands.
+        let is_of_two = parting.is_some() && explained.own.is_empty() && new_names(words) == 0;
+        let of_one = if is_of_two { FOREIGN } else { 1.0 };
+        add(Hypothesis::Command, explained.here.scaled_by(of_one * (1.0 - NOTHING - ABSENT - ABOUT - SEVERAL)));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
             let words = words.iter().enumerate();
             words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
         };
         add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
-        add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT));
+        add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT * of_one));
         if !explained.signed.contains(explained.best().0) && !place.is_rest {
             let without = wording.coverage.least_without_task(self.language().tables().layout());
             add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));

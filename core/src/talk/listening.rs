@@ -5,7 +5,7 @@ use super::explained::Explained;
 use super::heard::{Utterance, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{DONE, Place, View};
-use super::reworded::{corrected, curt, fronted, left, taken_up, told};
+use super::reworded::{both, corrected, curt, fronted, left, subject, taken_up, told, went};
 use super::slips::mend;
 use super::verdict::{Judged, Verdict};
 use super::wording::{Pause, Wording, rest};
@@ -192,14 +192,17 @@ impl<M: AgentMemory> Agent<M> {
         let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        for reading in 0..7 {
+        for reading in 0..10 {
             let (other, prior) = match reading {
                 0 => (has_slips.then_some(Words::new(&mended, is_asked)), 1.0),
                 1 => (told(words), TURNED),
                 2 => (corrected(words), TURNED),
                 3 => (taken_up(words), TURNED),
                 4 => (left(words), TURNED),
-                5 => (curt(words), TURNED),
+                5 => (subject(words), TURNED),
+                6 => (curt(words), TURNED),
+                7 => (went(words), TURNED),
+                8 => (both(words), TURNED),
                 _ => (fronted(words), TURNED),
             };
             let Some(other) = other else { continue };

@@ -51,6 +51,8 @@ pub(super) struct Rest<'w> {
     pub is_act_for_things: bool,
     /// Whether it may say that a thing stays: "leave the chair in the red room".
     pub stays: bool,
+    /// Whether it says no to what says no: "don't leave the red room".
+    pub is_double: bool,
 }
 
 /// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
@@ -113,17 +115,17 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let is_not_but = words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but);
     // "Go to the red room ... no": nothing is behind it that it could turn round.
     let is_before_name = |not: usize| words.iter().skip(not).any(|word| word.is_name);
-    let turns = !is_not || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
+    let turns = !is_not || is_out || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
     let is_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.iter().any(Heard::may_act);
     // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for it.
     // "Has to come out" has another "to".
     let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
     // "Don't move the bag, it has to stay here" says the same twice.
-    let is_clear =
-        !(is_question || words.has(Class::If) || is_not && is_out || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
+    let is_clear = !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
-    Some(Rest { words: rest, except: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays })
+    let is_double = is_not && is_out;
+    Some(Rest { words: rest, except: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays, is_double })
 }
 
 /// Whether all things of a kind are to leave a place.
@@ -153,14 +155,24 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let has_exception = words.iter().any(is_exception) || but.is_some() && !except.iter().any(|word| word.is_name);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
-        (rest, UNNAMED * probability, !behind.skip(1).take(NAME_OF_ALL).any(|word| word.is_new))
+        (rest, UNNAMED * probability, !behind.skip(1).take(NAME_OF_ALL).take_while(|word| !word.is_name).any(|word| word.is_new))
     } else {
         let plural = words.iter().position(|word| word.is_plural)?;
         (words, PLURAL, has_one_article(words.part(0, plural)))
     };
     let view = View { done: EITHER, ..View::PLAIN };
     let is_clear = is_clear && !has_exception;
-    Some(Rest { words: rest, except, prior: ALL * prior, view, is_clear, is_act: false, is_act_for_things: false, stays: false })
+    Some(Rest {
+        words: rest,
+        except,
+        prior: ALL * prior,
+        view,
+        is_clear,
+        is_act: false,
+        is_act_for_things: false,
+        stays: false,
+        is_double: false,
+    })
 }
 
 /// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.
@@ -258,6 +270,7 @@ impl<M: AgentMemory> Agent<M> {
                 }
                 let (mut clause, place) = (words.part(start, end), if first > 0 { place.behind() } else { place });
                 let mut here = self.clause(domain, clause, wording, place)?;
+                let mut is_shared = false;
                 if let Some(&(begin, end)) = clauses.get(after)
                     && let Some(shared) = shared_place(clause, words.part(begin, end))
                 {
@@ -265,13 +278,15 @@ impl<M: AgentMemory> Agent<M> {
                     let prior = shared.iter().fold(SHARED, |prior, _| prior / SAID_ONCE);
                     let other = self.clause(domain, with_place, wording, place)?.scaled_by(prior);
                     if other.exceeds(here) {
-                        (here, clause) = (other, with_place);
+                        (here, clause, is_shared) = (other, with_place, true);
                     }
                 }
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
-                let connective = next.map_or(Scaled::ONE, |_| {
-                    let learned = words.get(end).map_or(1.0, |word| 1.0 + word.count);
-                    Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(learned).square_root())
+                let connective = next.map_or(Scaled::ONE, |next| match words.get(end).filter(|_| next > end && !is_shared) {
+                    Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
+                    // A comma is no word, and "and" stands between most names of two things.
+                    None if !is_shared => Scaled::new(EITHER),
+                    None => Scaled::new(SEVERAL),
                 });
                 let weight = here.times(rest).times(connective);
                 if weight.exceeds(best) {
@@ -346,7 +361,10 @@ impl<M: AgentMemory> Agent<M> {
         let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
         let others = TaskSet::first(self.task_count).without(of_things);
         let [of_things, others] = [of_things, others].map(|tasks| total(tasks.iter().map(weight)));
-        let is_elsewhere = explained.acts && others.exceeds(of_things) && likeliest.is_none_or(|task| !explained.signed.contains(task));
+        let is_elsewhere = explained.acts
+            && !explained.has_new_verb
+            && others.exceeds(of_things)
+            && likeliest.is_none_or(|task| !explained.signed.contains(task));
         let probability = if is_elsewhere { 0.0 } else { total(there().map(weight)).over(of_things) };
         (there().filter(fits).collect(), probability)
     }

@@ -1,7 +1,7 @@
 //! The words of an utterance in another order, or without those that are taken back: a plainer way to say the same.
 
 use super::classes::{Class, Classes};
-use super::explained::{begins_with_way, names_thing_and_way};
+use super::explained::{begins_with_way, is_verbless, names_thing_and_way};
 use super::heard::{Heard, Words};
 
 /// The most words before "it" in "and bring it to".
@@ -57,6 +57,15 @@ pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
 /// The words without those that a correction takes back: "go to the red room, no, the green one" is "go to the room the green one", and "go to the
 /// green room, not the red one" is "go to the green room". A whole command behind "no" takes back all: "no, go to the green room".
 pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
+    // "Not the blue chair, the red one to the green room".
+    let is_denied = |word: &Heard| word.phrase == 0;
+    let denied = words.only(is_denied);
+    let other = words.only(|word| !is_denied(word));
+    let begins = words.get(0).is_some_and(|word| word.classes.contains(Class::Negation));
+    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
+    if begins && names(denied) && names(other) && is_verbless(denied) && !denied.iter().any(|word| word.is_toward) {
+        return Some(other);
+    }
     // The names before it, whether they tell where a way leads, and where they begin and end.
     let (mut way, mut is_place, mut begin, mut end) = (None, false, 0, 0);
     let corrects = |(position, word): (usize, &Heard)| {
@@ -79,7 +88,8 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
     let has_verb = behind.iter().any(is_verb);
     // "With no chairs", "do not touch the bag".
-    if behind.iter().next().is_none_or(|word| word.is_name && !word.is_toward)
+    let phrase = words.get(correction).map_or(0, |word| word.phrase);
+    if behind.iter().next().is_none_or(|word| word.is_name && !word.is_toward && word.phrase == phrase)
         || !behind.iter().any(|word| word.is_name)
         || !is_no && has_verb
     {
@@ -103,7 +113,14 @@ pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     let says = |word: &Heard| word.is_name || word.is_mended || acts(word) || word.classes.contains_any(&OF_SENTENCES);
     let first = words.iter().find(|word| word.is_name)?.phrase;
     let of = |phrase: u8| words.iter().filter(move |word| word.phrase == phrase);
+    // "If you have time, ..." names no case.
+    let is_of_case =
+        |word: &Heard| word.classes != Classes::NONE && (word.classes.contains(Class::If) || !word.classes.contains_any(&OF_SENTENCES));
+    let is_polite = |phrase: u8| of(phrase).any(|word| word.classes.contains(Class::If)) && of(phrase).all(is_of_case);
     let rest = words.only(|word| {
+        if is_polite(word.phrase) {
+            return false;
+        }
         let is_front = word.phrase < first;
         let new = of(word.phrase).filter(|word| word.is_new).count();
         of(word.phrase).any(says) || is_front && (new > MOST_CALLED || of(word.phrase).any(|word| word.classes.contains(Class::Asking)))
@@ -152,5 +169,59 @@ pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
         return None;
     }
     let verb = words.part(and.saturating_add(1), it).only(|word| word.is_of_task);
-    Some(front.only(|word| verb.is_empty() || !word.is_new).with(verb).with(behind))
+    Some(front.only(|word| verb.is_empty() || !word.may_act()).with(verb).with(behind))
+}
+
+/// The words behind "go and" and "do me a favour and".
+pub(super) fn went(words: Words<'_>) -> Option<Words<'_>> {
+    let and = words.at(Class::Connective)?;
+    let (front, behind) = (words.part(0, and), words.part(and.saturating_add(1), words.len()));
+    let is_polite = front.has(Class::Polite);
+    let is_beside = |word: &Heard| {
+        let says = word.is_name || word.is_toward || word.classes.contains_any(&OF_SENTENCES) || word.classes.contains(Class::Here);
+        !says && (is_polite || !word.is_strange())
+    };
+    (and > 0 && front.iter().all(is_beside) && behind.iter().any(|word| word.is_name)).then_some(behind)
+}
+
+/// The words without those between a thing and its place that say that it must be there: "the bag has to go to the red room", "the bag must not
+/// end up in the red room".
+pub(super) fn subject(words: Words<'_>) -> Option<Words<'_>> {
+    let first = words.iter().position(|word| word.is_name)?;
+    let last = words.iter().enumerate().filter_map(|(at, word)| word.is_name.then_some(at)).last()?;
+    let way = words.part(0, last).iter().enumerate().filter_map(|(at, word)| word.is_toward.then_some(at)).last()?;
+    let end = words.part(0, way).iter().enumerate().filter_map(|(at, word)| word.is_name.then_some(at)).last()?.saturating_add(1);
+    let middle = words.part(end, way);
+    let front = words.part(0, first);
+    let is_front = !front
+        .iter()
+        .any(|word| word.may_act() && !word.is_article || word.classes.contains_any(&[Class::Speaker, Class::Asking, Class::If]));
+    let others = [Class::Connective, Class::Out, Class::Speaker, Class::If, Class::Or, Class::No];
+    let must = middle.iter().any(|word| word.is_of_task || word.classes.contains_any(&[Class::Wish, Class::Polite]));
+    let is_other = |word: &Heard| word.classes.contains_any(&others) && !word.classes.contains(Class::Negation);
+    let keep = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::All]);
+    (is_front && must && !middle.iter().any(is_other))
+        .then(|| words.part(0, end).with(middle.only(keep)).with(words.part(way, words.len())))
+}
+
+/// The words without "both" where two things are named: "both the bag and the chair", "the bag and the chair both".
+pub(super) fn both(words: Words<'_>) -> Option<Words<'_>> {
+    let and = words.at(Class::Connective)?;
+    let all = words.at(Class::All)?;
+    let name = |words: Words<'_>| words.iter().position(|word| word.is_name);
+    let (before, behind) = (name(words.part(0, and))?, name(words.part(and, words.len()))?);
+    let is_sign = words.get(all).is_some_and(|word| word.is_sign);
+    let is_between = if all < and { !is_sign && all < before } else { all > and.saturating_add(behind) };
+    (is_between && !words.iter().any(|word| word.is_plural)).then(|| words.only(|word| !word.classes.contains(Class::All)))
+}
+
+/// What is done first and what is done last, if the last is said first: "before you go to the red room, take the bag to the blue room".
+pub(super) fn reversed(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
+    let phrase = words.get(0)?.phrase;
+    let last = words.only(|word| word.phrase == phrase);
+    let first = words.only(|word| word.phrase != phrase);
+    let is_before = |at: usize| last.get(at).is_some_and(|word| word.classes.is_before());
+    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
+    let is_reversed = (is_before(0) || is_before(last.len().saturating_sub(1))) && names(first) && names(last);
+    is_reversed.then(|| (first, last.only(|word| !word.classes.is_before())))
 }

@@ -6,6 +6,7 @@ use super::heard::{Heard, Words};
 use super::hypothesis::Hypothesis;
 use super::place::{Place, View};
 use super::readings::{all, has_more, is_of_several, negated};
+use super::reworded::reversed;
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -69,6 +70,17 @@ impl<M: AgentMemory> Agent<M> {
         wording: &Wording<'_>,
         place: Place<'_>,
     ) -> Result<Judged<'w>, AgentError> {
+        let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
+        if let Some((first, last)) = reversed(words) {
+            // The rest is all once more, "before" and all: what is done first is done then.
+            words = if place.is_rest { last } else { first };
+            self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
+            if !place.is_rest {
+                let taken = self.hypotheses(domain, words, wording, explained, place, None)?;
+                let part = self.judge_one(domain, words, explained, wording, place, taken)?;
+                return Ok(Judged { hypothesis: Hypothesis::Several, rest: begin, ..part });
+            }
+        }
         let parting = self.part(domain, words, wording, place)?;
         let (best, share, command) = self.hypotheses(domain, words, wording, explained, place, parting)?;
         let (Hypothesis::Several, Some(parting)) = (best, parting) else {
@@ -99,16 +111,22 @@ impl<M: AgentMemory> Agent<M> {
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             // "Both chairs out of the red room".
             let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-            let (task, of_tasks) = self.negate(explained);
-            self.plan_for(domain, self.task_count)?;
+            let (task, of_tasks) = explained.best();
             let is_of_thing = self.place_of_thing(domain, task).is_some();
+            // "Don't leave the red room" asks for what holds, "don't leave the bag in the red room" does not.
+            let holds = rest.is_double && !(is_of_thing && words.iter().any(|word| word.leaves));
+            if !holds {
+                let _ = self.negate(explained);
+                self.plan_for(domain, self.task_count)?;
+            }
             // "The red chair must not end up in the blue room", "I don't want you in the red room".
-            let is_whole = explained.whole.contains(task);
+            let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
             let has_act = match is_of_thing {
                 true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
                 false => rest.is_act || explained.acts || place.is_rest || is_whole && words.has(Class::You),
             };
             let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
+            let is_clear = is_clear && (!holds || self.done(domain).contains(task));
             let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_tasks) };
             let (words, probability) = (rest.words, share * of_tasks);
             return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
@@ -141,13 +159,22 @@ impl<M: AgentMemory> Agent<M> {
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
         // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
-        let is_of_thing = explained.whole.contains(task) && self.place_of_thing(domain, task).is_some();
+        let is_of_thing =
+            explained.whole.contains(task) && self.place_of_thing(domain, task).is_some() || self.is_only_one(domain, explained, task);
         // "Switch on the lamp in the red room" has a new verb and a new name.
         let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
         let is_told = is_named && has_verb && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
         let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
+    }
+
+    /// Whether a task about a thing and its place is the only one that fits the names of both.
+    fn is_only_one<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
+        let place = self.place_of_thing(domain, task);
+        let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
+        let fits = |task: &usize| explained.fitting.contains(*task);
+        fits(&task) && alike().count() > 1 && alike().filter(fits).count() == 1
     }
 
     /// Whether a task that is done explains the words nearly as well as the one that is to be done.
@@ -236,7 +263,7 @@ fn has_condition(words: Words<'_>) -> bool {
 
 /// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.
 pub(super) fn is_question(words: Words<'_>) -> bool {
-    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains(Class::Polite);
+    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains_any(&[Class::Polite, Class::Wish]);
     let is_polite = |word: &Heard| word.classes.contains(Class::Polite) && !word.classes.contains(Class::Speaker);
     let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
     // "The bag was there", and a particle at the end: 吗.

@@ -27,7 +27,7 @@ use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
 use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::load::synonyms::{SynonymOptions, in_known_words};
+use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
 use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::StarterOptions;
@@ -315,8 +315,8 @@ fn answer(
     // The blank between is a part of the rest.
     let first = first.trim_end();
     let unheard = question.command.get(first.len()..).unwrap_or("");
-    let mark = if unheard.is_empty() && first.ends_with(['?', '？']) { "?" } else { "" };
-    let heard = in_known_words(synonyms, agent.language(), first)? + mark + unheard;
+    // Commas part commands, and a question mark asks.
+    let heard = said_in_known_words(synonyms, agent.language(), first)?.into_owned() + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
     let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed)?;

@@ -385,6 +385,20 @@ fn what_is_left_in_its_place_is_done_already() {
         ("stay where you are", "done", &*go(0)),
         ("get out of here", "sure", &*not(&go(0))),
         ("stay out of the blue room", "done", &*not(&go(1))),
+        ("don't leave the red room", "done", &*go(0)),
+        ("don't take the yellow bag out of the green room", "done", &*take(0, 2)),
+        ("the yellow bag should stay in the green room", "done", &*take(0, 2)),
+    ];
+    check(&model, &three_rooms(), &cases);
+}
+
+#[test]
+fn a_thing_may_be_named_before_what_must_be_with_it() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("the bag must not go to the blue room", "done", &*not(&take(0, 1))),
+        ("I don't want the bag in the green room", "sure", &*not(&take(0, 2))),
+        ("the bag has to go to the red room", "sure", &*take(0, 0)),
     ];
     check(&model, &three_rooms(), &cases);
 }
@@ -410,7 +424,7 @@ fn phrases_that_name_nothing_are_beside_the_command_and_words_outside_a_task_spe
 fn what_only_sounds_like_a_negation_is_not_followed() {
     let (_folder, model) = taught(120, &ENGLISH);
     let cases = [
-        ("don't leave the red room", "unsure", ""),
+        ("don't leave the blue room", "unsure", ""),
         ("why don't you go to the blue room", "unsure", ""),
         ("not the red one", "unsure", ""),
         ("take the yellow bag out of the green room to the blue room", "unsure", ""),
@@ -599,6 +613,14 @@ fn commands_one_after_another_are_each_heard_where_the_one_before_leads_to() {
         ("go to the blue room, after that go to the green room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room2)"),
         ("go to the blue room after taking the red chair to the green room", "unsure", ""),
         ("go to the blue room and turn left", "unsure", ""),
+        ("go to the blue room, go to the green room", "sure", "agentInRoom(agent0,room1) then agentInRoom(agent0,room2)"),
+        (
+            "before you go to the blue room, take the red chair to the green room",
+            "sure",
+            "blockInRoom(block1,room2) then agentInRoom(agent0,room1)",
+        ),
+        ("take both the yellow bag and the red chair to the blue room", "sure", "blockInRoom(block0,room1) then blockInRoom(block1,room1)"),
+        ("go and take the yellow bag to the blue room", "sure", "blockInRoom(block0,room1)"),
     ];
     check(&model, &home, &cases);
     let [answer] = &asked(&model, &home, &[cases[0].0.to_owned()])[..] else { panic!("one answer") };

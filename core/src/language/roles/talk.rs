@@ -304,7 +304,10 @@ fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
     best
 }
 
-/// Whether most of the commands that have a word are about something with this value. In lessons that all start in one place, a word of
+/// Of the commands that have the name of a value, this share is about something with it at least. A verb that was often said of bags names none.
+const NAME: f32 = 0.8;
+
+/// Whether nearly all commands that have a word are about something with this value. In lessons that all start in one place, a word of
 /// every command goes with that place, and does not name it.
 fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
     let (mut with, mut all) = (0.0_f32, 0.0_f32);
@@ -316,7 +319,7 @@ fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
             with += if is_of_thing { pair.weight } else { 0.0 };
         }
     }
-    with * 2.0 > all
+    with > NAME * all
 }
 
 /// The kinds of task that a word is a sign of.
