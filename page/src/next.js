@@ -1,7 +1,7 @@
 // What to teach next: the lesson that teaches most of what the robot is to understand in the end, and why.
 import { course, parsed, world } from './core.js';
 import { t } from './language.js';
-import { spaced } from './learned.js';
+import { spaced, unspaced } from './learned.js';
 import { nameHome } from './play.js';
 import { render } from './render.js';
 import { leaveSession, startSession } from './session.js';
@@ -59,7 +59,7 @@ export function renderNext() {
   const well = found?.why.known;
   shown = { key, lesson: found && !well ? found.lesson : null };
   $('next-lesson').hidden = $('teach-next').hidden = !shown.lesson;
-  $('next-lesson').textContent = shown.lesson ? t('next.lesson', shown.lesson) : '';
+  $('next-lesson').textContent = shown.lesson ? t('next.lesson', { command: unspaced(shown.lesson.command) }) : '';
   const { word, needed, heard } = found?.why || { word: '', needed: 0, heard: 0 };
   $('next-why').textContent = !found ? t('next.none') : well ? t('next.well') : t(heard ? 'next.heard' : 'next.new', { word, needed, heard: sessionsWord(heard) });
 }

@@ -6,6 +6,7 @@ import { heatNow, leaveSession, refresh } from './session.js';
 import { ask } from './dialog.js';
 import { expectTrainer } from './believes.js';
 import { listed, t } from './language.js';
+import { unspaced } from './learned.js';
 import { readRobot, readStudy } from './link.js';
 import { refused } from './shelf.js';
 import { $, make, state, tell } from './state.js';
@@ -44,7 +45,7 @@ export function renderRoster() {
   $('unkept').textContent = kinds.length ? t('kept.not', { what: listed(/** @type {string[]} */ (kinds)) }) : '';
   $('kept').textContent = guest ? t('kept.guest') : lost.some(key => key.startsWith('robot')) ? t('kept.blocked') : t('kept.yes', { sessions: sessionsWord() });
   $('guest').hidden = !guest;
-  $('guest-words').textContent = state.shown ? t('guest.session', { name: state.robot.name, command: state.shown }) : state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
+  $('guest-words').textContent = state.shown ? t('guest.session', { name: state.robot.name, command: unspaced(state.shown) }) : state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
   $('keep-guest').hidden = !guest || state.secret === 'open' || state.sessions === 0 || state.tour.watching;
 }
 
