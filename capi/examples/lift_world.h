@@ -29,6 +29,10 @@ static const goodbot_object lift_objects[] = {
 };
 static const goodbot_action lift_actions[] = {{"up", 1}, {"down", 1}, {"open", 1}, {"close", 1}};
 static const char *const lift_tasks[] = {"liftAtFloor(\077l,\077f)"};
+/* The same, as they were read: their variables' classes, their propositions, and the variables of each. */
+static const goodbot_kind lift_kinds[] = {
+    {{0, 1}, 2, {0}, 1, {{0, 1, 255}}},
+};
 
 /* What can hold: a proposition of objects, where state / unit % values == value. */
 static const struct {
@@ -114,7 +118,7 @@ static bool lift_step(void *context, uint32_t state, uint8_t action, uint32_t *n
 /* In the order of the fields, as C++ wants it. */
 static const goodbot_table lift_table = {
     lift_classes, 2, lift_attributes, 1, lift_propositions, 3, lift_objects, 5,
-    lift_actions, 4, lift_tasks, 1, 8 /* states */, 1 /* the first */, NULL /* next */, lift_step, lift_holds, NULL /* derived */, NULL
+    lift_actions, 4, lift_tasks, 1, 8 /* states */, 1 /* the first */, NULL /* next */, lift_step, lift_holds, NULL /* derived */, NULL, lift_kinds
 };
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes LIFT_BYTES_32 bytes;

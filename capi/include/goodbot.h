@@ -91,6 +91,12 @@
 // Most arguments of a propositional function.
 #define GOODBOT_MOST_ARGUMENTS 3
 
+// Most propositional functions of a task.
+#define GOODBOT_MOST_CONJUNCTS 4
+
+// Most variables of a task.
+#define GOODBOT_MOST_VARIABLES 6
+
 // Most actions, doing nothing not counted.
 #define GOODBOT_MOST_ACTIONS 15
 
@@ -258,6 +264,9 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_CHANGED = 31,
   // A model is coming back: call `goodbot_restore_on` until it is done.
   GOODBOT_STATUS_STILL_RESTORING = 32,
+  // The library has no checks, and the table is none that was checked: print it by `goodbot table --c`, or link a library with the feature
+  // `checks`. A task with a way needs them.
+  GOODBOT_STATUS_UNCHECKED = 33,
 } goodbot_status;
 
 // What comes of an utterance.
@@ -499,6 +508,20 @@ typedef const char *(*goodbot_derived)(void *context,
                                        uint8_t object,
                                        uint32_t number);
 
+// A kind of task, as `goodbot table --c` has read it: a library without the feature `checks` reads no texts of tasks.
+typedef struct goodbot_kind {
+  // The class of each variable, by position.
+  uint8_t classes[GOODBOT_MOST_VARIABLES];
+  // How many.
+  uint8_t class_count;
+  // The propositional functions that are to hold, by position.
+  uint8_t propositions[GOODBOT_MOST_CONJUNCTS];
+  // How many.
+  uint8_t proposition_count;
+  // The variables of each, by position.
+  uint8_t variables[GOODBOT_MOST_CONJUNCTS][GOODBOT_MOST_ARGUMENTS];
+} goodbot_kind;
+
 // A robot of the caller's own.
 typedef struct goodbot_table {
   // The names of the classes.
@@ -540,6 +563,9 @@ typedef struct goodbot_table {
   goodbot_derived derived;
   // Handed to all functions.
   void *context;
+  // The tasks once more, as `goodbot table --c` has read them, in a table that it has checked; else null. A library with the feature `checks`
+  // reads and checks all by itself.
+  const struct goodbot_kind *kinds;
 } goodbot_table;
 
 // A way to reward and punish, for `goodbot_trainers`.

@@ -78,6 +78,9 @@ pub enum GoodbotStatus {
     Changed = 31,
     /// A model is coming back: call `goodbot_restore_on` until it is done.
     StillRestoring = 32,
+    /// The library has no checks, and the table is none that was checked: print it by `goodbot table --c`, or link a library with the feature
+    /// `checks`. A task with a way needs them.
+    Unchecked = 33,
 }
 
 /// Why a call failed, with the table that was full, if one was, and the part of a description that is wrong, if it is one.
@@ -284,6 +287,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         },
         c"what was learned has changed meanwhile; begin again",
         c"a model is coming back; restore on until it is done",
+        c"the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
 }

@@ -2,8 +2,14 @@
 
 use crate::robot::{list, text};
 use crate::status::{At, Failure, GoodbotStatus, Place};
+#[cfg(feature = "table")]
+use crate::table::description::{GOODBOT_MOST_CONJUNCTS, GOODBOT_MOST_VARIABLES, GoodbotTable};
 use core::ffi::c_char;
 use goodbot::oomdp::Schema;
+#[cfg(feature = "table")]
+use goodbot::oomdp::{ClassId, PropositionId};
+#[cfg(feature = "table")]
+use goodbot::task::LiftedProposition;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
 
@@ -29,4 +35,78 @@ pub(crate) unsafe fn kinds_of_tasks(
         kinds.push(kind).map_err(|_| GoodbotStatus::Number).at(place)?;
     }
     Ok(kinds)
+}
+
+#[cfg(feature = "table")]
+const _: () = assert!(
+    GOODBOT_MOST_CONJUNCTS == goodbot::capacity::PROPOSITIONS_PER_TASK && GOODBOT_MOST_VARIABLES == goodbot::capacity::VARIABLES_PER_TASK
+);
+
+/// The kinds of tasks of a table that was checked.
+///
+/// # Safety
+/// `table.kinds` is null or points to as many as there are tasks.
+#[cfg(feature = "table")]
+pub(crate) unsafe fn written_kinds(table: &GoodbotTable, schema: &Schema<'_>) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+    if table.kinds.is_null() {
+        return Err(GoodbotStatus::Unchecked).at(Place::of("kinds"));
+    }
+    let mut kinds = Vec::new();
+    // SAFETY: the caller's promise.
+    let given = unsafe { list(table.kinds, table.task_count, GOODBOT_MOST_TASKS, Place::of("kinds"), Place::of("task_count")) }?;
+    for kind in given {
+        let mut propositions = kind.variables.map(|variables| LiftedProposition { proposition: PropositionId::new(0), variables });
+        for (slot, &proposition) in propositions.iter_mut().zip(&kind.propositions) {
+            slot.proposition = PropositionId::new(proposition);
+        }
+        let classes = kind.classes.map(ClassId::new);
+        let propositions = propositions.get(..usize::from(kind.proposition_count)).ok_or(GoodbotStatus::Number)?;
+        let classes = classes.get(..usize::from(kind.class_count)).ok_or(GoodbotStatus::Number)?;
+        kinds.push(LiftedTask::written(propositions, classes, schema)?).map_err(|_| GoodbotStatus::Number)?;
+    }
+    Ok(kinds)
+}
+
+#[cfg(all(test, feature = "table"))]
+mod tests {
+    use super::*;
+    use crate::table::description::GoodbotKind;
+    use goodbot::oomdp::{Class, Proposition};
+
+    const SCHEMA: Schema<'static> = Schema {
+        classes: &[Class { name: "lift" }, Class { name: "floor" }],
+        attributes: &[],
+        propositions: &[
+            Proposition { name: "above", parameters: &[ClassId::new(1), ClassId::new(1)] },
+            Proposition { name: "liftAtFloor", parameters: &[ClassId::new(0), ClassId::new(1)] },
+        ],
+    };
+
+    fn of(kinds: *const GoodbotKind, task_count: u32) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+        // SAFETY: zero is a value of each of its fields: null, none, or a number.
+        let table = GoodbotTable { kinds, task_count, ..unsafe { core::mem::zeroed() } };
+        // SAFETY: the kinds are as many.
+        unsafe { written_kinds(&table, &SCHEMA) }
+    }
+
+    #[test]
+    fn written_kinds_are_those_that_were_read() {
+        let kind = GoodbotKind {
+            classes: [1, 1, 0, 0, 0, 0],
+            class_count: 3,
+            propositions: [0, 1, 0, 0],
+            proposition_count: 2,
+            variables: [[0, 1, 255], [2, 0, 255], [0; 3], [0; 3]],
+        };
+        let read = LiftedTask::parse("above(?up, ?down) & liftAtFloor(?lift, ?up)", &SCHEMA).unwrap();
+        assert_eq!(of(&kind, 1).unwrap().as_slice(), [read]);
+        assert_eq!(of(&GoodbotKind { class_count: 7, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
+        assert_eq!(of(&GoodbotKind { proposition_count: 5, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
+    }
+
+    #[test]
+    fn a_table_that_was_not_checked_is_refused_without_checks() {
+        assert_eq!(of(core::ptr::null(), 1).unwrap_err().status, GoodbotStatus::Unchecked);
+        assert_eq!(of(core::ptr::null(), 0).unwrap_err().status, GoodbotStatus::Unchecked);
+    }
 }

@@ -16,10 +16,11 @@ const HEADER: &str = "capi/include/goodbot.h";
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features of a library that nobody chose for.
-pub const FEATURES: [&str; 10] = ["asking", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways"];
+pub const FEATURES: [&str; 11] =
+    ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways"];
 /// Those that are chosen from, as `capi/Cargo.toml` has them. Talk costs flash even where it is not called.
-pub const ALL_FEATURES: [&str; 11] =
-    ["asking", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "talk", "unicode", "ways"];
+pub const ALL_FEATURES: [&str; 12] =
+    ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "talk", "unicode", "ways"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -101,7 +102,7 @@ pub const LIFT: Example = Example { name: "lift", ..HOME };
 /// Robots that are talked to.
 pub const TALK: Example = Example { name: "talk", features: &ALL_FEATURES, ..HOME };
 /// With a library that has nothing else.
-pub const LIFT_ALONE: Example = Example { features: &["learning", "table"], ..LIFT };
+pub const LIFT_ALONE: Example = Example { features: &["checks", "learning", "table"], ..LIFT };
 /// One that only obeys, with a library that cannot do more.
 pub const OBEY: Example = Example { name: "obey", features: &["table"], every_function: false };
 /// Not every function is in an example.

@@ -150,7 +150,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         ("C, a table robot (capi/examples/lift.c), all features", LIFT.build()?),
     ];
     if !is_check {
-        binaries.push(("C, a table robot (capi/examples/lift.c), `--features learning,table`", LIFT_ALONE.build()?));
+        binaries.push(("C, a table robot (capi/examples/lift.c), `--features checks,learning,table`", LIFT_ALONE.build()?));
         binaries.push(("C, a lift that only obeys (capi/examples/obey.c), `--features table`", OBEY.build()?));
         binaries.push(("C, a robot that is talked to (capi/examples/talk.c), all features and `talk`", TALK.build()?));
         let report = run_alone(&full()?)?;

@@ -12,6 +12,10 @@ pub const GOODBOT_MOST_CARRIERS: usize = 16;
 pub const GOODBOT_MOST_PROPOSITIONS: usize = 8;
 /// Most arguments of a propositional function.
 pub const GOODBOT_MOST_ARGUMENTS: usize = 3;
+/// Most propositional functions of a task.
+pub const GOODBOT_MOST_CONJUNCTS: usize = 4;
+/// Most variables of a task.
+pub const GOODBOT_MOST_VARIABLES: usize = 6;
 /// Most actions, doing nothing not counted.
 pub const GOODBOT_MOST_ACTIONS: usize = 15;
 /// Most texts that `derived` gives for one object in one state.
@@ -75,6 +79,22 @@ pub struct GoodbotAction {
     pub cost: u32,
 }
 
+/// A kind of task, as `goodbot table --c` has read it: a library without the feature `checks` reads no texts of tasks.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct GoodbotKind {
+    /// The class of each variable, by position.
+    pub classes: [u8; GOODBOT_MOST_VARIABLES],
+    /// How many.
+    pub class_count: u8,
+    /// The propositional functions that are to hold, by position.
+    pub propositions: [u8; GOODBOT_MOST_CONJUNCTS],
+    /// How many.
+    pub proposition_count: u8,
+    /// The variables of each, by position.
+    pub variables: [[u8; GOODBOT_MOST_ARGUMENTS]; GOODBOT_MOST_CONJUNCTS],
+}
+
 /// What an action leads to from a state: gives true and sets `next`, or gives false where it cannot be done. It must always answer the
 /// same, and call nothing of goodbot.
 pub type GoodbotStep = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, action: u8, next: *mut u32) -> bool>;
@@ -131,4 +151,7 @@ pub struct GoodbotTable {
     pub derived: GoodbotDerived,
     /// Handed to all functions.
     pub context: *mut c_void,
+    /// The tasks once more, as `goodbot table --c` has read them, in a table that it has checked; else null. A library with the feature `checks`
+    /// reads and checks all by itself.
+    pub kinds: *const GoodbotKind,
 }

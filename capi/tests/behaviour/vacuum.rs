@@ -135,6 +135,7 @@ fn vacuum(capacities: GoodbotCapacities) -> Owned {
         holds: Some(holds),
         derived: None,
         context: null_mut(),
+        kinds: null(),
     }));
     of_table_in(table, capacities).unwrap()
 }

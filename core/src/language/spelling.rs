@@ -38,29 +38,75 @@ pub fn is_slip(one: &str, other: &str) -> bool {
     letters(one).min(letters(other)) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
 }
 
+/// How many bytes two words have in common, from one end.
+fn alike(one: impl Iterator<Item = u8>, other: impl Iterator<Item = u8>) -> usize {
+    one.zip(other).take_while(|(one, other)| one == other).count()
+}
+
 /// How many letters a word has. The core's own count is for long texts, and takes flash.
+#[inline(never)]
 fn letters(word: &str) -> usize {
     word.bytes().filter(|byte| byte & 0xc0 != 0x80).count()
 }
 
 /// Whether two words differ by one slip.
 pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
-    // What is left where they begin and end alike.
-    let (mut one, mut other) = (one, other);
-    for from_end in [false, true] {
-        loop {
-            let (mut a, mut b) = (one.chars(), other.chars());
-            let (x, y) = if from_end { (a.next_back(), b.next_back()) } else { (a.next(), b.next()) };
-            if x.is_none() || x != y {
-                break;
-            }
-            (one, other) = (a.as_str(), b.as_str());
-        }
-    }
+    // What is left where they begin and end alike. In both the same bytes begin a letter.
+    let begin = (0..=alike(one.bytes(), other.bytes())).rev().find(|&at| one.is_char_boundary(at)).unwrap_or(0);
+    let (one, other) = (one.get(begin..).unwrap_or(""), other.get(begin..).unwrap_or(""));
+    let end = one.len().wrapping_sub(alike(one.bytes().rev(), other.bytes().rev()));
+    let end = (end..=one.len()).find(|&at| one.is_char_boundary(at)).unwrap_or(end);
+    let other_end = other.len().wrapping_sub(one.len().wrapping_sub(end));
+    let (one, other) = (one.get(..end).unwrap_or(""), other.get(..other_end).unwrap_or(""));
     match (letters(one), letters(other)) {
         (0 | 1, 1) | (1, 0) => true,
         // Neighbours in the other order.
         (2, 2) => one.chars().eq(other.chars().rev()),
         _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::String;
+    use std::vec::Vec;
+
+    /// The words that come from one by one slip, letter by letter.
+    fn slips(word: &[char]) -> Vec<Vec<char>> {
+        let (mut all, letters) = (Vec::new(), ['a', 'é', '子']);
+        for at in 0..=word.len() {
+            for letter in letters {
+                all.push([&word[..at], &[letter], &word[at..]].concat());
+            }
+            if let Some((_, after)) = word[at..].split_first() {
+                all.push([&word[..at], after].concat());
+                all.extend(letters.map(|letter| [&word[..at], &[letter], after].concat()));
+            }
+            if let [first, second, after @ ..] = &word[at..] {
+                all.push([&word[..at], &[*second, *first], after].concat());
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn a_slip_is_one_letter_more_less_or_other_or_two_exchanged() {
+        let mut words: Vec<Vec<char>> = std::vec![Vec::new()];
+        for length in 0..4 {
+            let longer: Vec<_> = words
+                .iter()
+                .filter(|word| word.len() == length)
+                .flat_map(|word| ['a', 'é', '子'].map(|letter| [word, &[letter][..]].concat()))
+                .collect();
+            words.extend(longer);
+        }
+        for one in &words {
+            let (slips, text) = (slips(one), String::from_iter(one));
+            for other in &words {
+                let expected = one != other && slips.contains(other);
+                assert_eq!(is_slip_of_any_length(&text, &String::from_iter(other)), expected, "{one:?} {other:?}");
+            }
+        }
     }
 }

@@ -213,6 +213,18 @@ impl LiftedTask {
         Ok(task)
     }
 
+    /// The task without a way that has these [`propositions`](Self::propositions) and [`variables`](Self::variables), as another machine read them. Only
+    /// their numbers are checked.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] where there are more than a task can have.
+    pub fn written(propositions: &[LiftedProposition], variables: &[ClassId], schema: &Schema<'_>) -> Result<Self, CapacityError> {
+        let mut task = Self::empty(schema);
+        propositions.iter().try_for_each(|&proposition| task.add(proposition, Part::Goal))?;
+        variables.iter().try_for_each(|&class| task.add_variable(class))?;
+        Ok(task)
+    }
+
     fn empty(schema: &Schema<'_>) -> Self {
         Self { propositions: Vec::new(), parts: Parts::default(), variables: Vec::new(), vocabulary: digest(schema) }
     }
@@ -467,6 +479,14 @@ mod tests {
     fn a_proposition_alone_equals_its_text() {
         let single = LiftedTask::single(crate::home::BLOCK_IN_ROOM, &SCHEMA).unwrap();
         assert_eq!(LiftedTask::parse("blockInRoom( ?o , ?r )", &SCHEMA), Ok(single));
+    }
+
+    #[test]
+    fn a_task_that_is_written_as_numbers_equals_its_text() {
+        let read = LiftedTask::parse("agentInRoom(?a, ?r) & blockInRoom(?o, ?r)", &SCHEMA).unwrap();
+        assert_eq!(LiftedTask::written(read.propositions(), read.variables(), &SCHEMA), Ok(read.clone()));
+        let variables = [ClassId::new(0); VARIABLES_PER_TASK + 1];
+        assert_eq!(LiftedTask::written(&[], &variables, &SCHEMA).unwrap_err().capacity, Capacity::VariablesPerTask);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::source::{Part, Source};
 use crate::size::source::c_table;
+use goodbot::task::LiftedTask;
 use goodbot_capi::capacities::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, Flaw};
 use std::fmt::Write;
@@ -81,7 +82,24 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     }
     let actions = list(source.actions.iter().map(|action| format!("{{{}, {}}}", quoted(action.name), action.cost)));
     writeln!(out, "}};\nstatic const goodbot_action {word}_actions[] = {{{actions}}};")?;
-    writeln!(out, "static const char *const {word}_tasks[] = {{{}}};\n", list(source.tasks.iter().map(|task| quoted(task))))?;
+    writeln!(out, "static const char *const {word}_tasks[] = {{{}}};", list(source.tasks.iter().map(|task| quoted(task))))?;
+    // A task with a way is a text alone.
+    let kinds = if source.kinds.iter().any(LiftedTask::has_way) {
+        "NULL".to_owned()
+    } else {
+        writeln!(out, "/* The same, as they were read: their variables' classes, their propositions, and the variables of each. */")?;
+        writeln!(out, "static const goodbot_kind {word}_kinds[] = {{")?;
+        for kind in &source.kinds {
+            let classes = list(kind.variables().iter().map(|class| class.index().to_string()));
+            let propositions = list(kind.propositions().iter().map(|part| part.proposition.index().to_string()));
+            let variables = list(kind.propositions().iter().map(|part| format!("{{{}}}", list(part.variables.iter().map(u8::to_string)))));
+            let counts = [kind.variables().len(), kind.propositions().len()];
+            writeln!(out, "    {{{{{classes}}}, {}, {{{propositions}}}, {}, {{{variables}}}}},", counts[0], counts[1])?;
+        }
+        writeln!(out, "}};")?;
+        format!("{word}_kinds")
+    };
+    writeln!(out)?;
 
     writeln!(out, "/* What can hold: a proposition of objects, where state / unit % values == value. */")?;
     writeln!(
@@ -144,7 +162,7 @@ static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t 
 /* In the order of the fields, as C++ wants it. */
 static const goodbot_table {word}_table = {{
     {word}_classes, {}, {attributes}, {}, {word}_propositions, {}, {word}_objects, {},
-    {word}_actions, {}, {word}_tasks, {}, {} /* states */, {} /* the first */, NULL /* next */, {word}_step, {word}_holds, NULL /* derived */, NULL
+    {word}_actions, {}, {word}_tasks, {}, {} /* states */, {} /* the first */, NULL /* next */, {word}_step, {word}_holds, NULL /* derived */, NULL, {kinds}
 }};
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes {word_bytes};

@@ -70,7 +70,7 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
     let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
     // Before the states, which take longer.
-    robot::tasks(robot.file(), robot)?;
+    let kinds = robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
     if !checked.all || robot.state_count() > MOST_STATES as u64 {
         let count = robot.state_count();
@@ -79,6 +79,6 @@ fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String,
         return Err(flaw("propositions", message));
     }
     let capacities = least_of_world(robot, &Lessons::new(options.sessions, options.words), Learner::Roles.options())?;
-    let source = Source::of(robot, start, capacities);
+    let source = Source::of(robot, start, kinds, capacities);
     if options.c { c::text(&source) } else { Ok(rust::text(&source)) }
 }

@@ -2,6 +2,7 @@
 
 use goodbot::Capacities;
 use goodbot::oomdp::{ActionKind, Domain, Objects, Schema, World};
+use goodbot::task::LiftedTask;
 use goodbot_lesson::world::robot::{DigitAt, FactAt, Robot, Rule};
 
 /// A robot, as it is written down.
@@ -16,6 +17,8 @@ pub struct Source<'w> {
     pub actions: &'w [ActionKind<'w>],
     /// The kinds of task.
     pub tasks: Vec<String>,
+    /// The same, read.
+    pub kinds: Vec<LiftedTask>,
     /// How many states there are, and the first.
     pub states: u64,
     /// The state that it starts in.
@@ -43,7 +46,7 @@ pub enum Part {
 
 impl<'w> Source<'w> {
     /// The source of a robot.
-    pub fn of(robot: &'w Robot<'w>, start: u64, capacities: Capacities) -> Self {
+    pub fn of(robot: &'w Robot<'w>, start: u64, kinds: Vec<LiftedTask>, capacities: Capacities) -> Self {
         let World { schema, objects } = robot.world();
         Self {
             name: &robot.file().name,
@@ -51,6 +54,7 @@ impl<'w> Source<'w> {
             objects,
             actions: robot.actions(),
             tasks: robot.file().task_kinds.iter().map(ToString::to_string).collect(),
+            kinds,
             states: robot.state_count(),
             start,
             facts: robot.where_facts_hold(),

@@ -130,6 +130,7 @@ impl Lift {
             holds: Some(at_floor),
             derived: None,
             context: null_mut(),
+            kinds: null(),
         }
     }
 }

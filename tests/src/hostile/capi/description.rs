@@ -117,6 +117,7 @@ impl Description {
             holds: (texts.number(0, &[1]) == 0).then_some(holds as _),
             derived: (texts.number(0, &[1]) == 1).then_some(derived as _),
             context: std::ptr::from_ref(&*machine).cast_mut().cast(),
+            kinds: std::ptr::null(),
         });
         Self { table, _texts: texts.kept, _lists: lists, machine, _steps: steps }
     }
