@@ -180,7 +180,6 @@ impl<M: AgentMemory> Agent<M> {
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
         // "Put the basket in the green room" is about a basket sooner than about the green bag.
-        let is_here = !explained.own.is_empty() && new_names(words) == 0;
         let is_likely = |task: usize| explained.likelihoods.get(task).is_some_and(|likelihood| !likelihood.is_zero());
         if explained.own.iter().any(is_likely) {
             for (task, (weight, likelihood)) in explained.weights.iter_mut().zip(&mut explained.likelihoods).enumerate() {
@@ -203,11 +202,9 @@ impl<M: AgentMemory> Agent<M> {
             explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
         }
         let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
-        // A thing that is not here has a name that nothing here has.
-        let absent = factors.scaled_by(if is_here { FOREIGN } else { 1.0 });
         // Names of two things are of no one command.
-        let factors = factors.scaled_by(if explained.own.is_empty() { FOREIGN } else { 1.0 });
-        (explained.here, explained.absent) = (explained.here.times(factors), explained.absent.times(absent));
+        let here = factors.scaled_by(if explained.own.is_empty() { FOREIGN } else { 1.0 });
+        (explained.here, explained.absent) = (explained.here.times(here), explained.absent.times(factors));
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
         Ok(())
     }
