@@ -252,9 +252,10 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
     // "Grandma sleeps in the red room".
+    let front = || words.iter().take_while(|word| !word.is_toward);
     let is_told = words.iter().any(|word| word.is_name && !word.is_toward)
-        && words.iter().take_while(|word| !word.is_toward).filter(|word| word.is_new).count() == MOST_NEW
-        && words.iter().take_while(|word| !word.is_toward).all(|word| word.is_new);
+        && front().count() == MOST_NEW
+        && front().all(|word| word.is_new && word.classes == Classes::NONE);
     let is_verb = is_verb && !is_told;
     // "All bags": a thing.
     let before = first.checked_sub(1).and_then(|before| words.get(before));
@@ -262,7 +263,10 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let asks = words.part(0, first).has(Class::Asking);
     let known = words.part(first, words.len()).only(|word| !word.is_new);
     // "Off with you into the red room".
-    let way = known.only(|word| word.count > 0.0 || !word.classes.contains(Class::Polite)).get(0).filter(|word| word.is_toward);
+    let way = known
+        .only(|word| word.count > 0.0 || !word.classes.contains_any(&[Class::Polite, Class::You]))
+        .get(0)
+        .filter(|word| word.is_toward);
     (is_verb && !is_other && !asks).then(|| way.or_else(|| known.get(0)))
 }
 
