@@ -125,10 +125,14 @@ impl<M: AgentMemory> Agent<M> {
         }
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
             let Some(rest) = rest else { continue };
-            let mut explained = Explained::NEW;
+            let (mut explained, mut from) = (Explained::NEW, Scaled::ONE);
+            if !rest.from.is_empty() {
+                self.explain_all(domain, rest.from, wording, place.view(rest.view), &mut explained)?;
+                from = explained.here;
+            }
             self.explain_all(domain, rest.words, wording, place.view(rest.view), &mut explained)?;
-            add(hypothesis, explained.here.scaled_by(rest.prior));
-            add(Hypothesis::Absent, explained.absent.scaled_by(rest.prior * ABSENT));
+            add(hypothesis, explained.here.times(from).scaled_by(rest.prior));
+            add(Hypothesis::Absent, explained.absent.times(from).scaled_by(rest.prior * ABSENT));
         }
         if let Some(parting) = parting {
             add(Hypothesis::Several, parting.weight);

@@ -34,12 +34,16 @@ const SHARED: f32 = 0.3;
 const SAID_ONCE: f32 = 0.2;
 /// The words after "all" that may name what is meant.
 const NAME_OF_ALL: usize = 2;
+/// "To the" are so many words.
+const ARTICLE: usize = 2;
 
 /// Some words without those that say how to read them.
 pub(super) struct Rest<'w> {
     pub words: Words<'w>,
     /// The words that name what is excepted.
     pub except: Words<'w>,
+    /// The words that name the place where the things are.
+    pub from: Words<'w>,
     /// How probable this reading is before the other words.
     pub prior: f32,
     pub view: View<'static>,
@@ -97,6 +101,10 @@ enum Before {
 
 /// The words read as what shall not be, if there is a sign of that.
 pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
+    // "All chairs out of the blue room into the red room": these are to be there.
+    if !words.has(Class::Negation) && !from_place(words).1.is_empty() {
+        return None;
+    }
     let cues = [Class::Negation, Class::Out, Class::But];
     // "All chairs out of the red room".
     let is_of_all = is_all_out(words);
@@ -125,12 +133,16 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let is_clear = !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
     let is_double = is_not && is_out;
-    Some(Rest { words: rest, except: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays, is_double })
+    Some(Rest { words: rest, except: Words::NONE, from: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays, is_double })
 }
 
 /// Whether all things of a kind are to leave a place.
 fn is_all_out(words: Words<'_>) -> bool {
-    words.has(Class::Out) && words.has(Class::All) && !words.has(Class::Negation) && !words.has(Class::But)
+    words.has(Class::Out)
+        && words.has(Class::All)
+        && !words.has(Class::Negation)
+        && !words.has(Class::But)
+        && from_place(words).1.is_empty()
 }
 
 /// Whether several things may be meant that shall not be in a place: "the chairs".
@@ -152,6 +164,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     let words = but.map_or(words, |but| words.part(0, but).with(behind.part(until, words.len())));
     let is_exception =
         |word: &Heard| is_but(word) || word.classes.contains_any(&[Class::Negation, Class::Out]) && !word.classes.contains(Class::All);
+    let (words, from) = from_place(words);
     let has_exception = words.iter().any(is_exception) || but.is_some() && !except.iter().any(|word| word.is_name);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
@@ -165,6 +178,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     Some(Rest {
         words: rest,
         except,
+        from,
         prior: ALL * prior,
         view,
         is_clear,
@@ -173,6 +187,24 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
         stays: false,
         is_double: false,
     })
+}
+
+/// The words without those for the place where all things are, and these: "everything in the blue room" to another. Both places have a word that is
+/// no name: "room".
+fn from_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
+    let sign = words.iter().position(|word| word.classes.contains(Class::All) || word.is_plural).unwrap_or(words.len());
+    let way = words.iter().enumerate().filter_map(|(at, word)| word.is_toward.then_some(at)).last().unwrap_or(0);
+    let leads = |(at, word): (usize, &Heard)| at > sign && (word.is_toward || word.classes.contains(Class::From));
+    let Some(begin) = words.iter().enumerate().position(leads).filter(|&begin| begin < way) else { return (words, Words::NONE) };
+    let (from, goal) = (words.part(begin, way), words.part(way, words.len()));
+    // "All of the chairs" are in no place, although "the" is of both.
+    let is_same = |word: &Heard| !word.is_name && goal.iter().skip(ARTICLE).any(|other| other.said.symbol == word.said.symbol);
+    let has = |is: &dyn Fn(&Heard) -> bool| from.iter().any(|word| word.classes == Classes::NONE && is(word));
+    if has(&|word| word.is_name) && has(&is_same) {
+        (words.part(0, begin).with(goal), from.part(1, from.len()))
+    } else {
+        (words, Words::NONE)
+    }
 }
 
 /// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.

@@ -9,7 +9,7 @@ use super::readings::{all, has_more, is_of_several, negated};
 use super::reworded::reversed;
 use super::wording::Wording;
 use crate::memory::AgentMemory;
-use crate::oomdp::Domain;
+use crate::oomdp::{Domain, ObjectId};
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
@@ -137,9 +137,15 @@ impl<M: AgentMemory> Agent<M> {
                 self.explain_all(domain, rest.except, wording, place.view(rest.view), explained)?;
                 excepted = explained.own;
             }
+            let mut there = None;
+            if !rest.from.is_empty() {
+                self.explain_all(domain, rest.from, wording, place.view(rest.view), explained)?;
+                there = Some(explained.fitting.common(self.done(domain)));
+            }
             self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
             let (tasks, of_place) = self.all_that_fit(domain, explained);
-            let tasks = tasks.without(excepted);
+            let is_there = |task: &usize| there.is_none_or(|there| there.iter().any(|other| self.thing(other) == self.thing(*task)));
+            let tasks: TaskSet = tasks.without(excepted).iter().filter(is_there).collect();
             let is_only_told = tells(words) || has_condition(words);
             let task = tasks.iter().next().unwrap_or(explained.best().0);
             let (words, is_clear, probability) =
@@ -167,6 +173,13 @@ impl<M: AgentMemory> Agent<M> {
         let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
+    }
+
+    /// What a task of one proposition is about.
+    fn thing(&self, task: usize) -> Option<ObjectId> {
+        let task = self.task(task);
+        let lifted = self.lifted().get(usize::from(task.lifted))?;
+        task.propositions(lifted).next()?.arguments.first().copied()
     }
 
     /// Whether a task about a thing and its place is the only one that fits the names of both.

@@ -643,6 +643,27 @@ fn all_things_of_a_kind_are_a_task_each_without_those_that_are_there() {
 }
 
 #[test]
+fn all_things_that_are_in_one_place_are_taken_to_another() {
+    let home = Home {
+        rooms: vec!["red", "blue", "green"],
+        blocks: vec![("green", "bag", 0), ("blue", "chair", 1), ("red", "chair", 1)],
+        robot: 1,
+    };
+    let (_folder, model) = taught(120, &ENGLISH);
+    let both = "blockInRoom(block1,room0) then blockInRoom(block2,room0)";
+    let cases = [
+        ("take everything in the blue room to the red room", "sure", both),
+        ("take the chairs from the blue room to the red room", "sure", both),
+        ("take all things in the red room to the green room", "sure", "blockInRoom(block0,room2)"),
+        ("take all of the chairs to the red room", "sure", both),
+        ("take everything from the green room to the red room", "unsure", ""),
+    ];
+    check(&model, &home, &cases);
+    let (_folder, model) = taught(120, &GERMAN);
+    check(&model, &home, &[("bring alles aus dem blauen Zimmer ins rote Zimmer", "sure", both)]);
+}
+
+#[test]
 fn german_is_taken_apart_as_well() {
     let (_folder, model) = taught(120, &GERMAN);
     let cases = [
