@@ -97,7 +97,9 @@ impl<M: AgentMemory> Agent<M> {
         }
         // Names of two things are of two commands.
         let is_of_two = parting.is_some() && explained.own.is_empty() && new_names(words) == 0;
-        let of_one = if is_of_two { FOREIGN } else { 1.0 };
+        // Where all things of a place are taken to another, its name is no name of a thing.
+        let is_of_all = all(words).is_some_and(|rest| !rest.from.is_empty());
+        let of_one = if is_of_two || is_of_all { FOREIGN } else { 1.0 };
         add(Hypothesis::Command, explained.here.scaled_by(of_one * (1.0 - NOTHING - ABSENT - ABOUT - SEVERAL)));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
             let words = words.iter().enumerate();
