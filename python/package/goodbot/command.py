@@ -7,11 +7,12 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ._native import Session
 from .logs import write_log
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def file_of(log: Log | None) -> Iterator[str | None]:
         return
     with tempfile.TemporaryDirectory() as folder:
         file, items = Path(folder) / "log.jsonl", list(log)
-        sessions = [it for it in items if not isinstance(it, Mapping)]
+        sessions = [it for it in items if isinstance(it, Session)]
         if not sessions and items:
             file.write_text("\n".join(map(json.dumps, items)), encoding="utf-8")
         elif len(sessions) == len(items):

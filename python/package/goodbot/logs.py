@@ -6,15 +6,11 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._native import Agent, Session, parse_log
-
-if TYPE_CHECKING:
-    from .names import Log
 
 
 def read_log(path: str | os.PathLike[str]) -> list[Session]:
@@ -56,7 +52,7 @@ class Posterior:
         return self.beliefs[:, self.tasks.index(meant)] if meant in self.tasks else None
 
 
-def posteriors(log: Log, agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
+def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
     """Goes through a log, and tells for each session what the agent believes before the first step and after each.
 
     `log` is a file or sessions; without `agent` a new one hears it. It learns from the sessions that are to be learned from; `learn` replaces
