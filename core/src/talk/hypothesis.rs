@@ -98,7 +98,8 @@ impl<M: AgentMemory> Agent<M> {
         // Names of two things are of two commands.
         let is_of_two = parting.is_some() && explained.own.is_empty() && new_names(words) == 0;
         // Where all things of a place are taken to another, its name is no name of a thing.
-        let is_of_all = all(words).is_some_and(|rest| !rest.from.is_empty());
+        let of_all = all(words);
+        let is_of_all = of_all.as_ref().is_some_and(|rest| !rest.from.is_empty());
         let of_one = if is_of_two || is_of_all { FOREIGN } else { 1.0 };
         add(Hypothesis::Command, explained.here.scaled_by(of_one * (1.0 - NOTHING - ABSENT - ABOUT - SEVERAL)));
         let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
@@ -125,7 +126,7 @@ impl<M: AgentMemory> Agent<M> {
             let prior = if place.is_known() && class == Class::Again { AGAIN } else { TALK };
             add(Hypothesis::Talk(class), weight.scaled_by(prior / learned(words, |word| word.classes.contains(class))));
         }
-        for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, all(words))] {
+        for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, of_all)] {
             let Some(rest) = rest else { continue };
             let (mut explained, mut from) = (Explained::NEW, Scaled::ONE);
             if !rest.from.is_empty() {
