@@ -320,8 +320,8 @@ impl Checker<'_> {
                 Some(&(task, _)) => values.push((task, (value / largest) as f32)),
                 None if tasks.is_empty() => {}
                 None => {
-                    let message = "is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked \
-                                   for; remove it, or name its kind with --task";
+                    let message = "is no task here: it holds at the beginning already, names an object that is not here, or is of a kind \
+                                   not asked for; remove it, or name its kind with --task";
                     self.fault(format!("prior.{name}"), message);
                 }
             }
@@ -356,8 +356,8 @@ impl Checker<'_> {
                     Some(position) => named = named.with(position),
                     None => {
                         let message = format!(
-                            "{} is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked for; \
-                             remove the answer, or name its kind with --task",
+                            "{} is no task here: it holds at the beginning already, names an object that is not here, or is of a kind not \
+                             asked for; remove the answer, or name its kind with --task",
                             quoted(&name.to_string())
                         );
                         self.faults.push(Fault::on_line(self.file, *line, message).in_field("tasks"));

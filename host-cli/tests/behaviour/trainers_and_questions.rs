@@ -42,7 +42,7 @@ fn an_answer_that_cannot_be_is_refused_with_its_line_and_what_to_do() {
         (vec![home.clone(), of(("0.1", "0.5")), END.to_owned()], ":2: field \"eta\": must be less than 0.5"),
         (vec![home.clone(), END.to_owned(), good.clone()], ":3: an answer is outside any session"),
         (vec![shown, good.clone(), END.to_owned()], ":2: an answer belongs in a session of feedback alone"),
-        (vec![home, of(("0.1}", "0.1,\"others\":0}")), END.to_owned()], ":2: field \"others\": 0 other answers are none to choose from"),
+        (vec![home, of(("0.1}", "0.1,\"others\":0}")), END.to_owned()], ":2: field \"others\": 0 is no number of other answers"),
     ] {
         let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
         let run = goodbot(&["check", "-"], (lines.join("\n") + "\n").as_bytes());

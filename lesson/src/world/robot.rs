@@ -569,7 +569,7 @@ impl Mechanism {
             start.iter_mut().skip(digit).take(1).for_each(|slot| *slot = value);
         }
         if fixed.len() < self.fixed.len() {
-            return flaw("facts", "leave out what holds in the world and no action changes; add it");
+            return flaw("facts", "leave out a proposition that holds in the world and that no action changes; add it");
         }
         let mut places: Vec<(&Key, &(usize, u64))> = self.places.iter().collect();
         places.sort();
