@@ -3,8 +3,7 @@
 //! | from | to | contents |
 //! |---|---|---|
 //! | 0 | [`HOME`] | the program, which `cargo xtask microbit` makes |
-//! | [`HOME`] | [`SLOTS`] | a home and commands, one request on each line, as the serial line takes them; erased (0xff) for the robot's
-//! built-in home |
+//! | [`HOME`] | [`SLOTS`] | a home and commands, a request per line, as on the serial line; erased (0xff): the built-in home |
 //! | [`SLOTS`] | [`END`] | two slots with models, as `goodbot::storage` writes them |
 //!
 //! ```

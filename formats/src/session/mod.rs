@@ -21,8 +21,7 @@
 //! | `utterance` | the utterance from this command on, if the robot listened |
 //! | `after` | the task of the command before, if this is a later command of an utterance |
 //! | `closed_words` | the table of closed words, if it is not the built-in one |
-//! | `conversation` | if the robot listened: the conversation's `id`, its last task, and the objects that words can refer to, as texts by
-//! name |
+//! | `conversation` | if the robot listened: the conversation's `id`, last task, and objects that words can refer to, by name |
 //!
 //! A feedback session may have lines of type `answer`, for the trainer's answers to the robot's questions: `tasks` (the tasks of the
 //! question), `yes` (whether the intended task is among them), `eta` (the probability that an answer is wrong, less than 0.5), and `others`
