@@ -1,4 +1,4 @@
-//! `goodbot learn`: a model from recorded sessions.
+//! `goodbot learn`: trains a model on recorded sessions.
 
 use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
@@ -28,12 +28,12 @@ pub struct LearnOptions {
     /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
-    /// Where the model goes; - is standard output
+    /// The model file to write; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// What learns
+    /// The settings of the language model
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     #[command(flatten)]

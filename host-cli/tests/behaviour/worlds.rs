@@ -54,7 +54,7 @@ fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
         assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some(meant), Some(7)), "{answer}");
     }
     let read = goodbot(&["ask", "--with", model, "--log", log], b"");
-    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("meant was fanOn(d)"), "{}", read.output);
+    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("intended: fanOn(d)"), "{}", read.output);
     let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
     assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
 }
@@ -374,11 +374,11 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
         ),
         (
             r#"{"name":"x","parameters":{"?l":"lamp"},"effects":["on(?l)","!on(?l)"]}"#,
-            "\": warning: on(?l) holds after x and does not, and what is written last counts; leave one of the two out",
+            "\": warning: on(?l) both holds and does not hold after x; the last one counts, so leave one of the two out",
         ),
         (
             r#"{"name":"x","conditions":["on(a)"],"effects":["on(a)"]}"#,
-            "\": warning: x changes nothing, in whatever state it is done; correct its effects, or leave it out",
+            "\": warning: x changes nothing in any state; correct its effects, or leave it out",
         ),
     ] {
         let checked = goodbot(&["check", "-"], world(&[action]).as_bytes());
@@ -394,7 +394,7 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
     let checked = goodbot(&["check", "-"], more.as_bytes());
     for (position, name) in [(1, "x"), (2, "y")] {
         let told = format!(
-            "field \"actions[{position}]\": warning: {name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+            "field \"actions[{position}]\": warning: {name} is possible in no state that the robot reaches from these facts; correct its conditions, or leave it out"
         );
         assert!(checked.messages.contains(&told), "{}", checked.messages);
     }
