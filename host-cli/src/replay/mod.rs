@@ -163,10 +163,7 @@ impl Replay {
         }
         tell_long(&self.long.iter().collect::<Vec<_>>());
         if commands > 0 {
-            say!(
-                "{} left out: commands have no steps to replay; learn from them with goodbot learn",
-                counted(commands, "command")
-            );
+            say!("{} left out: commands have no steps to replay; learn from them with goodbot learn", counted(commands, "command"));
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
             let message = "the files have no session; name a session log, with one JSON object on each line";
