@@ -1,4 +1,4 @@
-//! A robot as Rust.
+//! A robot in Rust.
 
 use super::source::{Part, Source};
 use crate::size::source::rust_fields;
