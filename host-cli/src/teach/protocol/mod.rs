@@ -505,7 +505,7 @@ impl Speaker<'_> {
         json!({"type": "words", "ideas": self.classroom.pupil.ideas().into_iter().map(idea).collect::<Vec<_>>()})
     }
 
-    /// The tour's current lesson or test, as a line of its own; nothing outside of it.
+    /// The tour's current lesson or test, as a line of its own; no line outside the tour.
     fn lesson(&self) -> impl Iterator<Item = Value> + use<> {
         let mut lesson = json!({"type": "lesson"});
         self.add_lesson(&mut lesson);
@@ -539,7 +539,7 @@ impl Speaker<'_> {
         }
     }
 
-    /// Where the robot and the blocks are; in a world from a file, what holds there.
+    /// The cells of the robot and the blocks; in a world from a file, the facts.
     fn add_cells(&self, answer: &mut Value) {
         if let Some(table) = self.classroom.pupil.table() {
             answer["facts"] = facts(&table);
@@ -559,12 +559,12 @@ impl Speaker<'_> {
     }
 }
 
-/// What holds in a world, and its robot can change.
+/// The facts of a world that its robot can change.
 fn facts(table: &Table) -> Value {
     table.facts.iter().map(ToString::to_string).collect()
 }
 
-/// The shortest number that is read as the same probability again.
+/// The shortest number that reads back as the same probability.
 fn number(probability: f32) -> Value {
     probability.to_string().parse::<f64>().map_or(Value::Null, |number| json!(number))
 }
