@@ -1,4 +1,4 @@
-//! `goodbot check`, and what `goodbot replay` says of the same files.
+//! `goodbot check`, and the errors of `goodbot replay` for the same files.
 
 use crate::program;
 
@@ -363,7 +363,7 @@ fn a_home_drawn_as_text_is_checked_too() {
     assert!(run.messages.starts_with("standard input:7: block C has no colour and shape"), "{}", run.messages);
 }
 
-/// A labelled session whose meaning has a way.
+/// A labelled session whose task has a way.
 fn way(more: &str) -> Vec<u8> {
     let header = session(AGENT, "labelled", "around to the green room", &format!(r#","intended":["agentInRoom(agent0,room1)"]{more}"#));
     log([&header, END])
