@@ -87,7 +87,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     let kinds = if source.kinds.iter().any(LiftedTask::has_way) {
         "NULL".to_owned()
     } else {
-        writeln!(out, "/* The same, as they were read: their variables' classes, their propositions, and the variables of each. */")?;
+        writeln!(out, "/* The kinds of task, parsed: their variables' classes, their propositions, and the variables of each. */")?;
         writeln!(out, "static const goodbot_kind {word}_kinds[] = {{")?;
         for kind in &source.kinds {
             let classes = list(kind.variables().iter().map(|class| class.index().to_string()));
@@ -101,7 +101,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     };
     writeln!(out)?;
 
-    writeln!(out, "/* What can hold: a proposition of objects, where state / unit % values == value. */")?;
+    writeln!(out, "/* Facts: a proposition of these objects holds where state / unit % values == value. */")?;
     writeln!(
         out,
         "static const struct {{\n    uint8_t proposition, arguments[GOODBOT_MOST_ARGUMENTS];\n    uint32_t unit, values, value;\n}} {word}_facts[] = {{"
@@ -112,7 +112,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     }
     writeln!(
         out,
-        "}};\n\n/* What actions need and do: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it takes. */"
+        "}};\n\n/* Rules of actions: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it gets. */"
     )?;
     writeln!(out, "static const struct {{\n    uint8_t action, kind;\n    uint32_t unit, values, value;\n}} {word}_parts[] = {{")?;
     for (action, part) in source.parts() {
@@ -149,7 +149,7 @@ static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t 
         uint32_t unit = {word}_parts[at].unit, values = {word}_parts[at].values, value = {word}_parts[at].value;
         if ({word}_parts[at].action != action) continue;
         if ({word}_parts[at].kind == 0) {{
-            if (fits) break; /* the first rule that fits is what happens */
+            if (fits) break; /* the first rule that fits applies */
             fits = true;
             after = state;
         }} else if ({word}_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;
