@@ -149,7 +149,7 @@ fn sessions_that_do_not_say_what_was_meant_are_counted_and_none_that_does_is_ref
     let none = without.replace(r#","intended":["agentInRoom(agent0,room0)"]"#, "");
     let run = goodbot(&["evaluate", "-"], none.as_bytes());
     assert_eq!(run.code, 2);
-    assert!(run.messages.contains("no session says what was meant"), "{}", run.messages);
+    assert!(run.messages.contains("no session has an intended task"), "{}", run.messages);
 }
 
 #[test]
