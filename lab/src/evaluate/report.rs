@@ -170,12 +170,11 @@ fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
 
 fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let Read { is_given, taught, skipped, with_way, unknown, evidence, .. } = summary.read;
-    let others: Vec<String> =
-        [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: no intended task")]
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, what)| format!(", {count} {what}"))
-            .collect();
+    let others: Vec<String> = [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: no intended task")]
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, what)| format!(", {count} {what}"))
+        .collect();
     let taught = if is_given { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
     writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
