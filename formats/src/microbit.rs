@@ -147,7 +147,7 @@ impl MicrobitFile {
         self.put("the learned model", SLOTS, END, slots)
     }
 
-    /// Replaces the robot's own home and commands.
+    /// Replaces the robot's own home and its list of commands, each only if one is given.
     ///
     /// # Errors
     /// [`MicrobitError::Name`] and [`MicrobitError::TooLong`].

@@ -45,8 +45,8 @@ Example:
 
 /// Joins two models.
 ///
+/// # Errors
 /// [`Failure`] names the file and its fault.
-/// [`Failure`] names the file and what is wrong with it.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let target = Output::new(Kind::Model, &options.out, [&options.first, &options.second], options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);

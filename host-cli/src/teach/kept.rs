@@ -273,7 +273,7 @@ impl Kept {
     /// `Some(None)` if the robot had not learned anything before, and `None` if there is nothing to take back.
     ///
     /// # Errors
-    /// A [`Failure`] that names the file; nothing is changed in that file then.
+    /// A [`Failure`] that names the file. A file that was written before the error stays written.
     pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
         let Places { model: model_path, log: log_path } = &self.places;
         if self.is_behind() {
