@@ -1,7 +1,7 @@
 //! Conversations: what "it", "there" and "back" refer to, from one session to the next.
 //!
 //! A task is remembered when its session is learned from, when the robot has done it although nothing is learned, and when it was done
-//! already. A conversation belongs to one home. It begins anew when things are moved from outside.
+//! already. A conversation belongs to one home. It begins again when things are moved from outside.
 
 use crate::live::{Lesson, LiveError};
 use crate::place::Place;

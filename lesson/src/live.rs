@@ -112,7 +112,7 @@ pub struct Session<R = EnvironmentFile> {
     pub after: Option<GroundedTask>,
     /// For each step taken, and each task, whether the step was right.
     pub(crate) judgements: Vec<Vec<Judgement>>,
-    /// The replay, while the session is walked again.
+    /// The replay, while the session is replayed after a step was taken back.
     pub(crate) again: Option<Replay>,
     pub(crate) asked: Asked,
 }
@@ -259,7 +259,7 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// How many steps the session has, with those still to be walked again.
+    /// The number of steps of the session, including those that are yet to be replayed.
     pub fn steps(&self) -> usize {
         if self.is_under_way() { self.walk.steps.len() } else { 0 }
     }
@@ -309,8 +309,8 @@ impl<D: Place> Lesson<D> {
         self.session = Some(session);
     }
 
-    /// Plans with a budget of about `budget` looks, and returns whether the plan is done. While the session is walked again, each call
-    /// continues the replay; the plan is done when the last step is taken again.
+    /// Plans with a budget of about `budget` node expansions, and returns whether the plan is done. While the session is replayed, each
+    /// call continues the replay; the plan is done when the last step is replayed.
     ///
     /// # Errors
     /// [`LiveError::NoSession`], or the errors of [`Agent::plan`].
@@ -338,12 +338,12 @@ impl<D: Place> Lesson<D> {
         Ok(false)
     }
 
-    /// Whether steps are still to be walked again.
+    /// Whether steps are still to be replayed.
     pub fn is_walking_again(&self) -> bool {
         self.session.as_ref().is_some_and(|session| session.again.is_some())
     }
 
-    /// Walks all remaining steps again at once.
+    /// Replays all remaining steps at once.
     ///
     /// # Errors
     /// As [`plan`](Self::plan).
@@ -467,7 +467,7 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// Takes the last step back. [`plan`](Self::plan) then walks the session again up to there. A step without feedback is only undone.
+    /// Takes the last step back. [`plan`](Self::plan) then replays the session up to there. A step without feedback is only undone.
     /// Returns whether there was a step.
     ///
     /// # Errors

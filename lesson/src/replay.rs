@@ -116,7 +116,7 @@ impl Replay {
     }
 
     /// Continues to the next event. Pass the same `walk` at each call, and leave the agent's belief and plan alone in between. One call
-    /// plans with a budget of about `budget` looks.
+    /// plans with a budget of about `budget` node expansions.
     ///
     /// # Errors
     /// The agent's error, with the line.

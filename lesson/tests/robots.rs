@@ -62,7 +62,7 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     }
 }
 
-/// This many lamps, of which some are on at first.
+/// A world of `count` lamps; those of `on` are on at first.
 fn lamps(count: usize, on: &str, actions: &str) -> WorldFile {
     let objects: Vec<String> = (0..count).map(|lamp| format!(r#"{{"name":"l{lamp}","class":"lamp"}}"#)).collect();
     let text = format!(

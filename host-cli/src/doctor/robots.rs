@@ -56,7 +56,7 @@ pub fn model(path: &Path) -> Finding {
 fn sessions(path: &Path) -> Result<usize, String> {
     let bytes = read_model(path).map_err(|failure| failure.to_string())?;
     let contents =
-        Contents::read(&bytes).map_err(|error| format!("{}: {error}; goodbot learn makes it anew from its log", path.display()))?;
+        Contents::read(&bytes).map_err(|error| format!("{}: {error}; goodbot learn makes a new one from its log", path.display()))?;
     Ok(contents.sessions.len())
 }
 

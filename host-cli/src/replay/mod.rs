@@ -34,9 +34,9 @@ use std::path::PathBuf;
 /// Replay recorded sessions, and print the robot's belief after each step
 ///
 /// The robot begins without words. Each session gives it the command, the recorded steps and the trainer's feedback; then it learns, unless
-/// the session is marked otherwise. Several files are one history, in the given order. As in the paper, all words are learned anew after
-/// each session; from the hundredth session on, only when the number of sessions has grown by a fiftieth (`goodbot learn` learns once, from
-/// all sessions).
+/// the session is marked otherwise. Several files are one history, in the given order. As in the paper, all words are retrained after each
+/// session; from the hundredth session on, only when the number of sessions has grown by a fiftieth (`goodbot learn` trains once, on all
+/// sessions).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
@@ -74,7 +74,7 @@ pub struct ReplayArgs {
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
     force: bool,
-    /// Learn all words anew after every session: the time grows with the square of their number
+    /// Retrain all words after every session: the time grows with the square of the number of sessions
     #[arg(long)]
     every_session: bool,
     #[command(flatten)]
@@ -185,7 +185,7 @@ impl Replay {
                 say!("{} with faults skipped", counted(self.totals.skipped, "session"));
             }
             if self.totals.learned_later() {
-                say!("from the hundredth session on, words were learned anew only after a fiftieth more sessions; see --every-session");
+                say!("from the hundredth session on, words were retrained only after a fiftieth more sessions; see --every-session");
             }
         } else {
             write!(self.output, "{}", self.totals)?;

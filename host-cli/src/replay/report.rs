@@ -122,7 +122,7 @@ impl fmt::Display for Totals {
         }
         if self.learned_later() {
             let times = counted(self.trained, "time");
-            writeln!(f, "words learned anew   {times}, from the hundredth session on after a fiftieth more")?;
+            writeln!(f, "words retrained      {times}, from the hundredth session on after a fiftieth more")?;
         }
         writeln!(f, "steps                {}", self.steps)?;
         if reward + punish + neutral > 0 {

@@ -21,7 +21,7 @@ pub enum Intent {
     Leave,
     /// Suspend the program, as ctrl-Z does.
     Suspend,
-    /// Draw everything anew.
+    /// Redraw everything.
     Redraw,
     /// Write this letter.
     Write(char),

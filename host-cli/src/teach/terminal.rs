@@ -39,7 +39,7 @@ impl Stage {
         Ok(Self { terminal: ManuallyDrop::new(Terminal::new(CrosstermBackend::new(stdout()))?) })
     }
 
-    /// Draws everything anew the next time. Clearing would ask the terminal for its cursor's position, and not every terminal answers.
+    /// Redraws everything the next time. Clearing would ask the terminal for its cursor's position, and not every terminal answers.
     fn redraw(&mut self) -> io::Result<()> {
         let size = self.terminal.size()?;
         self.terminal.resize(Rect::new(0, 0, size.width, size.height))

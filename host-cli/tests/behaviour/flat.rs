@@ -52,7 +52,7 @@ fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-/// Where a robot lives, and its files.
+/// A folder with a robot's home and its files.
 struct Place {
     folder: tempfile::TempDir,
 }

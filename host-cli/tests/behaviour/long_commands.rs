@@ -5,7 +5,7 @@ use serde_json::Value;
 
 const TOLD: &str = "1 command has more than 64 words; its first 64 are read: ";
 
-/// This many words, the first of which say where to.
+/// A command of `count` words; the first five say where to go.
 fn words(count: usize) -> String {
     let go = "go to the green room";
     (0..count - 5).fold(go.to_owned(), |said, number| format!("{said} w{number}"))

@@ -8,7 +8,7 @@ use goodbot::{Agent, Capacities, HeapMemory, Options, language::LanguageModel};
 use std::fs;
 use std::path::Path;
 
-/// A model file of what was said and meant, word by word.
+/// A model file that has learned these pairs of a command and its machine command.
 fn model(sessions: &[(&str, &str)]) -> Vec<u8> {
     model_with(sessions, &Capacities::SMALL, Options::PAPER)
 }

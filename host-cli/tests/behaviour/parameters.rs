@@ -4,7 +4,7 @@ use crate::program::goodbot;
 use goodbot::snapshot::PARAMETERS_MAGIC;
 
 const LIFT: &str = include_str!("../../../docs/examples/worlds/lift.json");
-/// What the command writes for the lessons here, and capi/examples/obey.c obeys by.
+/// The header that the command writes for the lessons of this test; capi/examples/obey.c includes it.
 const C: &str = include_str!("../../../capi/examples/lift_parameters.h");
 
 /// A model of six lessons.

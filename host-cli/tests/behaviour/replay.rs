@@ -117,7 +117,7 @@ fn from_the_hundredth_session_on_words_are_learned_anew_when_a_fiftieth_more_hav
     let long = [said("go there").repeat(100), said("walk there"), said("walk there"), said("walk there")].concat();
     let with = |arguments: &[&str]| goodbot(&[&["replay"], arguments, &["-"]].concat(), &long);
     let summary = with(&[]);
-    assert!(summary.output.contains("103, 103 learned from\nwords learned anew   101 times"), "{}", summary.output);
+    assert!(summary.output.contains("103, 103 learned from\nwords retrained      101 times"), "{}", summary.output);
     let exact = with(&["--every-session"]);
     assert!(exact.output.contains("103, 103 learned from\nsteps"), "{}", exact.output);
     assert!(with(&["--json"]).messages.contains("see --every-session"));

@@ -18,7 +18,7 @@ impl<'l> Keys<'l> {
     }
 }
 
-/// For each test lesson, a training lesson of which it is a copy, if there is one. `rounds` are the positions that are left out of
+/// For each test lesson, the training lesson that it copies, if any. `rounds` are the positions that are left out of
 /// training, and those that are asked. `itself` says that both lists are the same.
 pub fn find<'l>(taught: &'l [Lesson], asked: &'l [Lesson], rounds: &[(Vec<usize>, Vec<usize>)], itself: bool) -> Vec<Option<&'l Lesson>> {
     let mut ids: HashMap<&str, Vec<usize>> = HashMap::new();

@@ -30,7 +30,7 @@ pub struct Answer {
     pub wordless: (bool, f32),
     /// The probability of the intended task by chance in this scene.
     pub chance: f32,
-    /// The training session of which this one is a copy, if there is one.
+    /// The training session that this one copies, if any.
     pub copy_of: Option<String>,
     /// The words that most support a mistake.
     pub telling: Vec<(String, f32)>,
@@ -54,7 +54,7 @@ pub struct Experiment<'l> {
     pub asked: &'l [Lesson],
     /// For each model to train: the positions that it is not trained on, and those that it is asked.
     pub rounds: Vec<(Vec<usize>, Vec<usize>)>,
-    /// The training sessions of which the asked ones are copies.
+    /// For each asked session, the training session that it copies, if any.
     pub copies: Vec<Option<&'l Lesson>>,
     /// The synonyms that replace unknown words.
     pub synonyms: Synonyms<'l>,

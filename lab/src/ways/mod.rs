@@ -28,30 +28,31 @@ use std::path::{Path, PathBuf};
 /// The options of `goodbot ways`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A robot that knows no word is told to go somewhere, through a room, through one of two, or without entering one. Each lesson has a new home of \
-three storeys, and the paper's balanced trainer, who is silent seven times out of ten. A test has commands in homes of its own, without any \
-feedback; a command is right where the most likely of about 50 tasks is the one meant. The second row is a robot that asks.
+A robot without words hears commands to go somewhere, through a room, through one of two rooms, or without entering a room. Each lesson \
+has a new home of three storeys, and the paper's balanced trainer, who is silent seven times out of ten. A test has commands in homes of \
+its own, without any feedback; a command is right if the most probable of about 50 tasks is the intended one. The second row is a robot \
+that asks.
 
 Examples:
   goodbot ways --runs 200 --lessons 30
   goodbot ways --plot ways.svg")]
 pub struct WaysOptions {
-    /// How many robots, 1 to 100000, each with a seed of its own, counted up from --seed
+    /// Number of robots, 1 to 100000; their seeds count up from --seed
     #[arg(long, short = 'n', value_name = "N", default_value = "20", value_parser = between(1_u32, 100_000), allow_negative_numbers = true)]
     runs: u32,
     /// Seed of the first robot
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true)]
     seed: u64,
-    /// How many lessons each has, 1 to 500
+    /// Lessons of each robot, 1 to 500
     #[arg(long, value_name = "N", default_value = "30", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
     lessons: usize,
     /// Test after every N lessons
     #[arg(long, value_name = "N", default_value = "10", value_parser = between(1_usize, 500), allow_negative_numbers = true)]
     every: usize,
-    /// How many commands a test has, 1 to 1000
+    /// Commands of a test, 1 to 1000
     #[arg(long, value_name = "N", default_value = "20", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
     tests: usize,
-    /// What a question costs the robot that asks, in steps
+    /// The cost of a question, in steps, for the robot that asks
     #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::numbers::cost)]
     kappa: f32,
     /// Print a line of JSON for each test
