@@ -3,7 +3,7 @@
 //! With c the posterior of the tasks for which the answer is yes, eta the probability of a wrong answer and h the binary entropy, a
 //! question has the information I = h(c (1 - eta) + (1 - c) eta) - h(eta) bits. The information of an action is
 //! [`Words::information`](crate::feedback::Words::information). A question that costs kappa steps is asked if I / kappa is more than the
-//! mean information per action over the next 1, 2, ... and 12 steps of the followed plan. Looking only one step ahead asks too often: the
+//! mean information of the next n actions of the followed plan, for every n from 1 to 12. Looking only one step ahead asks too often: the
 //! next step is often uninformative, but a step at the next door is not.
 //!
 //! - `settings`: the cost of a question, and the probability of a wrong answer;
