@@ -1,4 +1,4 @@
-//! A command as the layer hears it: which words speak of values, and what stands around them.
+//! A command as features for the layer: the words that name values, and their contexts.
 
 use super::parts::Part;
 use super::weights::{Context, Place, of_context, of_kind, of_kind_word, of_task_word, of_told, of_value_word};
@@ -9,13 +9,13 @@ use crate::symbols::Symbol;
 use core::ops::Range;
 use heapless::Vec;
 
-/// A word speaks of a value if it was taken for it in more than this share of the times that it was heard.
+/// A word is a feature of a value if it was taken for it in more than this share of the times it was heard.
 const SPEAKS: f32 = 0.05;
-/// A word is a mention if it was taken for some value in more than this share.
+/// A word is a mention if it was taken for some value in more than this share of those times.
 const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as this many.
 const MOST_COUNTED: usize = 3;
-/// The number of words that are the end of a command.
+/// The number of words at the end of a command that make up its last stretch.
 const LAST: usize = 4;
 /// A word that is said more often counts as said this often.
 const MOST_TIMES: usize = 5;
@@ -31,14 +31,14 @@ struct Mention {
 pub(super) struct Command<'s, 't> {
     words: &'s [Option<Symbol>],
     names: Names<'t>,
-    /// Whether it is of a world that is told.
+    /// Whether the words in names are values.
     is_told: bool,
     /// In order.
     mentions: Vec<Mention, WORDS_PER_COMMAND>,
 }
 
 impl<'s, 't> Command<'s, 't> {
-    /// A command, after a training on data of so many words, each as often as it was `said`.
+    /// A command, after a training on data with `said` words, repetitions included.
     pub fn new(tables: TablesRef<'t>, said: f32, words: &'s [Option<Symbol>]) -> Self {
         let names = Names::new(tables, said);
         let mut command = Self { words, names, is_told: tables.layout().has_names(), mentions: Vec::new() };
@@ -47,14 +47,14 @@ impl<'s, 't> Command<'s, 't> {
             let best =
                 names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
             if let Some((value, _)) = best.filter(|&(_, share)| share > MENTIONS) {
-                // As many as words at most.
+                // No more than there are words.
                 let _ = command.mentions.push(Mention { position, value });
             }
         }
         command
     }
 
-    /// The words of a stretch, each once.
+    /// The different words of a stretch.
     fn different(&self, stretch: Range<usize>) -> impl Iterator<Item = Symbol> {
         let words = self.words.get(stretch).unwrap_or(&[]);
         let is_first = move |position: usize, word: Symbol| !words.iter().take(position).any(|&other| other == Some(word));
@@ -67,7 +67,7 @@ impl<'s, 't> Command<'s, 't> {
         self.different(0..self.words.len())
     }
 
-    /// Tells each word with the parts of the command that it is in, and how often it is said.
+    /// Calls `tell` with each word and each of its stretches of the command, and with how often it is said.
     fn each_place(&self, mut tell: impl FnMut(Symbol, Place)) {
         let count = self.words.len();
         let until = |numerator: usize, denominator: usize| count.saturating_mul(numerator).checked_div(denominator).unwrap_or(0);
@@ -82,7 +82,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// Tells each weight that speaks for a part of a task, and how much it counts.
+    /// Calls `tell` with the weight cell of each feature of a part of a task, and the feature's value.
     pub fn each_weight(&self, part: Part, mut tell: impl FnMut(usize, f32)) {
         let (role, value) = match part {
             Part::Kind(form) => {
@@ -111,7 +111,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// The word at a position: nothing for one that training has not seen, and `Some(None)` beyond the ends.
+    /// The word at a position: `None` for one that training has not seen, and `Some(None)` beyond either end.
     fn around(&self, position: Option<usize>) -> Option<Option<Symbol>> {
         match position.and_then(|position| self.words.get(position)) {
             None => Some(None),
@@ -119,7 +119,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// Tells what stands around a word that speaks of a value.
+    /// Calls `tell` with each feature of the context of a word that names a value.
     fn each_context(&self, position: usize, value: Symbol, mut tell: impl FnMut(Context)) {
         tell(Context::Any);
         self.around(position.checked_sub(1)).into_iter().for_each(|word| tell(Context::Before(word)));
