@@ -52,7 +52,7 @@ macro_rules! tables {
                     $Tables { $($table: self.$table,)* $($part: self.$part.lend(),)* }
                 }
 
-                /// The same tables, to be read.
+                /// The same tables, read-only.
                 #[inline]
                 pub const fn read(&self) -> $TablesRef<'_> {
                     $TablesRef { $($table: self.$table,)* $($part: self.$part.read(),)* }
