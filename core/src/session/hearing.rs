@@ -1,4 +1,4 @@
-//! The begin of a session: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
+//! The beginning of a session: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
 
 use super::agent::Agent;
 use super::candidates::CandidateCount;

@@ -115,7 +115,8 @@ impl Out<'_> {
         }
     }
 
-    /// # Errors [`SaveError::Unsound`] if the weight could not be restored.
+    /// # Errors
+    /// [`SaveError::Unsound`] if the weight could not be restored.
     fn pair(&mut self, pair: &Pair) -> Result<(), SaveError> {
         if !is_weight(pair.weight) {
             return Err(SaveError::Unsound);

@@ -54,7 +54,7 @@ pub enum Class {
     Same,
     /// "undo".
     Undo,
-    /// "I", "she", "my": what follows tells what somebody does, and asks for nothing.
+    /// "I", "she", "my": the words after it describe somebody's action, and ask for nothing.
     Speaker,
     /// "you": the one addressed, so that "I want you to go" asks for something.
     You,
@@ -69,8 +69,8 @@ pub enum Class {
     /// "meant": the speaker corrects the robot.
     Meant,
     /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `out` as well, such as
-    /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", and negated, it asks for what
-    /// follows.
+    /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", and negated, it asks for the
+    /// action after it.
     Act,
     /// "here", "stay": the goal holds already, and its place needs no name.
     Here,
@@ -255,10 +255,10 @@ impl<'t> ClosedWords<'t> {
         silent: 0,
     };
 
-    /// The table in a text.
+    /// Reads the table from a text.
     ///
     /// # Errors
-    /// A [`ClosedWordsError`] with the first line that a table cannot have.
+    /// A [`ClosedWordsError`] for the first line that is wrong.
     pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
         for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);

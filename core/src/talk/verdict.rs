@@ -72,7 +72,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
         if let Some((first, last)) = reversed(words) {
-            // A rest is the whole utterance once more, with "before": the command done first is done by then.
+            // The rest is then the whole utterance again, with "before": by that time, the command to do first is done.
             words = if place.is_rest { last } else { first };
             self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
             if !place.is_rest {
