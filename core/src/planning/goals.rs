@@ -53,7 +53,7 @@ impl GoalPart {
 /// The goals of one session's tasks, besides the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct GoalTable {
-    /// Distinct ground propositions: at most a few for each of 64 tasks.
+    /// The number of distinct ground propositions: at most a few per task.
     parts: u16,
     /// Cells of each piece in the table; 0 without a table, or before it is filled. A floor has no more cells than fit a `u16`.
     tabled_cells: u16,

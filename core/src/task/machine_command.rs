@@ -36,7 +36,7 @@ pub struct Expression {
 
 impl Expression {
     /// The machine commands of `task`; their tokens are interned in `tokens`. A fact whose token finds no room there is left out: no
-    /// command can mention it until other tokens have given way (see [`forgetting`](crate::language::forgetting)).
+    /// command can mention it until other tokens are forgotten (see [`forgetting`](crate::language::forgetting)).
     ///
     /// # Errors
     /// A [`CapacityError`] if `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
