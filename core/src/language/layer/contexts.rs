@@ -15,7 +15,7 @@ const SPEAKS: f32 = 0.05;
 const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as this many.
 const MOST_COUNTED: usize = 3;
-/// The number of words at the end of a command that make up its last stretch.
+/// The number of words that are the end of a command.
 const LAST: usize = 4;
 /// A word that is said more often counts as said this often.
 const MOST_TIMES: usize = 5;
@@ -67,7 +67,7 @@ impl<'s, 't> Command<'s, 't> {
         self.different(0..self.words.len())
     }
 
-    /// Calls `tell` with each word and each of its stretches of the command, and with how often it is said.
+    /// Tells each word with the parts of the command that it is in, and how often it is said.
     fn each_place(&self, mut tell: impl FnMut(Symbol, Place)) {
         let count = self.words.len();
         let until = |numerator: usize, denominator: usize| count.saturating_mul(numerator).checked_div(denominator).unwrap_or(0);
@@ -82,7 +82,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// Calls `tell` with the weight cell of each feature of a part of a task, and the feature's value.
+    /// Tells each weight that speaks for a part of a task, and how much it counts.
     pub fn each_weight(&self, part: Part, mut tell: impl FnMut(usize, f32)) {
         let (role, value) = match part {
             Part::Kind(form) => {

@@ -1,5 +1,5 @@
-//! The parts of a task: its kind, and each value of its things, or of their start, with the role. In a scene that was taught often, also
-//! the task itself.
+//! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role. In a scene that was
+//! taught often, each task itself, too.
 
 use super::scenes;
 use crate::symbols::Symbol;
@@ -36,12 +36,12 @@ pub(super) struct Parts {
     /// The parts of one task after the other, by position in `all`, and the end of each task's parts.
     of_tasks: Vec<u32>,
     ends: Vec<usize>,
-    /// The position in `all` of each task itself, if it is a part.
+    /// Where each task itself is among all, if it is a part.
     themselves: Vec<Option<u32>>,
 }
 
 impl Parts {
-    /// The parts of these tasks. A task that was `taught` in this scene is itself a part.
+    /// The parts of these tasks. A task among those that were `taught` in this scene is a part of itself.
     pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]> + Clone, taught: &[u32]) -> Self {
         let mut parts = Self { all: Vec::new(), numbers: Vec::new(), of_tasks: Vec::new(), ends: Vec::new(), themselves: Vec::new() };
         let scene = if taught.is_empty() { 0 } else { scenes::of(descriptions.clone()) };
@@ -83,13 +83,13 @@ impl Parts {
         self.numbers.get_mut(at as usize)
     }
 
-    /// The sum of the numbers of a task's parts other than itself.
+    /// The sum of the numbers of a task's parts without itself.
     pub fn sum(&self, task: usize) -> f32 {
         let parts = self.of_tasks.get(self.of_task(task)).unwrap_or(&[]);
         parts.iter().filter_map(|&at| self.numbers.get(at as usize)).sum()
     }
 
-    /// Adds a value to the number of each of a task's parts other than itself.
+    /// Adds to the number of each of a task's parts without itself.
     pub fn add(&mut self, task: usize, value: f32) {
         let range = self.of_task(task);
         for &at in self.of_tasks.get(range).unwrap_or(&[]) {

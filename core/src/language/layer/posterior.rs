@@ -35,9 +35,9 @@ pub(super) struct Weighed {
     pub logarithm: f32,
     /// The sum of U over its parts.
     pub parts: f32,
-    /// U of the task itself, if it was meant in this scene and the scene was taught often.
+    /// U of the task itself, where it was meant in this scene and the scene was taught often.
     pub itself: Option<f32>,
-    /// The layer's posterior within its group, and over all tasks, without U of the tasks themselves.
+    /// The layer's posterior among the tasks of its group, and among all, without U of the tasks themselves.
     pub within: f32,
     pub trusted: f32,
     /// The layer's posterior among the tasks that were meant in this scene.
@@ -72,7 +72,7 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
             (task.trusted, task.believed) = (mass * task.within, mass * task.within);
         }
     }
-    // Nothing was learned for or against a task that was never meant in this scene, so the others divide only their common probability.
+    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together.
     let of_scene = tasks.iter().filter_map(|task| Some((task.itself?, task.believed)));
     let (best, whole) = of_scene.fold((f32::MIN, 0.0), |(best, whole), (itself, believed)| (itself.max(best), whole + believed));
     let mut sum = 0.0;

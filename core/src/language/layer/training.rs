@@ -11,8 +11,8 @@
 //! actions refute keeps a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
 //! with each pass, unless the words in names are values.
 //!
-//! The weights of tasks themselves are trained separately, to divide the probability that the tasks meant in the scene have together. The
-//! other weights are trained as if they did not exist.
+//! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
+//! there were none of them.
 
 use super::posterior::{Group, Weighed, weigh};
 use super::scenes;

@@ -14,8 +14,8 @@ const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, with a the exponent of the role model's posterior.
 pub(super) const TRUST: usize = CONSTANTS.end;
-/// If the words in names are values: a constant for each value in a role, and a weight of each word with it. Otherwise, weights of a word
-/// with a task of a scene that was taught often.
+/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it. Elsewhere, weights of a word
+/// together with a task of a scene that was taught often.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// The number of weights.
 pub(super) const CELLS: usize = WORDS.end;
@@ -25,16 +25,16 @@ pub(super) const CELLS: usize = WORDS.end;
 pub(super) const PULLS: [(Range<usize>, f32); 6] =
     [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (WORDS, 10.0)];
 
-/// The position of a word in a command, or how often it is said.
+/// Where in a command a word is, or how often.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Place {
-    /// In a half or third of the command, or at its end.
+    /// In one half or third of the command, or at its end.
     Stretch(u16),
-    /// At least this many times.
+    /// So many times at least.
     Times(u16),
 }
 
-/// A feature of the context of a word that names a value.
+/// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Context {
     /// Any context.
@@ -107,7 +107,7 @@ pub(super) fn of_kind(form: Symbol) -> usize {
     cell(CONSTANTS, [form.0, 0, 0])
 }
 
-/// The finalizer of MurmurHash3, part by part.
+/// The finisher of MurmurHash3, word by word.
 fn cell<const PARTS: usize>(range: Range<usize>, parts: [u16; PARTS]) -> usize {
     let mut hash = 0x9e37_79b9_u32;
     for part in parts {
