@@ -35,6 +35,10 @@ pub const WINDOWS: &str = "x86_64-pc-windows-msvc";
 /// The targets that goodbot is built for besides the host.
 pub const TARGETS: [&str; 8] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3];
 
+/// For controllers, where code is optimised for size ("z"): LLVM's own limit there, 5, leaves so many small functions apart that their calls take
+/// more flash than the functions, and a third more instructions.
+const INLINED_ON_CONTROLLERS: &str = "-Cllvm-args=-inline-threshold=50";
+
 /// How long rustup may take.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(90);
 
@@ -131,18 +135,19 @@ pub fn add_windows() -> Result<()> {
 /// Cargo's command `build`, `check` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
 /// is built is in [`artifacts`].
 pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<'sh>> {
+    let is_hosted = [WASM, WINDOWS].contains(&target);
+    let variable = |name: &str| format!("CARGO_TARGET_{}_{name}", target.replace(['-', '.'], "_").to_uppercase());
     let cargo = match debian()? {
         None => cmd!(sh, "cargo"),
         Some(Debian { cargo, rustc, linkers }) => {
-            let has_std = [WASM, WINDOWS].contains(&target);
-            let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
+            let crates = if is_hosted { "std,panic_abort" } else { "core,alloc" };
             let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
-            let variable = format!("CARGO_TARGET_{}_LINKER", target.replace(['-', '.'], "_").to_uppercase());
             // Without the first variable, cargo takes -Z options only if it is a nightly one.
             let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
-            cargo.env(variable, linkers.join(linker))
+            cargo.env(variable("LINKER"), linkers.join(linker))
         }
     };
+    let cargo = if is_hosted { cargo } else { cargo.env(variable("RUSTFLAGS"), INLINED_ON_CONTROLLERS) };
     // Its own folder, so that the two kinds of build do not undo each other's work.
     Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
 }

@@ -214,7 +214,8 @@ impl<'t> Belief<'t> {
         let strategies = self.memory.strategies.get(..self.count.strategies).unwrap_or(&[]);
         for (strategy, &(_, probability)) in strategies.iter().enumerate() {
             let begun = Scaled::new(probability);
-            for slot in self.memory.joint.iter_mut().skip(strategy).step_by(strategies.len()).take(count) {
+            // The compiler sees that the step is not 0, and leaves out its panic.
+            for slot in self.memory.joint.iter_mut().skip(strategy).step_by(strategies.len().max(1)).take(count) {
                 *slot = begun;
             }
         }
