@@ -8,18 +8,18 @@
 //! - [`capacities`]: how large the tables are, and what memory that takes;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
-//! - [`world`]: the robot's world of either kind;
+//! - [`world`]: the robot's world, a home or a table;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`tasks`]: the kinds of tasks that a robot can be told;
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
-//! - [`talk`]: what people say beside commands;
+//! - [`talk`]: utterances other than commands;
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
-//! - [`storage`]: the same in a flash, where it outlives power cuts;
+//! - [`storage`]: a model in flash, safe from power cuts;
 //! - [`drive`]: from wheels to cells and back.
 
 #![no_std]

@@ -54,7 +54,7 @@ impl Vacuum {
         }
     }
 
-    /// How many actions are missing to the goal of a task.
+    /// How many more actions the goal of a task takes.
     fn missing(self, task: (u32, u32)) -> u32 {
         match task {
             (0, room) => self.room.abs_diff(room),
@@ -160,7 +160,7 @@ const LESSONS: [(&CStr, (u32, u32)); 16] = [
     (c"switch to the turbo mode", (2, 1)),
 ];
 
-/// What is said after them, and its task.
+/// Commands after the lessons, and their tasks.
 const SAID: [(&CStr, &str); 5] = [
     (c"clean the kitchen", "roomClean(r1)"),
     (c"go to the office", "vacuumIn(vac,r4)"),
@@ -227,7 +227,7 @@ fn sessions(robot: *mut Goodbot) -> u32 {
     count
 }
 
-/// Beside programs for hosts, in one build, sets of tasks are theirs and take more.
+/// In one build with programs for hosts, task sets are as wide as theirs and take more.
 const FOR_HOSTS: bool = TaskSet::MOST > TaskSet::MOST_OF_ONE_WORD;
 
 #[test]
