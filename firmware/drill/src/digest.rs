@@ -5,7 +5,7 @@
 pub struct Digest(pub u32);
 
 impl Digest {
-    /// Of nothing.
+    /// The digest of no value.
     pub const EMPTY: Self = Self(0x811c_9dc5);
 
     /// Takes in the bits of one float.
