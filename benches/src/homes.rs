@@ -45,8 +45,8 @@ pub struct Scene {
 pub enum Tasks {
     /// All tasks of the paper's two kinds.
     Paper,
-    /// This many tasks of the paper's kinds and of agent and block together, evenly spaced among the first 64, or among the first so many
-    /// if more are asked for.
+    /// This many tasks of the paper's kinds and of agent and block together, evenly spaced among the first 64; if more are asked for, the
+    /// first ones.
     Count(usize),
 }
 

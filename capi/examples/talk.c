@@ -5,7 +5,7 @@
 
 GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];
 
-/* Words about commands, in the language that is spoken: a part of what `goodbot example closed-words` prints. */
+/* Words about commands, in the language that is spoken: a part of the output of `goodbot example closed-words`. */
 static const char closed_words[] = "negation: not don't never\n"
                                    "connective: and then\n"
                                    "stop: stop wait\n"

@@ -1,4 +1,4 @@
-/* A robot from a world file: lift_world.h is what `goodbot table docs/examples/worlds/lift.json --c --sessions 6` prints. */
+/* A robot from a world file: lift_world.h is the output of `goodbot table docs/examples/worlds/lift.json --c --sessions 6`. */
 #include "lift_world.h"
 #include <stdio.h>
 #include <string.h>

@@ -131,7 +131,7 @@
 // The search was too small to tell: the robot does nothing.
 #define GOODBOT_PLAN_UNKNOWN 3
 
-// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+// The action leads to the goal, but a shorter way may exist: feedback to it is no evidence for or against the task.
 #define GOODBOT_PLAN_APPROXIMATE 4
 
 // The evidence was used.
@@ -344,7 +344,7 @@ typedef enum goodbot_motion {
   GOODBOT_MOTION_ARRIVED = 4,
   // It stops, because nothing was heard or the pose is not a number; it goes on when that is over.
   GOODBOT_MOTION_WAITING = 5,
-  // It has given the action up and stopped. Sense the cell and plan again.
+  // It has given up the action and stopped. Sense the cell and plan again.
   GOODBOT_MOTION_STUCK = 6,
 } goodbot_motion;
 
@@ -416,7 +416,7 @@ typedef uint8_t goodbot_capacity;
 // A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
 typedef struct goodbot goodbot;
 
-// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
+// The size of each table, one number for each `goodbot_capacity`. Begin with a preset and raise the sizes of full tables.
 typedef struct goodbot_capacities {
   // Entries of each table.
   uint32_t entries[GOODBOT_CAPACITIES];
@@ -617,7 +617,7 @@ typedef struct goodbot_options {
   float drift;
   // How probable it is that the trainer ends the session after an action where the task is done.
   struct goodbot_hazard ends_at_goal;
-  // The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+  // The same after an action where it is not done. If both are equal, `goodbot_trainer_ended` is no evidence.
   struct goodbot_hazard ends_elsewhere;
   // The weight of each meaning of a command in learning: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or
   // `GOODBOT_WEIGHTS_EVIDENCE`.
@@ -674,9 +674,9 @@ typedef struct goodbot_flash {
   bool (*write)(void *context, uint32_t at, const uint8_t *from, uint32_t bytes);
   // Erases one slot: `bytes` bytes from `at` on.
   bool (*erase)(void *context, uint32_t at, uint32_t bytes);
-  // Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+  // The address of the first slot: a multiple of the flash's erase size, and of `GOODBOT_FLASH_UNIT`.
   uint32_t start;
-  // Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+  // Bytes of each slot: a multiple of the same sizes, and at least `GOODBOT_FLASH_UNIT` more than the model.
   uint32_t slot_bytes;
 } goodbot_flash;
 
@@ -718,13 +718,13 @@ typedef struct goodbot_pose {
   float heading;
 } goodbot_pose;
 
-// One step of the control loop: the speeds to give the wheels, metres a second, and what the robot is doing.
+// The result of one step of the control loop: the speeds for the wheels, in metres per second, and the state of the motion.
 typedef struct goodbot_wheels {
   // The left wheel.
   float left;
   // The right wheel.
   float right;
-  // What it is doing.
+  // The state of the motion.
   enum goodbot_motion motion;
 } goodbot_wheels;
 
@@ -838,8 +838,7 @@ enum goodbot_status goodbot_full(struct goodbot *robot,
 // understands commands to go to a room and to bring a block to a room.
 //
 // The caller sees to it:
-// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
-// they say.
+// `memory` is null, or the caller's memory for the robot alone, which does not move; `capacities` and `robot` are null or valid.
 enum goodbot_status goodbot_init_home(void *memory,
                                       size_t bytes,
                                       const struct goodbot_capacities *capacities,
@@ -963,15 +962,14 @@ enum goodbot_status goodbot_home_where(struct goodbot *robot,
 // description and all that it points to must stay as long as the robot is used.
 //
 // The caller sees to it:
-// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
-// say.
+// `memory` is null, or the caller's memory for the robot alone, which does not move; the other pointers are null or valid.
 enum goodbot_status goodbot_init_table(void *memory,
                                        size_t bytes,
                                        const struct goodbot_capacities *capacities,
                                        const struct goodbot_table *table,
                                        struct goodbot **robot);
 
-// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+// Like `goodbot_init_table`, in the same memory, but also writes the fault of the description, with a 0 at its end: the list, the
 // item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
 // is no fault. Returns the status of `goodbot_init_table`, or `BUFFER` if the text does not fit; 200 bytes are enough.
 //
@@ -1097,7 +1095,7 @@ enum goodbot_status goodbot_demonstration(struct goodbot *robot,
                                           uint8_t action,
                                           uint32_t *evidence);
 
-// Records that an action was done in the current state, for which the plan must be done, and that it did what the description says. A
+// Records that an action was done in the current state, for which the plan must be done, and had the effect that the description says. A
 // robot with sensors calls this after each action too, and then reports the places that differ.
 //
 // The caller sees to it:
@@ -1277,7 +1275,7 @@ enum goodbot_status goodbot_listen_on(struct goodbot *robot,
 enum goodbot_status goodbot_remember(struct goodbot *robot,
                                      uint32_t task);
 
-// Begins another conversation: the robot remembers nothing of what was said.
+// Begins another conversation: the previous one is forgotten.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -1340,7 +1338,7 @@ enum goodbot_status goodbot_begin_saving(struct goodbot_saving *saving,
 // session was learned meanwhile: begin again. Once it is done, `written` receives the length.
 //
 // The caller sees to it:
-// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+// `robot` is null or a handle; `saving` is null, zeros, or begun by `goodbot_begin_saving`; `written` is null or room for a number.
 enum goodbot_status goodbot_save_on(struct goodbot *robot,
                                     struct goodbot_saving *saving,
                                     uint32_t budget,
@@ -1360,7 +1358,7 @@ enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
 // call `goodbot_learn` until that is done. `CHANGED` if other work began before the whole model was read: the robot then knows nothing.
 //
 // The caller sees to it:
-// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+// `robot` is null or a handle; `restoring` is null, zeros, or begun by `goodbot_begin_restoring`.
 enum goodbot_status goodbot_restore_on(struct goodbot *robot,
                                        struct goodbot_restoring *restoring,
                                        uint32_t budget);
@@ -1409,7 +1407,7 @@ enum goodbot_status goodbot_load(struct goodbot *robot,
 // Sets up a robot at rest. `NUMBER` if a limit is not above 0, or out of its range.
 //
 // The caller sees to it:
-// `drive` and `limits` are null or point to what they say.
+// `drive` and `limits` are null or valid.
 enum goodbot_status goodbot_drive_init(struct goodbot_drive *drive,
                                        const struct goodbot_limits *limits);
 
@@ -1427,7 +1425,7 @@ enum goodbot_status goodbot_drive_go(struct goodbot_drive *drive,
 // Computes the wheels' speeds for the next `seconds`, for a robot at `at`. A pose that is not a number stops the robot.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says.
+// Each pointer is null or valid.
 enum goodbot_status goodbot_drive_step(struct goodbot_drive *drive,
                                        const struct goodbot_pose *at,
                                        float seconds,
@@ -1446,7 +1444,7 @@ enum goodbot_status goodbot_drive_heard(struct goodbot_drive *drive);
 // `drive` is null or points to one.
 enum goodbot_status goodbot_drive_bumped(struct goodbot_drive *drive);
 
-// Gives the action up; the robot stops.
+// Gives up the action; the robot stops.
 //
 // The caller sees to it:
 // `drive` is null or points to one.
@@ -1455,7 +1453,7 @@ enum goodbot_status goodbot_drive_halt(struct goodbot_drive *drive);
 // The cell of a pose. `x` and `y` hold the previous cell, and receive the new one.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says.
+// Each pointer is null or valid.
 enum goodbot_status goodbot_drive_cell(struct goodbot_drive *drive,
                                        const struct goodbot_pose *at,
                                        int32_t *x,
@@ -1482,7 +1480,7 @@ enum goodbot_status goodbot_pose_corrected(struct goodbot_pose *at,
 // `ticks_per_metre` is out of range.
 //
 // The caller sees to it:
-// `encoder` and `metres` are null or point to what they say.
+// `encoder` and `metres` are null or valid.
 enum goodbot_status goodbot_encoder_rolled(struct goodbot_encoder *encoder,
                                            uint32_t count,
                                            float *metres);
@@ -1491,7 +1489,7 @@ enum goodbot_status goodbot_encoder_rolled(struct goodbot_encoder *encoder,
 // `NUMBER` for a wrong gain.
 //
 // The caller sees to it:
-// `speed` and `duty` are null or point to what they say.
+// `speed` and `duty` are null or valid.
 enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
                                        float wanted,
                                        float measured,
@@ -1502,7 +1500,7 @@ enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
 // it made `turns` turns on the spot, to the left. `NUMBER` if a run gives no usable number.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.
+// Each pointer is null or valid; `straight` and `spun` point to 2 numbers.
 enum goodbot_status goodbot_calibrate(const float *straight,
                                       float metres,
                                       const float *spun,

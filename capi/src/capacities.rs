@@ -1,4 +1,4 @@
-//! How large the tables are, and what memory that takes.
+//! The sizes of the tables, and the memory that they need.
 
 use crate::arena::{after, after_agent, after_home};
 use crate::robot::{Goodbot, give, with};
@@ -12,7 +12,7 @@ use goodbot::capacity::Capacity;
 use goodbot::session::Lessons;
 use goodbot::task::TaskSet;
 
-/// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
+/// The size of each table, one number for each `goodbot_capacity`. Begin with a preset and raise the sizes of full tables.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GoodbotCapacities {

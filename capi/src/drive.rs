@@ -63,11 +63,11 @@ pub enum GoodbotMotion {
     Arrived = 4,
     /// It stops, because nothing was heard or the pose is not a number; it goes on when that is over.
     Waiting = 5,
-    /// It has given the action up and stopped. Sense the cell and plan again.
+    /// It has given up the action and stopped. Sense the cell and plan again.
     Stuck = 6,
 }
 
-/// One step of the control loop: the speeds to give the wheels, metres a second, and what the robot is doing.
+/// The result of one step of the control loop: the speeds for the wheels, in metres per second, and the state of the motion.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GoodbotWheels {
@@ -75,7 +75,7 @@ pub struct GoodbotWheels {
     pub left: f32,
     /// The right wheel.
     pub right: f32,
-    /// What it is doing.
+    /// The state of the motion.
     pub motion: GoodbotMotion,
 }
 
@@ -166,7 +166,7 @@ fn pose(GoodbotPose { x, y, heading }: GoodbotPose) -> Pose {
 /// Sets up a robot at rest. `NUMBER` if a limit is not above 0, or out of its range.
 ///
 /// # Safety
-/// `drive` and `limits` are null or point to what they say.
+/// `drive` and `limits` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_init(drive: *mut GoodbotDrive, limits: *const GoodbotLimits) -> GoodbotStatus {
     // SAFETY: the caller's promise; the state has room, as is asserted above.
@@ -196,7 +196,7 @@ pub unsafe extern "C" fn goodbot_drive_go(drive: *mut GoodbotDrive, x: i32, y: i
 /// Computes the wheels' speeds for the next `seconds`, for a robot at `at`. A pose that is not a number stops the robot.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says.
+/// Each pointer is null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_step(
     drive: *mut GoodbotDrive,
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn goodbot_drive_bumped(drive: *mut GoodbotDrive) -> Goodb
     status(unsafe { state(drive) }.map(|(_, drive)| drive.bumped()))
 }
 
-/// Gives the action up; the robot stops.
+/// Gives up the action; the robot stops.
 ///
 /// # Safety
 /// `drive` is null or points to one.
@@ -258,7 +258,7 @@ pub unsafe extern "C" fn goodbot_drive_halt(drive: *mut GoodbotDrive) -> Goodbot
 /// The cell of a pose. `x` and `y` hold the previous cell, and receive the new one.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says.
+/// Each pointer is null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_cell(drive: *mut GoodbotDrive, at: *const GoodbotPose, x: *mut i32, y: *mut i32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -305,7 +305,7 @@ pub unsafe extern "C" fn goodbot_pose_corrected(at: *mut GoodbotPose, sensed: *c
 /// `ticks_per_metre` is out of range.
 ///
 /// # Safety
-/// `encoder` and `metres` are null or point to what they say.
+/// `encoder` and `metres` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_encoder_rolled(encoder: *mut GoodbotEncoder, count: u32, metres: *mut f32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -323,7 +323,7 @@ pub unsafe extern "C" fn goodbot_encoder_rolled(encoder: *mut GoodbotEncoder, co
 /// `NUMBER` for a wrong gain.
 ///
 /// # Safety
-/// `speed` and `duty` are null or point to what they say.
+/// `speed` and `duty` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_speed_duty(
     speed: *mut GoodbotSpeed,
@@ -349,7 +349,7 @@ pub unsafe extern "C" fn goodbot_speed_duty(
 /// it made `turns` turns on the spot, to the left. `NUMBER` if a run gives no usable number.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.
+/// Each pointer is null or valid; `straight` and `spun` point to 2 numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_calibrate(
     straight: *const f32,

@@ -18,8 +18,7 @@ use heapless::Vec;
 /// understands commands to go to a room and to bring a block to a room.
 ///
 /// # Safety
-/// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
-/// they say.
+/// `memory` is null, or the caller's memory for the robot alone, which does not move; `capacities` and `robot` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_init_home(
     memory: *mut core::ffi::c_void,

@@ -1,11 +1,11 @@
 //! goodbot for C: the interface that `include/goodbot.h` declares.
 //!
-//! The caller owns all memory, every function returns a status, nothing is global, and nothing panics or unwinds across the border.
+//! The caller owns all memory, every function that can fail returns a status, nothing is global, and nothing panics or unwinds into C.
 //! `docs/robot.md` leads through it.
 //!
-//! - [`status`]: what every function returns;
+//! - [`status`]: the status that functions return;
 //! - [`version`]: which interface this is;
-//! - [`capacities`]: how large the tables are, and what memory that takes;
+//! - [`capacities`]: the sizes of the tables, and the memory that they need;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
 //! - [`world`]: the robot's world, a home or a table;

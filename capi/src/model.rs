@@ -127,7 +127,7 @@ pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer
 /// session was learned meanwhile: begin again. Once it is done, `written` receives the length.
 ///
 /// # Safety
-/// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+/// `robot` is null or a handle; `saving` is null, zeros, or begun by `goodbot_begin_saving`; `written` is null or room for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_save_on(
     robot: *mut Goodbot,
@@ -171,7 +171,7 @@ pub unsafe extern "C" fn goodbot_begin_restoring(restoring: *mut GoodbotRestorin
 /// call `goodbot_learn` until that is done. `CHANGED` if other work began before the whole model was read: the robot then knows nothing.
 ///
 /// # Safety
-/// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+/// `robot` is null or a handle; `restoring` is null, zeros, or begun by `goodbot_begin_restoring`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut GoodbotRestoring, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.

@@ -51,7 +51,7 @@ pub struct GoodbotOptions {
     pub drift: f32,
     /// How probable it is that the trainer ends the session after an action where the task is done.
     pub ends_at_goal: GoodbotHazard,
-    /// The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+    /// The same after an action where it is not done. If both are equal, `goodbot_trainer_ended` is no evidence.
     pub ends_elsewhere: GoodbotHazard,
     /// The weight of each meaning of a command in learning: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or
     /// `GOODBOT_WEIGHTS_EVIDENCE`.

@@ -150,7 +150,7 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotSta
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| GoodbotStatus::Text)
 }
 
-/// Gives a value to the caller.
+/// Writes a value to the caller's pointer.
 ///
 /// # Safety
 /// `to` is null or room for the value.

@@ -21,9 +21,9 @@ pub struct GoodbotFlash {
     pub write: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, from: *const u8, bytes: u32) -> bool>,
     /// Erases one slot: `bytes` bytes from `at` on.
     pub erase: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, bytes: u32) -> bool>,
-    /// Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+    /// The address of the first slot: a multiple of the flash's erase size, and of `GOODBOT_FLASH_UNIT`.
     pub start: u32,
-    /// Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+    /// Bytes of each slot: a multiple of the same sizes, and at least `GOODBOT_FLASH_UNIT` more than the model.
     pub slot_bytes: u32,
 }
 

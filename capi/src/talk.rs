@@ -244,7 +244,7 @@ pub unsafe extern "C" fn goodbot_remember(robot: *mut Goodbot, task: u32) -> Goo
     }
 }
 
-/// Begins another conversation: the robot remembers nothing of what was said.
+/// Begins another conversation: the previous one is forgotten.
 ///
 /// # Safety
 /// `robot` is null or a handle.

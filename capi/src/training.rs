@@ -35,7 +35,7 @@ pub const GOODBOT_PLAN_TOWARD: u32 = 1;
 pub const GOODBOT_PLAN_DEAD_END: u32 = 2;
 /// The search was too small to tell: the robot does nothing.
 pub const GOODBOT_PLAN_UNKNOWN: u32 = 3;
-/// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+/// The action leads to the goal, but a shorter way may exist: feedback to it is no evidence for or against the task.
 pub const GOODBOT_PLAN_APPROXIMATE: u32 = 4;
 
 /// The evidence was used.
@@ -353,7 +353,7 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
     }
 }
 
-/// Records that an action was done in the current state, for which the plan must be done, and that it did what the description says. A
+/// Records that an action was done in the current state, for which the plan must be done, and had the effect that the description says. A
 /// robot with sensors calls this after each action too, and then reports the places that differ.
 ///
 /// # Safety

@@ -17,7 +17,7 @@ impl Trainer for Attentive {
     }
 }
 
-/// Gives all lessons.
+/// Teaches all lessons.
 pub fn teach(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<(), CourseError> {
     let mut random = generator(1);
     for (command, meaning) in LESSONS {

@@ -363,7 +363,7 @@ function commit(session) {
   keepSession(session);
 }
 
-// Whether a session that goes on by itself has come to its end.
+// Whether a session that runs by itself is over.
 async function ended(session) {
   if (session.recorded || (session.intended === null && !session.looking)) return false;
   const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];

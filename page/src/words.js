@@ -123,7 +123,7 @@ export const wordShown = (word, letters) => (letters && [...word].length >= lett
 
 export const quoted = word => t('say.quoted', { 0: unspaced(word) });
 
-// The robot's words at its goal: where it is, or else which task is done.
+// The robot's words at its goal: its room, or else the done task.
 const hereWords = (name, task) => {
   const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
   return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });

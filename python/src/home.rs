@@ -328,7 +328,7 @@ impl Home {
         Ok(Map::new(&self.rooms, &at).to_string())
     }
 
-    /// The home as JSON, with everything where it is in a state or at the start.
+    /// The home as JSON, with all things at their places in a state, or at the start.
     #[pyo3(signature = (state=None))]
     fn to_json(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<String> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;

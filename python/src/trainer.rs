@@ -87,7 +87,7 @@ impl Lesson {
         self.report.steps
     }
 
-    /// How often the trainer said what: a dict of `reward`, `punish` and `neutral`.
+    /// How often the trainer gave each feedback: a dict of `reward`, `punish` and `neutral`.
     #[getter]
     fn feedback<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         counts(py, self.report.feedback)
@@ -115,7 +115,7 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
 }
 
 impl Trainer {
-    /// Gives the lesson, once its command is heard, to its end. Returns its report, its last place, and its steps.
+    /// Runs a lesson whose command was heard to its end. Returns its report, its last place, and its steps.
     fn walk<D: Domain>(
         &self,
         py: Python<'_>,

@@ -123,7 +123,7 @@ impl World {
         Ok(self.0.lend(|robot| robot.facts(state)).iter().map(ToString::to_string).collect())
     }
 
-    /// The state in which these facts hold, and no others. For a robot that senses what holds.
+    /// The state in which these facts hold, and no others. For a robot that senses facts.
     ///
     /// Raises `ValueError` if there is no such state.
     fn state(&self, facts: Vec<String>) -> PyResult<u64> {

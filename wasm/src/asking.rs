@@ -87,7 +87,7 @@ impl World {
     /// how many other answers there were, and the words of a correction, or none.
     ///
     /// # Errors
-    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
+    /// A name that is no task's; the errors of [`Agent::answered`](goodbot::Agent::answered).
     pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8, words: &str) -> Result<(), Refusal> {
         let known = self.belief().tasks;
         let position =

@@ -120,7 +120,7 @@ impl Goodbot {
     }
 
     /// Sets the trainer strategies: eleven numbers each, mu+, mu-, epsilon, the prior, three lags, and four about rests. Without any, the
-    /// robot expects what real people do.
+    /// robot expects the feedback of real people.
     #[wasm_bindgen(js_name = setStrategies)]
     pub fn set_strategies(&mut self, numbers: &[f32]) -> Thrown<()> {
         if numbers.is_empty() {
@@ -197,7 +197,7 @@ impl Goodbot {
     }
 
     /// Tells the robot something: JSON, [`Heard`](crate::view::Heard). With some lessons it listens, and begins a session if there is
-    /// something to do. `insists` makes it a command, whatever the robot takes it for, unless it is about what shall not be.
+    /// something to do. `insists` makes it a command, whatever the robot takes it for, unless it is negated.
     pub fn listen(&mut self, words: &str, insists: bool) -> Thrown<String> {
         json(&self.0.listen(words, insists).map_err(thrown)?)
     }

@@ -69,7 +69,7 @@ fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
     record + "}"
 }
 
-/// A list as JSON, of what is JSON already.
+/// A JSON list of items that are JSON already.
 fn list(items: impl Iterator<Item = String>) -> String {
     let mut list = String::new();
     for item in items {

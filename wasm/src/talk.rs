@@ -86,7 +86,7 @@ impl World {
     }
 
     /// Tells the robot something in the current state, as [`Lesson::tell`](goodbot_lesson::live::Lesson::tell) does. `insists` makes it a
-    /// command, whatever the robot takes it for, unless it is about what shall not be. A session under way ends unlearned.
+    /// command, whatever the robot takes it for, unless it is negated. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why it cannot be heard; the training data are kept.

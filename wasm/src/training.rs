@@ -42,8 +42,8 @@ impl World {
         expect(&mut self.lesson.agent, &strategies.iter().map(expected).collect::<Vec<_>>()).map_err(Refusal::from)
     }
 
-    /// Sets whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the
-    /// paper's balanced trainer. A session under way ends unlearned.
+    /// Sets whether the robot expects the feedback of real people, and learns how its trainer uses reward and punishment; else it expects
+    /// the paper's balanced trainer. A session under way ends unlearned.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.

@@ -132,7 +132,7 @@ pub struct Heard {
     pub verdict: &'static str,
     /// The most likely task, by its name; empty if the robot took everything for a command.
     pub task: String,
-    /// Whether it is about what shall not be.
+    /// Whether it is negated: about something that shall not be.
     pub negated: bool,
     /// The session's command: the first of several commands; the next of a command for all things.
     pub command: String,
@@ -221,7 +221,7 @@ pub struct Heat {
     pub cells: Vec<f32>,
     /// How probable each word is where it speaks of no machine token: IBM Model 2's empty position.
     pub idle: Vec<f32>,
-    /// How many letters of a word are kept; all of them where it is 0.
+    /// The number of letters kept of a word; 0 keeps all.
     pub letters: usize,
 }
 

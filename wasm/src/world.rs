@@ -55,7 +55,7 @@ impl fmt::Debug for World {
     }
 }
 
-/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
+/// A mind that has learned nothing yet, and expects the feedback of real people. `ways` says whether commands may mean tasks with a way.
 fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let mut mind = plain_mind(capacities, ways)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
@@ -257,7 +257,7 @@ impl World {
         &self.lesson.agent
     }
 
-    /// The environment with everything where it is now.
+    /// The environment in its current state.
     pub fn environment_now(&self) -> EnvironmentFile {
         self.lesson.environment()
     }

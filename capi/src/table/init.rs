@@ -42,8 +42,7 @@ pub(crate) const fn after_storage(at: usize) -> usize {
 /// description and all that it points to must stay as long as the robot is used.
 ///
 /// # Safety
-/// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
-/// say.
+/// `memory` is null, or the caller's memory for the robot alone, which does not move; the other pointers are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_init_table(
     memory: *mut c_void,
@@ -59,7 +58,7 @@ pub unsafe extern "C" fn goodbot_init_table(
     }
 }
 
-/// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+/// Like `goodbot_init_table`, in the same memory, but also writes the fault of the description, with a 0 at its end: the list, the
 /// item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
 /// is no fault. Returns the status of `goodbot_init_table`, or `BUFFER` if the text does not fit; 200 bytes are enough.
 ///
@@ -95,7 +94,7 @@ pub unsafe extern "C" fn goodbot_explain_table(
     }
 }
 
-/// Writes where a failure comes from, and what it is.
+/// Writes the place of a failure, and its kind.
 #[cfg(feature = "explain")]
 fn explain(writer: &mut Writer, failure: &Failure) {
     if let Some(Place { list, item, field, found, allowed }) = failure.place {
@@ -264,8 +263,8 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
     Ok(Steps::Function(table.step))
 }
 
-/// Checks that every action leads to an existing state. A function is asked for as many states as one plan can hold: with more, no command
-/// is heard.
+/// Checks that every action leads to an existing state. A function is checked in only as many states as one plan can hold: with more
+/// states, no command is heard.
 fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'static>], most: usize) -> Result<(), Failure> {
     let last = table.state_count.saturating_sub(1);
     match steps {

@@ -1,4 +1,4 @@
-//! Robots of the caller's own: classes, objects and propositions as data, and what actions do as a table of steps or a function.
+//! Robots of the caller's own: classes, objects and propositions as data, and the effects of actions as a table of steps or a function.
 //!
 //! - [`description`]: the caller's description;
 //! - [`domain`]: the robot as a domain of the core;

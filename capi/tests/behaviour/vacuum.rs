@@ -169,7 +169,7 @@ const SAID: [(&CStr, &str); 5] = [
     (c"clean the office", "roomClean(r4)"),
 ];
 
-/// Gives a lesson. Returns how many older ones gave way.
+/// Teaches a lesson. Returns the number of older ones that were dropped.
 unsafe fn lesson(robot: *mut Goodbot, command: &CStr, task: (u32, u32)) -> u32 {
     let ok = |status| assert_eq!(status, GoodbotStatus::Ok, "{command:?}");
     let (mut action, mut evidence, mut number, mut gave_way) = (0, 0, 0, 0);
@@ -216,7 +216,7 @@ fn preset(preset: u32) -> GoodbotCapacities {
     capacities
 }
 
-/// Gives the lessons in order. Returns how many older ones gave way.
+/// Teaches the lessons in order. Returns the number of older ones that were dropped.
 fn teach(robot: *mut Goodbot, lessons: impl IntoIterator<Item = (&'static CStr, (u32, u32))>) -> u32 {
     lessons.into_iter().map(|(command, task)| unsafe { lesson(robot, command, task) }).sum()
 }

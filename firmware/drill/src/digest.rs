@@ -1,4 +1,4 @@
-//! All posteriors of a run as one number: equal digests, equal bits.
+//! All posteriors of a run as one number, by which runs are compared bit for bit.
 
 /// FNV-1a over the bits of floats, 32 bits wide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -26,7 +26,7 @@ pub enum Work {
     Hear,
     /// Planning for all tasks from one state: one call.
     Plan,
-    /// One action with its feedback: choosing it, and learning from what the trainer says.
+    /// One action with its feedback: choosing it, and updating the belief.
     Act,
     /// Ending a session, so that it joins the training data: one call.
     Finish,

@@ -36,7 +36,7 @@ pub fn begin() {
         interrupts.set_compare(ANEW, true);
     });
     TIMER0.tasks_start().write_value(1);
-    // SAFETY: the handler below takes what it shares by critical sections.
+    // SAFETY: the handler below uses shared values only in critical sections.
     unsafe { interrupt::TIMER0.enable() };
 }
 

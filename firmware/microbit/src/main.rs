@@ -42,7 +42,7 @@ static mut ROOMS: HomeArrays<RobotMemory> = RobotMemory::new().home;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // SAFETY: this function runs once; the interrupts' handlers keep to what is theirs.
+    // SAFETY: this function runs once; the interrupt handlers use only their own parts.
     let (agent, rooms, board) = unsafe { (&mut *(&raw mut AGENT), &mut *(&raw mut ROOMS), Peripherals::steal()) };
     lights::begin(&board);
     serial::begin(&board);

@@ -34,7 +34,7 @@ pub fn begin(board: &Peripherals) {
 
 #[interrupt]
 fn UART0() {
-    // SAFETY: of these, only this handler reads what came in and its event.
+    // SAFETY: only this handler reads the received bytes and their event.
     let line = unsafe { Peripherals::steal() }.UART0;
     while line.events_rxdrdy.read().bits() != 0 {
         line.events_rxdrdy.write(|event| unsafe { event.bits(0) });
@@ -57,7 +57,7 @@ fn take(byte: u8) {
     }
 }
 
-/// Reads the line that has come, if one has: hands over its text, or what is wrong with it.
+/// Hands over the received line, or its fault. Does nothing before a line is complete.
 pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
     if !WHOLE.load(Relaxed) {
         return;

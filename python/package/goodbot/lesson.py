@@ -78,7 +78,7 @@ class Taught:
 
     @property
     def feedback(self) -> dict[str, int]:
-        """How often the trainer said what: `reward`, `punish` and `neutral`."""
+        """How often the trainer gave each feedback: `reward`, `punish` and `neutral`."""
         said = [word for _, word in self.steps]
         return {word: said.count(word) for word in ("reward", "punish", "neutral")}
 

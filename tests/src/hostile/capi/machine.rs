@@ -69,7 +69,7 @@ pub unsafe extern "C" fn step(context: *mut c_void, state: u32, action: u8, next
     target % 11 != 10
 }
 
-/// The callback that says what holds: a proposition of a robot and floor `n` in the states that leave `n` when divided by four.
+/// The callback `holds`: a proposition of a robot and floor `n` holds in the states that leave `n` when divided by four.
 pub unsafe extern "C" fn holds(context: *mut c_void, state: u32, proposition: u8, arguments: *const u8) -> bool {
     // SAFETY: the context is a machine that outlives the robot.
     let machine = unsafe { &*context.cast::<Machine>() };
