@@ -1,8 +1,9 @@
 //! The toolchain for targets other than the host.
 //!
-//! There are two ways to build for these [`TARGETS`]. rustup can add a target's ready-made standard library to the host's toolchain. If
-//! rustup cannot, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
-//! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, the default, which tries rustup first.
+//! There are two ways to build for those [`TARGETS`]. rustup can add a target's ready-made standard library to the host's toolchain. Where
+//! that cannot be had, Debian's compiler comes with the standard library's sources, and cargo builds the library together with the project.
+//! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
+//! set.
 
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -142,11 +143,11 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
             cargo.env(variable, linkers.join(linker))
         }
     };
-    // A folder of its own, so that host builds and cross builds do not invalidate each other.
+    // Its own folder, so that the two kinds of build do not undo each other's work.
     Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
 }
 
-/// The folder of the binaries that [`cargo`] builds with a profile.
+/// Where [`cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
 }
