@@ -15,14 +15,14 @@ use xshell::{Cmd, Shell, cmd};
 use crate::process::{once, shell, target_dir, within};
 use crate::programs::{CARGO, RUSTC, missing};
 
-/// The browser.
+/// WebAssembly, for the browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
 /// Cortex-M0 and M0+.
 pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
 pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
 /// Cortex-M4F and M7F: floats in registers of the floating-point unit.
 pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
-/// The same processors, where the calls of the board's C pass floats in whole registers.
+/// The same processors, for boards whose C code passes floats in integer registers.
 pub const CORTEX_M4: &str = "thumbv7em-none-eabi";
 /// Cortex-M33 with a floating-point unit.
 pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
@@ -30,15 +30,15 @@ pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
 pub const RISCV: &str = "riscv32imac-unknown-none-elf";
 /// The same without atomic instructions, such as an ESP32-C3.
 pub const RISCV_C3: &str = "riscv32imc-unknown-none-elf";
-/// The system on which the command line runs, and which is no Unix. It is checked for it, and not linked: a linker for it is not to be had everywhere.
+/// A system that is no Unix, for the command line. The build is only checked, because its linker is not available everywhere.
 pub const WINDOWS: &str = "x86_64-pc-windows-msvc";
-/// The targets that goodbot is built for besides the host.
+/// The targets besides the host.
 pub const TARGETS: [&str; 8] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3];
 
 /// How long rustup may take.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(90);
 
-/// Debian's toolchain: its cargo builds the standard library from the sources that Debian has packaged, with Debian's linker.
+/// Debian's toolchain: its cargo builds the standard library from Debian's packaged sources, with Debian's linker.
 #[derive(Debug)]
 struct Debian {
     cargo: PathBuf,
@@ -48,7 +48,7 @@ struct Debian {
 }
 
 impl Debian {
-    /// The system's, or fetched.
+    /// Finds the system's, or fetches it.
     fn find() -> Result<Self> {
         let is_complete = |found: &Self| Path::new("/usr/lib/rustlib/src/rust/library/Cargo.lock").is_file() && found.cargo.is_file();
         match Self::below(Path::new("/"), "/usr/bin/cargo".into(), "/usr/bin/rustc".into()) {
@@ -67,12 +67,12 @@ impl Debian {
     }
 }
 
-/// A program without the variables by which the cargo that runs this program names its own parts.
+/// A command without the environment variables that refer to the running cargo's own parts.
 fn own(program: Cmd) -> Cmd {
     program.env_remove("CARGO").env_remove("RUSTUP_TOOLCHAIN").env_remove("LD_LIBRARY_PATH")
 }
 
-/// Debian's toolchain if that is used, and not rustup's. The first call sets up what is used.
+/// Debian's toolchain, or `None` if rustup's is used. The first call chooses one and sets it up.
 fn debian() -> Result<Option<&'static Debian>> {
     static CHOSEN: OnceLock<Option<Debian>> = OnceLock::new();
     let mode = std::env::var("CROSS_TOOLCHAIN_MODE").unwrap_or_default();
@@ -81,7 +81,7 @@ fn debian() -> Result<Option<&'static Debian>> {
         let by_rustup = match mode.as_str() {
             "rustup" => add_by_rustup(&TARGETS).map(|()| true)?,
             "build-std" => false,
-            // rustup was asked once, and had none.
+            // Debian's was fetched before, because rustup had failed.
             _ if RUSTC.is_fetched() => lacking(&TARGETS).is_ok_and(|lacking| lacking.is_empty()),
             _ => add_by_rustup(&TARGETS).inspect_err(|error| eprintln!("{error:#}")).is_ok(),
         };
@@ -92,7 +92,7 @@ fn debian() -> Result<Option<&'static Debian>> {
     Ok(chosen.as_ref())
 }
 
-/// Those of the targets that rustup has not added.
+/// The targets that rustup has not added yet.
 fn lacking(targets: &[&'static str]) -> Result<Vec<&'static str>> {
     let sh = shell()?;
     let added = cmd!(sh, "rustup target list --installed").quiet().read()?;
@@ -109,14 +109,14 @@ fn add_by_rustup(targets: &[&'static str]) -> Result<()> {
     Ok(())
 }
 
-/// The compiler that builds for the targets, set up if that has not been done, such as `rustup's rustc 1.95.0`.
+/// The name of the compiler for the targets, such as `rustup's rustc 1.95.0`. It is set up if necessary.
 pub fn compiler() -> Result<String> {
     let sh = shell()?;
     let (whose, version) = match debian()? {
         None => ("rustup", cmd!(sh, "rustc --version").read()?),
         Some(Debian { rustc, .. }) => ("Debian", own(cmd!(sh, "{rustc} --version")).read()?),
     };
-    // Without the commit and the day.
+    // Without the commit and the date.
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
@@ -128,8 +128,8 @@ pub fn add_windows() -> Result<()> {
     Ok(())
 }
 
-/// Cargo's command `build`, `check` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
-/// is built is in [`artifacts`].
+/// Cargo's command `build`, `check` or `rustc` for a target, without its other arguments. Sets up the target if necessary. [`artifacts`]
+/// names the folder of the result.
 pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<'sh>> {
     let cargo = match debian()? {
         None => cmd!(sh, "cargo"),
@@ -138,7 +138,7 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
             let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
             let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
             let variable = format!("CARGO_TARGET_{}_LINKER", target.replace(['-', '.'], "_").to_uppercase());
-            // Without the first variable, cargo takes -Z options only if it is a nightly one.
+            // Without the first variable, only a nightly cargo accepts -Z options.
             let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
             cargo.env(variable, linkers.join(linker))
         }
@@ -152,8 +152,8 @@ pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
 }
 
-/// Arguments for [`cargo`] by which a profile's panics end at once, without the code that words their messages. That can be had only
-/// where the standard library is built too; a ready-made one brings its messages along, and there are none then.
+/// Arguments for [`cargo`] that make a profile's panics abort at once, without the code for their messages. Empty with rustup's
+/// ready-made standard library, which contains that code.
 pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     if debian()?.is_none() {
         return Ok(Vec::new());
