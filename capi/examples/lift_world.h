@@ -29,12 +29,12 @@ static const goodbot_object lift_objects[] = {
 };
 static const goodbot_action lift_actions[] = {{"up", 1}, {"down", 1}, {"open", 1}, {"close", 1}};
 static const char *const lift_tasks[] = {"liftAtFloor(\077l,\077f)"};
-/* The same, as they were read: their variables' classes, their propositions, and the variables of each. */
+/* The kinds of task, parsed: their variables' classes, their propositions, and the variables of each. */
 static const goodbot_kind lift_kinds[] = {
     {{0, 1}, 2, {0}, 1, {{0, 1, 255}}},
 };
 
-/* What can hold: a proposition of objects, where state / unit % values == value. */
+/* Facts: a proposition of these objects holds where state / unit % values == value. */
 static const struct {
     uint8_t proposition, arguments[GOODBOT_MOST_ARGUMENTS];
     uint32_t unit, values, value;
@@ -49,7 +49,7 @@ static const struct {
     {2, {4, 3, 0}, 1, 1, 0},
 };
 
-/* What actions need and do: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it takes. */
+/* Rules of actions: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it gets. */
 static const struct {
     uint8_t action, kind;
     uint32_t unit, values, value;
@@ -105,7 +105,7 @@ static bool lift_step(void *context, uint32_t state, uint8_t action, uint32_t *n
         uint32_t unit = lift_parts[at].unit, values = lift_parts[at].values, value = lift_parts[at].value;
         if (lift_parts[at].action != action) continue;
         if (lift_parts[at].kind == 0) {
-            if (fits) break; /* the first rule that fits is what happens */
+            if (fits) break; /* the first rule that fits applies */
             fits = true;
             after = state;
         } else if (lift_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;

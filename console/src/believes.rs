@@ -1,4 +1,4 @@
-//! The trainers that a robot expects in recorded sessions, as a command-line option.
+//! The command-line option for the trainers that a robot expects in recorded sessions.
 
 use goodbot::feedback::{LAGS, RESTS, Strategy, population};
 use goodbot::session::Options;
@@ -9,9 +9,9 @@ use std::str::FromStr;
 pub enum Believes {
     /// The strategies of real people.
     Population,
-    /// Those that each session names.
+    /// The strategies that each session names.
     Logged,
-    /// The paper's balanced strategy, or one that was typed.
+    /// The paper's balanced strategy, or the strategy that was typed.
     One([(Strategy, f32); 1]),
 }
 
@@ -19,7 +19,7 @@ const HELP: &str = "give population, logged, paper, or three, six or ten probabi
                     0.9,0.85,0.2,0.8,0.15,0.05";
 
 impl Believes {
-    /// The strategies; nothing where each session's own are taken.
+    /// The strategies; `None` for each session's own.
     pub fn strategies(&self) -> Option<&[(Strategy, f32)]> {
         match self {
             Self::Population => Some(&population::STRATEGIES),
@@ -28,7 +28,7 @@ impl Believes {
         }
     }
 
-    /// The options of a robot that expects this.
+    /// The options of a robot that expects these trainers.
     pub const fn options(&self, options: Options) -> Options {
         if matches!(self, Self::Population) { options.for_people().with_ends() } else { options }
     }

@@ -1,17 +1,17 @@
-//! How words are understood and learned, by name.
+//! The settings for understanding and learning words, by name.
 
 use clap::ValueEnum;
 use goodbot::language::Settings;
 use goodbot::memory::AgentHeap;
 use goodbot::{Capacities, Options};
 
-/// What learns.
+/// The settings of the language model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Learner {
-    /// What understands people best: the role model, and a layer above it that learns more from many sessions
+    /// The best for people's commands: the role model, and a layer above it that learns more from many sessions
     #[default]
     Default,
-    /// The role model alone, as boards, C and the page have it
+    /// The role model alone, as on boards, in C and on the page
     Roles,
     /// The paper's settings
     #[value(alias = "ibm2")]
@@ -19,7 +19,7 @@ pub enum Learner {
 }
 
 impl Learner {
-    /// Its name in output.
+    /// The name in output.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Default => "default",
@@ -38,7 +38,7 @@ impl Learner {
     }
 }
 
-/// Memory for an agent with these settings. `tasks` is the number of possible tasks of all its sessions together.
+/// Memory for an agent with these settings. `tasks` is the number of possible tasks in all its sessions.
 pub fn memory(capacities: &Capacities, settings: &Settings, tasks: usize) -> AgentHeap {
     let memory = AgentHeap::new(capacities);
     if settings.layer { memory.with_layer(tasks) } else { memory }

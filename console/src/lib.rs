@@ -1,15 +1,15 @@
-//! What goodbot's commands read, write and say, everyday commands and laboratory alike.
+//! Input, output and messages that all of goodbot's commands share.
 //!
-//! | module | what it holds |
+//! | module | contents |
 //! |---|---|
-//! | [`numbers`], [`learner`], [`believes`] | what is typed |
-//! | [`load`] | files that a command reads: homes, session logs, kinds of tasks, synonyms |
+//! | [`numbers`], [`learner`], [`believes`] | options that are typed |
+//! | [`load`] | files to read: homes, session logs, kinds of tasks, synonyms |
 //! | [`whole_file`] | files read and written as a whole |
 //! | [`training_data`] | recorded sessions as training data, and models trained on them |
-//! | [`output`] | where results go, and which files are never replaced |
+//! | [`output`] | the files to write, and which of them are never replaced |
 //! | [`messages`] | remarks and progress on standard error |
-//! | [`refusal`] | the core's errors in the words of who uses the program |
-//! | [`outcome`] | how a command ends: its exit code |
+//! | [`refusal`] | the core's errors in the user's words |
+//! | [`outcome`] | the exit code of a command |
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

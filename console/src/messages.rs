@@ -1,4 +1,4 @@
-//! Remarks and progress on standard error. `--quiet` leaves them out.
+//! Remarks and progress on standard error. `--quiet` suppresses them.
 
 use goodbot_lesson::Fault;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -8,13 +8,13 @@ use std::hash::Hash;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-/// How often something that goes on shows that it does.
+/// The time between two updates of a spinner.
 const BEAT: Duration = Duration::from_millis(250);
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 static COLORED: AtomicBool = AtomicBool::new(false);
 
-/// Says whether standard output may have colours.
+/// Sets whether standard output may have colours.
 pub fn set_colored(colored: bool) {
     COLORED.store(colored, Ordering::Relaxed);
 }
@@ -24,17 +24,17 @@ pub fn is_colored() -> bool {
     COLORED.load(Ordering::Relaxed)
 }
 
-/// From now on nothing is told but failures.
+/// From now on, only failures are told.
 pub fn be_quiet() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Whether nothing is told but failures.
+/// Whether only failures are told.
 pub fn is_quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
 
-/// Tells a remark on standard error, unless it is to be quiet.
+/// Writes a remark to standard error, unless `--quiet` was given.
 #[macro_export]
 macro_rules! say {
     ($($text:tt)*) => {
@@ -45,7 +45,7 @@ macro_rules! say {
 }
 pub use crate::say;
 
-/// A text for a terminal: control characters, which names of files and texts of logs may have, are shown and not obeyed. Lines and tabs stay.
+/// A text for a terminal. Control characters, as in file names and logs, are escaped; line ends and tabs stay.
 pub fn printable(text: &str) -> Cow<'_, str> {
     let obeyed = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
     if !text.contains(obeyed) {
@@ -63,7 +63,7 @@ pub fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
-/// Tells, on standard error where that is a terminal, that something goes on whose end is not known.
+/// A spinner on standard error, for work of unknown length. It shows on a terminal only.
 pub fn working(what: impl Into<Cow<'static, str>>) -> ProgressBar {
     if is_quiet() {
         return ProgressBar::hidden();
@@ -74,21 +74,21 @@ pub fn working(what: impl Into<Cow<'static, str>>) -> ProgressBar {
     working
 }
 
-/// A count that grows, on standard error where that is a terminal.
+/// A spinner with a count, on standard error. It shows on a terminal only.
 pub fn counting(what: &'static str) -> ProgressBar {
     let counting = working(what);
     let style = ProgressStyle::with_template("{spinner} {msg}: {human_pos} {elapsed}").unwrap_or_else(|_| ProgressStyle::default_spinner());
     counting.with_style(style)
 }
 
-/// Faults as lines of text: of those that say the same of many lines, the first one with their count.
+/// Faults as lines of text. Faults that differ in numbers only are summed: the first one, with their count.
 pub fn summed(faults: &[Fault]) -> Vec<String> {
-    // Numbers differ from line to line.
+    // Numbers differ between lines.
     let text = |fault: &Fault| fault.message.chars().filter(|letter| !letter.is_ascii_digit()).collect::<String>();
     summed_by(faults, |fault| (fault.file.clone(), fault.field.clone(), text(fault)))
 }
 
-/// Faults as lines of text: of those with the same key, the first one with their count.
+/// Faults as lines of text. Faults with the same key are summed: the first one, with their count.
 pub fn summed_by<K: Eq + Hash>(faults: &[Fault], key: impl Fn(&Fault) -> K) -> Vec<String> {
     let mut same: HashMap<K, usize> = HashMap::new();
     let mut told: Vec<(&Fault, usize)> = Vec::new();
@@ -106,7 +106,7 @@ pub fn summed_by<K: Eq + Hash>(faults: &[Fault], key: impl Fn(&Fault) -> K) -> V
     told.into_iter().map(line).collect()
 }
 
-/// A progress bar on standard error, where that is a terminal.
+/// A progress bar on standard error. It shows on a terminal only.
 pub fn bar(length: usize, what: &'static str) -> ProgressBar {
     if is_quiet() {
         return ProgressBar::hidden();

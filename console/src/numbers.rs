@@ -1,9 +1,9 @@
-//! Numbers as they are typed, and messages for other texts.
+//! Parsers for typed numbers, with their error messages.
 
 use std::fmt::Display;
 use std::str::FromStr;
 
-/// Reads whole numbers of a range. Its error says what to give.
+/// Parses whole numbers in a range. The error says what to give.
 pub fn between<T: FromStr + PartialOrd + Display + Copy>(least: T, most: T) -> impl Fn(&str) -> Result<T, String> + Clone {
     move |text| {
         let number: Option<T> = text.trim().parse().ok();
@@ -14,24 +14,24 @@ pub fn between<T: FromStr + PartialOrd + Display + Copy>(least: T, most: T) -> i
 /// A seed.
 ///
 /// # Errors
-/// What to give.
+/// The error says what to give.
 pub fn seed(text: &str) -> Result<u64, String> {
     text.trim().parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
 }
 
-/// What something costs, in steps: a number above 0, or `inf`.
+/// A cost in steps: a number above 0, or `inf`.
 ///
 /// # Errors
-/// What to give.
+/// The error says what to give.
 pub fn cost(text: &str) -> Result<f32, String> {
     let number: Option<f32> = text.trim().parse().ok();
     number.filter(|&number| number > 0.0).ok_or_else(|| "give a number of steps above 0, such as 4, or inf for never".to_owned())
 }
 
-/// How often an answer is wrong: a share below one half.
+/// The share of wrong answers: below one half.
 ///
 /// # Errors
-/// What to give.
+/// The error says what to give.
 pub fn wrong_share(text: &str) -> Result<f32, String> {
     let number: Option<f32> = text.trim().parse().ok();
     number.filter(|number| (0.0..0.5).contains(number)).ok_or_else(|| "give a share from 0 to less than 0.5, such as 0.05".to_owned())

@@ -9,13 +9,13 @@ use std::io;
 /// Why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// A result that failed: exit code 1.
+    /// A command whose result is a failure: exit code 1.
     Result(String),
     /// Bad use or bad input: exit code 2.
     Input(String),
-    /// Bad input that was told already: exit code 2.
+    /// Bad input that was reported already: exit code 2.
     Told,
-    /// Nobody reads standard output any more, which is no fault; or it cannot be written to.
+    /// Standard output was closed, which is no fault, or cannot be written.
     Output(io::Error),
 }
 
@@ -53,7 +53,7 @@ impl fmt::Display for Failure {
     }
 }
 
-/// The exit code of a command, its failure told on standard error.
+/// The exit code of a command. A failure is reported on standard error.
 pub fn exit_code(done: Result<(), Failure>) -> u8 {
     let Err(failure) = done else { return 0 };
     let code = match &failure {

@@ -1,4 +1,4 @@
-//! Files written on request: never over an input, and over files that goodbot did not write only with `--force`.
+//! Writes files on request. Input files are never overwritten, and files that goodbot did not write only with `--force`.
 
 use crate::messages::printable;
 use crate::outcome::Failure;
@@ -7,25 +7,25 @@ use std::fs::File;
 use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// What marks a picture as drawn here.
+/// The mark of a picture that goodbot drew.
 const MARK: &str = "<!-- drawn by goodbot -->";
-/// What marks a page as written here.
+/// The mark of a page that goodbot wrote.
 const PAGE_MARK: &str = "<!-- written by goodbot -->";
 /// The first bytes of a model.
 const MODEL: &[u8] = b"goodbot\0";
-/// The first bytes of a micro:bit's file: its first record is at the flash's beginning.
+/// The first bytes of a micro:bit file: its first record is at the beginning of the flash.
 const MICROBIT: &[u8] = b":020000040000FA";
-/// The first bytes of parameters alone.
+/// The first bytes of a file of parameters.
 const PARAMETERS: &[u8] = &goodbot::snapshot::PARAMETERS_MAGIC;
-/// How an array of them begins.
+/// The beginning of a C file with parameters.
 pub const PARAMETERS_IN_C: &str = "static const unsigned char parameters[]";
-/// How far into a file the mark is looked for.
+/// The mark must be in the first bytes of a file, at most this many.
 const HEAD: u64 = 4_096;
 
-/// Standard input and output, as they are typed.
+/// Standard input and output on the command line.
 const STANDARD: &str = "-";
 
-/// What is written.
+/// The kind of a written file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A picture (SVG).
@@ -34,9 +34,9 @@ pub enum Kind {
     Model,
     /// A page of Markdown.
     Page,
-    /// A micro:bit's file.
+    /// A micro:bit file.
     Microbit,
-    /// Parameters alone.
+    /// A file of parameters.
     Parameters,
 }
 
@@ -51,9 +51,9 @@ impl Kind {
         }
     }
 
-    /// Whether nothing of someone else's is lost where this is written: there is no file, an empty one, or one of ours.
+    /// Whether writing here destroys no foreign file: there is no file, an empty one, or one that goodbot wrote.
     pub fn may_replace(self, path: &Path) -> bool {
-        // A device or a pipe is written to as it is.
+        // Devices and pipes may be written to.
         if path.exists() && !path.is_file() {
             return true;
         }
@@ -73,31 +73,31 @@ impl Kind {
     }
 }
 
-/// Where something is to be written.
+/// A file to write.
 #[derive(Debug)]
 pub struct Output {
     path: PathBuf,
     kind: Kind,
 }
 
-/// Whether this path means standard output, or for what is read, standard input.
+/// Whether this path means standard output or, for an input, standard input.
 pub fn is_standard(path: &Path) -> bool {
     path.as_os_str() == STANDARD
 }
 
 impl Output {
-    /// A picture, if one is wanted. As [`new`](Self::new).
+    /// The file of a picture, if one is wanted. As [`new`](Self::new).
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn picture(path: &Option<PathBuf>, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Option<Self>, Failure> {
         path.as_ref().map(|path| Self::new(Kind::Picture, path, inputs, force)).transpose()
     }
 
-    /// Something at this path. `inputs` are the files that are read, and `force` says that a file of someone else's is replaced.
+    /// The file at this path. `inputs` are the files that are read. With `force`, a foreign file may be replaced.
     ///
     /// # Errors
-    /// Why it cannot or must not be written: better known before the work than after it.
+    /// The reason why it cannot or must not be written, before the work begins.
     pub fn new(kind: Kind, path: &Path, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Self, Failure> {
         let output = Self { path: path.to_owned(), kind };
         if is_standard(path) {
@@ -117,7 +117,7 @@ impl Output {
             let what = kind.name();
             return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
         }
-        // A link's folder is that of the file it leads to.
+        // The folder of a link's target counts.
         let real = std::fs::canonicalize(path);
         let folder = real.as_deref().unwrap_or(path).parent().filter(|folder| !folder.as_os_str().is_empty());
         match tempfile::tempfile_in(folder.unwrap_or(Path::new("."))) {
@@ -139,16 +139,16 @@ impl Output {
     /// Writes a picture, if it could be drawn.
     ///
     /// # Errors
-    /// As [`write`](Self::write), and [`Failure::Result`] where it could not be drawn.
+    /// The errors of [`write`](Self::write), and [`Failure::Result`] if the picture could not be drawn.
     pub fn draw(&self, picture: Result<String, Box<dyn std::error::Error>>) -> Result<(), Failure> {
         let picture = picture.map_err(|error| Failure::Result(format!("cannot draw the picture: {error}")))?;
         self.write(picture.as_bytes())
     }
 
-    /// Writes it, whole or not at all.
+    /// Writes the whole file or nothing.
     ///
     /// # Errors
-    /// [`Failure::Input`] names the file, [`Failure::Output`] is of standard output.
+    /// [`Failure::Input`] names the file; [`Failure::Output`] is an error of standard output.
     pub fn write(&self, bytes: &[u8]) -> Result<(), Failure> {
         let marked;
         let bytes = match self.kind {
@@ -171,10 +171,10 @@ impl Output {
     }
 }
 
-/// Where the text goes: standard output, or standard error where something else goes to standard output.
+/// The writer for text: standard output, or standard error if a file goes to standard output.
 ///
 /// # Errors
-/// [`Failure::Input`] where two things would go to one place.
+/// [`Failure::Input`] if two files have the same path.
 pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Failure> {
     let files: Vec<&Output> = outputs.iter().copied().flatten().filter(|output| !output.is_standard()).collect();
     if let [one, other] = files.as_slice()
@@ -196,7 +196,7 @@ fn with_mark(svg: &[u8]) -> Vec<u8> {
     [&svg[..end], b"\n", MARK.as_bytes(), &svg[end..]].concat()
 }
 
-/// Whether two names lead to one file, through links of both kinds; also where it is not there yet.
+/// Whether two paths lead to one file, through symbolic or hard links. The files need not exist.
 pub fn are_one(a: &Path, b: &Path) -> bool {
     let real = |path: &Path| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

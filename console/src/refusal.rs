@@ -1,4 +1,4 @@
-//! The library's refusals in a user's words: without names of constants, and without advice to change the program.
+//! The library's errors in the user's words, without names of constants, and without advice to change the program.
 
 use goodbot::AgentError;
 use goodbot::capacity::{Capacity, CapacityError};
@@ -7,7 +7,7 @@ use goodbot::task::TaskTextError;
 use goodbot_lesson::home;
 use goodbot_lesson::live::LiveError;
 
-/// What an agent refused of a robot in a world from a file: the field at fault, and what to do.
+/// An agent's error for a robot in a world from a file: the field at fault, and the fault with its remedy.
 pub fn in_a_world(error: &AgentError) -> (&'static str, String) {
     let &AgentError::Capacity(CapacityError { capacity, limit, given }) = error else { return ("objects", error.to_string()) };
     let (field, what, remedy) = match capacity {
@@ -21,12 +21,12 @@ pub fn in_a_world(error: &AgentError) -> (&'static str, String) {
     (field, format!("give too many {what}: {given} or more, and {limit} are the most; {remedy}"))
 }
 
-/// An error in the words of who uses the program.
+/// An error that can be told in the user's words.
 pub trait InWords: std::fmt::Display {
-    /// The full table, where that is what is wrong.
+    /// The limit that was exceeded, if that is the fault.
     fn full(&self) -> Option<&CapacityError>;
 
-    /// What was refused, and what to do.
+    /// The fault, and its remedy.
     fn in_words(&self) -> String {
         self.full().map_or_else(|| self.to_string(), full)
     }
@@ -60,7 +60,7 @@ impl InWords for SaveError {
     }
 }
 
-/// The full table, and what to do.
+/// The limit that was exceeded, and the remedy.
 pub fn full(error: &CapacityError) -> String {
     if let Some(full) = home::full(error) {
         return full;

@@ -1,8 +1,8 @@
-//! Half taught from the start: everyday sentences of our own in five languages, whose place own sessions take.
+//! Starters: robots begin with goodbot's own everyday sentences in one of five languages. Later sessions replace these sentences.
 //!
-//! A starter is a text: which words name which values, and sentences with gaps for them. Each sentence is a labelled session in a home that
-//! has what it speaks of. With n own sessions, 1 / (1 + n / 4) of the sentences are learned from beside them, and so few of many: what people say
-//! themselves soon counts alone.
+//! A starter is a text with words for values, and with sentences that have gaps for these words. Each sentence becomes a labelled session
+//! in a home that has the things it names. Beside n sessions of the user, the share 1 / (1 + n / 4) of the sentences is learned from: with
+//! many sessions, the user's own words count alone.
 
 use crate::outcome::Failure;
 use crate::training_data::Lesson;
@@ -21,7 +21,7 @@ use goodbot_formats::session::SessionReader;
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// The languages that there is a starter in.
+/// The languages of the starters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Language {
     /// German
@@ -48,7 +48,7 @@ impl Language {
     }
 }
 
-/// Which starter.
+/// The option for the starter.
 #[derive(Clone, Copy, Debug, Args)]
 pub struct StarterOptions {
     /// Begin with everyday sentences in a language; they count less with each session of your own
@@ -57,23 +57,23 @@ pub struct StarterOptions {
 }
 
 impl StarterOptions {
-    /// Whether one is asked for.
+    /// Whether a starter is asked for.
     pub const fn is_given(&self) -> bool {
         self.starter.is_some()
     }
 
-    /// The starter that is asked for beside what a model file knows.
+    /// The starter to add to a model file.
     ///
     /// # Errors
-    /// As [`read`](Self::read), and where the file is no model.
+    /// The errors of [`read`](Self::read), and an error if the file is no model.
     pub fn of_model(&self, file: &Path, lifted: &[LiftedTask]) -> Result<Starter, Failure> {
         if self.is_given() { self.read(lifted, restored::options(file)?) } else { Ok(Starter::default()) }
     }
 
-    /// The starter that is asked for; without any, it has no lessons.
+    /// The starter; without the option, it has no lessons.
     ///
     /// # Errors
-    /// [`Failure::Input`] for the paper's settings, and where the tasks are so that a sentence cannot be read.
+    /// [`Failure::Input`] for the paper's settings, and for tasks that make a sentence unreadable.
     pub fn read(&self, lifted: &[LiftedTask], options: Options) -> Result<Starter, Failure> {
         match self.starter {
             None => Ok(Starter::default()),
@@ -85,22 +85,22 @@ impl StarterOptions {
     }
 }
 
-/// With this many own sessions, half of the starter's sentences are left.
+/// With this many sessions of the user, half of the starter's sentences are left.
 const HALF: usize = 4;
-/// How often each sentence is said, of other things each time.
+/// How often each sentence is used, with other things each time.
 const TIMES: usize = 2;
 
-/// Sessions that are learned from beside one's own, the more of them the fewer those are.
+/// Lessons beside the user's own: the more own lessons, the fewer of these.
 #[derive(Clone, Debug, Default)]
 pub struct Starter {
     lessons: Vec<Lesson>,
 }
 
 impl Starter {
-    /// The starter in a language, for a robot with these kinds of task. A sentence of another kind is left out.
+    /// The starter in a language, for a robot with these kinds of task. Sentences of other kinds are left out.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the tasks are so that a sentence cannot be read.
+    /// [`Failure::Input`] for tasks that make a sentence unreadable.
     pub fn new(language: Language, lifted: &[LiftedTask], options: Options) -> Result<Self, Failure> {
         let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
         let mut witness = Witness::new(lifted, options, None, false).map_err(|error| fault(&error))?;
@@ -126,14 +126,14 @@ impl Starter {
         &self.lessons
     }
 
-    /// The lessons to learn from beside this many own ones: evenly of all.
+    /// The lessons to learn from beside this many own ones, taken evenly from all.
     pub fn beside(&self, own: usize) -> impl Iterator<Item = &Lesson> {
         let all = self.lessons.len();
         let left = (all * HALF).div_ceil(HALF + own).min(all);
         (0..left).filter_map(move |position| self.lessons.get(position * all / left.max(1)))
     }
 
-    /// Room for these capacities and all its lessons together.
+    /// These capacities, plus room for all its lessons.
     pub fn room(&self, own: Capacities) -> Capacities {
         if self.lessons.is_empty() {
             return own;
@@ -147,11 +147,11 @@ impl Starter {
         both
     }
 
-    /// Adds the lessons for this many own ones to what an agent has learned, and begins training. Gives how many were added:
-    /// those that it has already are not.
+    /// Adds the lessons beside this many own ones to an agent's training data, and begins training. Returns how many were added; lessons
+    /// that the agent has already are not.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the agent has no room, or understands words by another model.
+    /// [`Failure::Input`] if the agent has no room, or has another language model.
     pub fn join(&self, agent: &mut Agent<AgentHeap>, own: usize) -> Result<usize, Failure> {
         if self.lessons.is_empty() {
             return Ok(0);
@@ -165,7 +165,7 @@ impl Starter {
     }
 }
 
-/// What a sentence asks for.
+/// The task of a sentence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// The robot in a room.
@@ -177,7 +177,7 @@ enum Kind {
 }
 
 impl Kind {
-    /// Whether a robot with these kinds of task can be asked for that.
+    /// Whether one of these kinds of task is meant.
     fn is_of(self, lifted: &[LiftedTask]) -> bool {
         let wanted: &[PropositionId] = match self {
             Self::Go => &[AGENT_IN_ROOM],
@@ -192,9 +192,9 @@ impl Kind {
     }
 }
 
-/// A starter as it is written.
+/// The parts of a starter's text.
 struct Text<'t> {
-    /// A colour's value, and the forms of its word.
+    /// A colour's value, and the forms of its word in the language.
     colors: Vec<(&'t str, Vec<&'t str>)>,
     /// A shape's value, and its name with a gap for the colour.
     things: Vec<(&'t str, &'t str)>,
@@ -224,9 +224,9 @@ impl<'t> Text<'t> {
         read
     }
 
-    /// A sentence with its gaps filled, as a labelled session in a home that has what it speaks of. `number` chooses the values.
+    /// A labelled session of a sentence with its gaps filled, in a home that has the things it names. `number` selects the values.
     fn session(&self, kind: Kind, sentence: &str, number: usize) -> String {
-        // Four rooms and two things of different colours, by turns.
+        // Four rooms and two things of different colours, in turn.
         let color = |place: usize| number.wrapping_mul(5).wrapping_add(place * (1 + number / self.colors.len() % 3)) % self.colors.len();
         let [goal, start, other, last] = [0, 1, 2, 3].map(color);
         let (own, second) = ((number * 7 + 3) % self.colors.len(), (number * 7 + 8) % self.colors.len());

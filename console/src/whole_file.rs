@@ -1,4 +1,4 @@
-//! Files that are read whole, and written whole or not at all.
+//! Reads and writes whole files. A file is written completely or not at all.
 
 use crate::load::content::Content;
 use crate::outcome::Failure;
@@ -7,14 +7,14 @@ use std::io::{Read, Write};
 use std::path::Path;
 use std::time::Duration;
 
-/// The most bytes that a model or a home can have: what never ends is not read to its end.
+/// The most bytes of a model or a home: endless input is not read to its end.
 pub const MOST_BYTES: u64 = 64 << 20;
 
-/// How the names of unfinished files end.
+/// The suffix of unfinished files.
 const TORN_SUFFIX: &str = ".part";
-/// The most letters of a file's name that an unfinished one has; with four bytes each it is no longer than names may be.
+/// The most letters of a file's name in the name of its unfinished file. Even with four bytes each, the name is not too long.
 const MOST_LETTERS: usize = 50;
-/// No file takes as long to write: an unfinished one that is older was left.
+/// An unfinished file that is older than this was abandoned: no file takes as long to write.
 const LONGEST_WRITING: Duration = Duration::from_secs(60);
 
 /// The bytes of a model.
@@ -39,11 +39,11 @@ pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-/// Writes a file so that it has its old content or the new one, whenever the power goes: a new file beside it takes its name when it is
-/// whole and on the disk. A link is followed, and what is no ordinary file, a pipe or a device, is written to as it is.
+/// Writes a file so that it has its old or its new content, even after a power cut. A new file is written beside it to the disk, and then
+/// renamed. Links are followed. Pipes and devices are written to directly.
 ///
 /// # Errors
-/// What the file system says; an ordinary file is then as before.
+/// The file system's error. An ordinary file is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let real = std::fs::canonicalize(path);
     let path = real.as_deref().unwrap_or(path);
@@ -56,7 +56,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     remove_torn(path, LONGEST_WRITING);
     let prefix = torn_prefix(path);
     builder.prefix(&prefix).suffix(TORN_SUFFIX);
-    // As any new file; a temporary one would be for its owner alone.
+    // The permissions of any new file. A temporary file would be its owner's alone.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(folder)?;
@@ -66,7 +66,7 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
-    // The new name is on the disk when the folder is. Not every system can do that with a folder.
+    // The new name is on the disk after the folder is synced. Not every system can sync a folder.
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
@@ -86,12 +86,12 @@ pub fn remove_torn(path: &Path, age: Duration) -> usize {
     entries.flatten().filter(is_torn).filter(|entry| std::fs::remove_file(entry.path()).is_ok()).count()
 }
 
-/// Whether a file has the name of one that was left unfinished.
+/// Whether this is the name of an unfinished file.
 pub fn is_unfinished(path: &Path) -> bool {
     path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with('.') && name.ends_with(TORN_SUFFIX))
 }
 
-/// The prefix of unfinished files' names: the file's own name, cut to the room there is.
+/// The prefix of unfinished files: the file's own name, cut to length.
 fn torn_prefix(path: &Path) -> String {
     let name: String = path.file_name().unwrap_or_default().to_string_lossy().chars().take(MOST_LETTERS).collect();
     format!(".{name}.")

@@ -1,6 +1,6 @@
 //! Environments: the rooms, doors, blocks and the agent of one home.
 //!
-//! One JSON object. `version` is 1. `objects` has an object each, told apart by `class`:
+//! One JSON object. `version` is 1. `objects` is a list; `class` gives each object's kind:
 //!
 //! | class | further fields |
 //! |---|---|
@@ -9,11 +9,10 @@
 //! | `agent` | `name`, `x`, `y` |
 //! | `block` | `name`, `x`, `y`, `color`, `shape` |
 //!
-//! With `"derived": true`, the home tells derived facts too, such as which room is the leftmost or the largest.
+//! With `"derived": true`, the home also has derived facts, such as which room is the leftmost or the largest.
 //!
-//! Cells are whole numbers of 32 bits, x to the east, y to the north. Names are unique and such
-//! that a [task](crate::task_text) can hold them. Whether the home makes sense (boxes inside out,
-//! an agent in a wall) is not asked here.
+//! Cells are whole numbers of 32 bits, x to the east, y to the north. Names are unique, and a [task](crate::task_text) can hold them. This
+//! module does not check whether the home is possible: boxes may be inside out, and an agent may be in a wall.
 //!
 //! ```
 //! use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
@@ -37,14 +36,14 @@ use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
 use crate::json::{Node, Object, Source, insert};
 use crate::task_text::{TaskTextError, is_usable_name};
 
-/// An environment as it is written.
+/// An environment, as in its file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct EnvironmentFile {
     /// The format's version.
     pub version: u32,
     /// The objects, in their order in the file.
     pub objects: Vec<ObjectRecord>,
-    /// Whether the home tells derived facts: which room is the leftmost, the largest, and so on.
+    /// Whether the home has derived facts: which room is the leftmost, the largest, and so on.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub derived: bool,
 }
@@ -120,7 +119,7 @@ impl EnvironmentFile {
         EnvironmentFile { version, objects, derived: false }
     }
 
-    /// Reads an environment, be it on one line or on many.
+    /// Reads an environment, on one line or on several.
     pub fn parse(text: &str) -> Result<Self, FormatError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         EnvironmentFile::read(Source::new(text, 1).root()?)
@@ -151,8 +150,7 @@ impl EnvironmentFile {
     }
 }
 
-/// The line, counted from 1, on which an object of an environment begins: what is found wrong with the home as a whole can be told in
-/// its place.
+/// The line, counted from 1, on which an object of an environment begins, for errors of the home as a whole.
 ///
 /// ```
 /// let text = "{\"version\": 1, \"objects\": [\n  {\"class\": \"agent\", \"name\": \"a\", \"x\": 4, \"y\": 2}\n]}";

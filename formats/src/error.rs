@@ -1,4 +1,4 @@
-//! What is wrong with a text, where, and what to do about it.
+//! Errors of a text: the place, the fault and the remedy.
 
 use std::fmt;
 
@@ -7,9 +7,9 @@ use crate::task_text::TaskTextError;
 /// The versions of the file formats that this crate reads. It writes the last of them.
 pub const KNOWN_VERSIONS: &[u32] = &[1];
 
-/// A text that is not in the format: where, and what is wrong.
+/// A text that is not in the format: the place and the fault.
 ///
-/// Displayed as `FILE:LINE: field "x": what is wrong; what to do`:
+/// Displayed as `FILE:LINE: field "x": the fault; the remedy`:
 ///
 /// ```
 /// use goodbot_formats::environment::EnvironmentFile;
@@ -23,19 +23,19 @@ pub const KNOWN_VERSIONS: &[u32] = &[1];
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct FormatError {
-    /// The file's name, where the caller has given one.
+    /// The file's name, if the caller has given one.
     pub file: Option<String>,
     /// The line, counted from 1.
     pub line: usize,
-    /// The column in characters, counted from 1, where one place is at fault.
+    /// The column in characters, counted from 1, if the fault is at one place.
     pub column: Option<usize>,
-    /// The field at fault, with its way from the outside: `environment.objects[2].color`.
+    /// The field at fault, with its path from the outside: `environment.objects[2].color`.
     pub field: Option<String>,
-    /// What is wrong.
+    /// The fault.
     pub problem: Problem,
 }
 
-/// What can be wrong with a text.
+/// The faults of a text.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
@@ -60,19 +60,19 @@ pub enum Problem {
     /// The file could not be read; the system's message.
     #[error("could not be read ({0}); check the file and its disk")]
     Read(String),
-    /// A field that the format does not have.
+    /// A field that the format does not know.
     #[error("is not known here; known are {}", .known.join(", "))]
     UnknownField {
-        /// The fields that it has.
+        /// The fields that it knows.
         known: &'static [&'static str],
     },
     /// A field that is given twice.
     #[error("is given twice; keep one of the two")]
     DuplicateField,
-    /// A field that is not there.
+    /// A missing field.
     #[error("is missing; add it")]
     MissingField,
-    /// A value of another kind than the field has.
+    /// A value of the wrong kind.
     #[error("is {found}; write {expected}")]
     WrongKind {
         /// The kind that belongs there.
@@ -80,12 +80,12 @@ pub enum Problem {
         /// The kind that was found.
         found: &'static str,
     },
-    /// A word that the field does not know.
+    /// A word that the field does not allow.
     #[error("{} is not known; write {}", quoted(.found), alternatives(.known))]
     UnknownWord {
         /// The word.
         found: String,
-        /// The field's words.
+        /// The words that it allows.
         known: &'static [&'static str],
     },
     /// An action that is neither `noop` nor one of the session's actions.
@@ -102,25 +102,25 @@ pub enum Problem {
         /// The version as written.
         found: String,
     },
-    /// A number that is no coordinate, that is no whole number of 32 bits.
+    /// A number that is no coordinate: no whole number of 32 bits.
     #[error("{found} is no cell; write a whole number from {} to {}", i32::MIN, i32::MAX)]
     NotACoordinate {
         /// The number as written.
         found: String,
     },
-    /// A number that counts nothing, that is no whole number from 0.
+    /// A number that is no count: no whole number from 0.
     #[error("{found} is no count; write a whole number from 0")]
     NotACount {
         /// The number as written.
         found: String,
     },
-    /// A number outside of the range from 0 to 1.
+    /// A number outside the range from 0 to 1.
     #[error("{found} is no probability; write a number from 0 to 1")]
     NotAProbability {
         /// The number as written.
         found: String,
     },
-    /// A list or a name with nothing in it.
+    /// An empty list or name.
     #[error("is empty; fill it, or leave out what is optional")]
     Empty,
     /// A list or an object of more than `limit` entries.
@@ -132,13 +132,13 @@ pub enum Problem {
     /// Probabilities that are all 0.
     #[error("nothing here is above 0; give at least one a probability")]
     AllZero,
-    /// A repeated name, where each may occur once.
+    /// A repeated name, where each must be unique.
     #[error("{} is here twice; name each once", quoted(.name))]
     DuplicateName {
         /// The name.
         name: String,
     },
-    /// A text that is no task, or a name that no task could hold.
+    /// A text that is no task, or a name that no task can hold.
     #[error(transparent)]
     Task(TaskTextError),
     /// A step before the first session.
@@ -150,13 +150,13 @@ pub enum Problem {
     /// An end without a session.
     #[error("an end is outside of any session; remove it")]
     EndOutsideSession,
-    /// A session that is not ended.
+    /// A session without an end.
     #[error("the session that begins here is not ended when {}", match .next_session {
         Some(line) => format!("another begins on line {line}; add an end line before that"),
         None => "the file ends; add an end line".to_owned(),
     })]
     NoEnd {
-        /// Where the next session begins, if it is not the file that ends.
+        /// The line of the next session; `None` if the file ends.
         next_session: Option<usize>,
     },
     /// A step without feedback in a feedback session.
@@ -168,23 +168,23 @@ pub enum Problem {
     /// No session begins in the first `lines` lines.
     #[error("no session begins in {lines} lines; check that this is a session log")]
     NoSession {
-        /// How many lines were looked at.
+        /// How many lines were read.
         lines: usize,
     },
     /// A step in a labelled session.
     #[error("a step does not belong in a labelled session; remove it, or make the session's kind demonstration")]
     StepInLabelled,
-    /// An answer in a session that is not of feedback.
+    /// An answer in a session that has no feedback.
     #[error("an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback")]
     AnswerWithoutFeedback,
     /// An answer before the first session or after the end of one.
     #[error("an answer is outside any session; put it between its session line and its end")]
     AnswerOutsideSession,
-    /// Answers that are wrong as often as right, or more often.
+    /// Answers that are wrong in half of all cases or more.
     #[error("must be less than 0.5: an answer that is more often wrong than right is no answer")]
     AnswersMostlyWrong,
-    /// No other answer, or more than can be.
-    #[error("{others} other answers are none to choose from; write a number from 1 to 255")]
+    /// A number of other answers outside 1 to 255.
+    #[error("{others} is no number of other answers; write a whole number from 1 to 255")]
     OtherAnswers {
         /// The number.
         others: u64,
@@ -192,11 +192,11 @@ pub enum Problem {
     /// Lags that are not three probabilities that sum to 1.
     #[error("must be three probabilities that sum to 1")]
     Lags,
-    /// What is said to rests, where these are not four probabilities.
+    /// Numbers for rests that are not four probabilities.
     #[error("must be four probabilities")]
     Rests,
-    /// A field that only a labelled session can have.
-    #[error("is the way of what was meant, which is not told; remove it, or write intended")]
+    /// A way without an intended task.
+    #[error("belongs to an intended task; write \"intended\" too, or remove it")]
     OnlyWithIntended,
     /// A field that a session with `continues` cannot have.
     #[error("does not belong in a session that continues the one before; remove it, or remove \"continues\"")]
@@ -213,15 +213,15 @@ pub enum Problem {
     /// A session with `continues` after a session that could not be read.
     #[error("the session before could not be read, so nothing can be continued; mend that one first")]
     ContinuesUnread,
-    /// Something of a world that it does not have.
+    /// A name that the world does not have.
     #[error("the world has no {what} {}; add it, or correct the name", quoted(.name))]
     NotInWorld {
-        /// Of what kind it would be.
+        /// The kind of thing that it would be.
         what: &'static str,
-        /// Its name.
+        /// The name.
         name: String,
     },
-    /// A value of an attribute that the object's class does not carry.
+    /// An attribute that the object's class does not have.
     #[error("objects of the class {} do not carry this attribute; add the class to the attribute's list", quoted(.class))]
     NotCarried {
         /// The class.
@@ -232,26 +232,26 @@ pub enum Problem {
     ArgumentCount {
         /// The proposition.
         name: Box<str>,
-        /// How many it was given.
+        /// How many arguments it was given.
         given: usize,
-        /// How many it has.
+        /// How many arguments it has.
         wanted: usize,
     },
-    /// An object, or a variable, of another class than belongs in its place.
+    /// An object or a variable of the wrong class.
     #[error("{} is where an object of the class {} belongs; write one of those", quoted(.name), quoted(.class))]
     WrongClass {
-        /// Its name.
+        /// The name of the object or variable.
         name: Box<str>,
         /// The class that belongs there.
         class: Box<str>,
     },
-    /// A proposition with `!` where something holds.
-    #[error("says what does not hold; leave it out, for what is not written does not hold")]
+    /// A proposition with `!` in a list of propositions that hold.
+    #[error("is a negated proposition; leave it out: propositions that are not listed do not hold")]
     Negated,
-    /// A kind of task of a world that has a way.
+    /// A kind of task with a way, in a world.
     #[error("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone")]
     KindWithWay,
-    /// A variable of a world whose last argument can be no object.
+    /// A variable of a world without any object for its value.
     #[error("is a variable without values: there is no object of the class {}; add one", quoted(.class))]
     NoValues {
         /// The class of its values.
@@ -269,7 +269,7 @@ pub enum Problem {
         /// The variable.
         name: String,
     },
-    /// An effect that takes a variable of the world its value and gives it none.
+    /// An effect that takes the value of one of the world's variables away.
     #[error("{} is a variable, which always has a value; write the effect that gives it another", quoted(.name))]
     NegatedVariable {
         /// The variable.
@@ -278,13 +278,13 @@ pub enum Problem {
     /// An action without an effect.
     #[error("are none: an action that changes nothing is of no use; write what holds after it")]
     NoEffect,
-    /// A cost that no action can have.
+    /// A cost outside 1 to 16.
     #[error("{cost} is no cost of an action; write a whole number from 1 to 16")]
     Cost {
         /// The cost.
         cost: u64,
     },
-    /// A command in a world that was not named before it.
+    /// A command in a world without a line before it.
     #[error("no world {} could be read on a line before this one; put the world's line first", quoted(.name))]
     NoSuchWorld {
         /// The world's name.
@@ -302,7 +302,7 @@ impl FormatError {
         self
     }
 
-    /// The same error, saying which file it is in.
+    /// The same error, with the name of its file.
     pub fn with_file(mut self, file: impl Into<String>) -> Self {
         self.file = Some(file.into());
         self
@@ -316,7 +316,7 @@ impl fmt::Display for FormatError {
             None => write!(f, "line {}: ", self.line)?,
         }
         if let Some(field) = &self.field {
-            // Names of fields come from the text: nothing in them may reach a terminal as it is.
+            // Field names come from the text: control characters in them must not reach a terminal.
             write!(f, "field {}: ", quoted(field))?;
         }
         self.problem.fmt(f)
@@ -325,14 +325,14 @@ impl fmt::Display for FormatError {
 
 impl std::error::Error for FormatError {}
 
-/// The beginning of a text in quotes, with everything unprintable escaped: texts come from files, and end on a terminal.
+/// The beginning of a text in quotes, with unprintable characters escaped: it comes from a file and goes to a terminal.
 pub fn quoted(text: &str) -> String {
     let text = excerpt(text, 80);
-    // In the page the tables of what can be written as it is would take two kilobytes.
+    // On the page, Rust's tables of printable characters would take two kilobytes.
     if cfg!(target_family = "wasm") { format!("\"{text}\"") } else { format!("{text:?}") }
 }
 
-/// The text's beginning, of at most this many characters.
+/// The beginning of a text, at most this many characters.
 pub(crate) fn excerpt(text: &str, characters: usize) -> String {
     match text.char_indices().nth(characters) {
         Some((cut, _)) => format!("{}…", &text[..cut]),

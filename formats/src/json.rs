@@ -1,8 +1,8 @@
-//! JSON whose values know their lines.
+//! JSON values that know their lines.
 //!
-//! Serde's derived readers hold a tagged record back until its tag is known, and then no longer know the lines of its fields. Here each value is
-//! a slice of the checked text, so its place tells its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both
-//! on more than 10,000 texts.
+//! Serde's derived readers buffer a tagged record until its tag is known, and lose the lines of its fields. Here each value is a slice of
+//! the checked text, so its address gives its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both on
+//! more than 10,000 texts.
 
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem, excerpt};
 
@@ -26,14 +26,14 @@ pub(crate) struct Object<'a> {
     members: Vec<Member<'a>>,
 }
 
-/// Takes a text into a sorted list, unless it has it: a tree's code is too large for the page.
+/// Inserts a text into a sorted list, unless the list has it. A tree would be too much code for the page.
 pub(crate) fn insert<T: AsRef<str>>(sorted: &mut Vec<T>, text: T) -> bool {
     let place = sorted.binary_search_by(|known| known.as_ref().cmp(text.as_ref()));
     place.map_err(|place| sorted.insert(place, text)).is_err()
 }
 
 impl<'a> Node<'a> {
-    /// What is wrong with this value.
+    /// An error at this value.
     pub(crate) fn error(&self, problem: Problem) -> FormatError {
         self.error_at(self.raw, &self.path, problem)
     }
@@ -78,7 +78,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// The value as written, or the beginning of it.
+    /// The value as written, or its beginning.
     fn written(&self) -> String {
         excerpt(self.raw, 40).replace(char::is_control, "?")
     }
@@ -110,7 +110,7 @@ impl<'a> Node<'a> {
 
     pub(crate) fn text(&self) -> Result<String, FormatError> {
         self.expect("a text")?;
-        // A text in quotes can still have half a surrogate pair.
+        // Checked JSON can still have half a surrogate pair in a text.
         scan::unescaped(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))
     }
 
@@ -130,7 +130,7 @@ impl<'a> Node<'a> {
         }
     }
 
-    /// One of a few words, by its place in the list of them.
+    /// The position of a word in the list of allowed words.
     pub(crate) fn word(&self, known: &'static [&'static str]) -> Result<usize, FormatError> {
         let found = self.text()?;
         match known.iter().position(|word| *word == found) {
@@ -156,7 +156,7 @@ impl<'a> Node<'a> {
         found.map_err(|_| self.error(Problem::NotACount { found: self.written() }))
     }
 
-    /// A number from 0 to 1, or to `excess` above 1. Nothing is lost: the nearest number is read.
+    /// A number from 0 to 1 + `excess`. The nearest double is read.
     pub(crate) fn probability(&self, excess: f64) -> Result<f64, FormatError> {
         self.expect("a number")?;
         match self.raw.parse::<f64>() {
@@ -167,14 +167,14 @@ impl<'a> Node<'a> {
 }
 
 impl<'a> Object<'a> {
-    /// A fault of the object as a whole, reported at one of its fields.
+    /// An error of the object as a whole, reported at one of its fields.
     pub(crate) fn error(&self, name: &str, problem: Problem) -> FormatError {
         let at = self.members.iter().find(|m| m.name == name);
         let at = at.map_or(self.node.raw, |m| m.key);
         self.node.error_at(at, &self.node.field(name), problem)
     }
 
-    /// Nothing but these fields is there.
+    /// Refuses fields other than these.
     pub(crate) fn only(&self, known: &'static [&'static str]) -> Result<(), FormatError> {
         match self.members.iter().find(|m| !known.contains(&m.name.as_str())) {
             Some(unknown) => Err(self.error(&unknown.name, Problem::UnknownField { known })),
@@ -182,7 +182,7 @@ impl<'a> Object<'a> {
         }
     }
 
-    /// The field `version` has a known value. To be asked first: another version has other fields.
+    /// Checks the field `version`. Call it first: another version has other fields.
     pub(crate) fn version(&self) -> Result<u32, FormatError> {
         let node = self.required("version")?;
         let found = node.raw.parse::<u32>();
@@ -201,7 +201,7 @@ impl<'a> Object<'a> {
         Some(self.member(member))
     }
 
-    /// All fields in their order in the text, for objects whose names are data.
+    /// All fields in their order in the text, for objects with arbitrary names.
     pub(crate) fn entries(&self) -> impl Iterator<Item = (&str, Node<'a>)> {
         self.members.iter().map(|m| (m.name.as_str(), self.member(m)))
     }

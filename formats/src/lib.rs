@@ -1,24 +1,22 @@
 //! goodbot's file formats.
 //!
-//! goodbot is a robot that learns what words mean from reward and punishment. This crate is what
-//! its programs read and write: plain data types, and texts to and from them. It knows nothing of
-//! planning or learning, and it opens no file.
+//! goodbot is a robot that learns what words mean from reward and punishment. This crate has the formats of its programs: plain data types,
+//! with their readers and writers. It knows nothing of planning or learning, and opens no file.
 //!
-//! | module | what |
+//! | module | contents |
 //! |---|---|
 //! | [`environment`] | a home: rooms, doors, the agent, blocks |
 //! | [`map`] | a home drawn as text |
-//! | [`microbit`] | the file for a BBC micro:bit, with what a robot knows |
+//! | [`microbit`] | the file for a BBC micro:bit, with a robot's memory |
 //! | [`pddl`] | planning problems in PDDL |
 //! | [`session`] | a log of training sessions: commands, steps, feedback |
-//! | [`posterior`] | what the robot believed after each step |
+//! | [`posterior`] | the robot's belief after each step |
 //! | [`task_text`] | a task as a text, `agentInRoom(agent0,room1)` |
 //! | [`world`] | worlds of any kind, and commands in them |
 //!
-//! Every format but maps and PDDL is JSON in UTF-8, version 1. Readers are strict: a field that is unknown, missing
-//! or given twice is an error, and a [`FormatError`] names the field, the line, what is wrong and
-//! what to do. Writers keep the order and the exact values of what they are given; those of logs and
-//! posteriors refuse to write what could not be read again.
+//! Every format but maps and PDDL is JSON in UTF-8, version 1. Readers are strict: a field that is unknown, missing or given twice is an
+//! error. A [`FormatError`] names the field, the line, the fault and the remedy. Writers keep the order and the exact values. Those of logs
+//! and posteriors refuse to write a record that they could not read again.
 
 #![deny(missing_docs)]
 #![forbid(unsafe_code)]

@@ -7,7 +7,7 @@ use crate::error::{FormatError, Problem};
 /// The most bytes that a line of a log may have, its end not counted: 16 MiB.
 pub const MAX_LINE_BYTES: usize = 16 << 20;
 
-/// The bytes of a longer line that are skipped, at most, to find the next one. A file beyond that has no lines, and is not read on.
+/// The most bytes of a longer line that are skipped to find the next one. If the line is longer still, reading stops.
 const MOST_PASSED_OVER: u64 = 8 * MAX_LINE_BYTES as u64;
 
 /// A file, line by line.
@@ -17,7 +17,7 @@ pub(crate) struct Lines<R> {
     failed: bool,
 }
 
-/// A line, and its number. What could be read of it is there even if it is not a line to use.
+/// A line and its number. A line with an error has the text that could be read.
 pub(crate) struct Line {
     pub(crate) number: usize,
     pub(crate) text: String,
@@ -29,19 +29,19 @@ impl<R: BufRead> Lines<R> {
         Lines { input, read: 0, failed: false }
     }
 
-    /// Reads no more: what is wrong, on the line that was read last.
+    /// Stops reading, with an error on the last line.
     pub(crate) fn give_up(&mut self, problem: Problem) -> FormatError {
         self.failed = true;
         FormatError::new(self.read, problem)
     }
 
-    /// The next line without its end, be that LF or CRLF, and without a byte order mark.
+    /// The next line, without LF or CRLF at its end, and without a byte order mark.
     pub(crate) fn next(&mut self) -> Option<Line> {
         if self.failed {
             return None;
         }
         let mut bytes = Vec::new();
-        // Besides the line there may be a byte order mark, and the line's end.
+        // The line, a byte order mark, and the line's end.
         let mut read = self.input.by_ref().take(MAX_LINE_BYTES as u64 + 5).read_until(b'\n', &mut bytes);
         if matches!(read, Ok(0)) {
             return None;

@@ -1,23 +1,23 @@
-//! A home from a drawing: what the core's `home::Map` draws, with a legend of its letters, or with notes of single things as the
-//! trainer page writes them.
+//! A home from a drawing, as the core's `home::Map` draws it. A legend explains its letters, or notes explain single things, as the trainer
+//! page writes them.
 
 use crate::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The most characters of a line, and lines, of a drawing.
+/// The most characters in a line of a drawing, and the most lines.
 const MOST: usize = 200;
 
-/// The default meanings of the letters of rooms.
+/// The colours of room letters without a legend.
 const COLORS: [(char, &str); 7] =
     [('r', "red"), ('g', "green"), ('b', "blue"), ('y', "yellow"), ('p', "purple"), ('o', "orange"), ('t', "tan")];
 
-/// What is wrong with a drawing, and on which line.
+/// The fault of a drawing, and its line.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {message}")]
 pub struct Misdrawn {
     /// The line, from 1.
     pub line: usize,
-    /// What is wrong, and what to do.
+    /// The fault, and the remedy.
     pub message: String,
 }
 
@@ -27,8 +27,8 @@ pub fn is_map(text: &str) -> bool {
     lines.next().is_some_and(|first| first.contains('#') && first.chars().all(|c| "#+ ".contains(c)))
 }
 
-/// What lines below a drawing say of single things: `room teal 0 0 5 6` of the room in a box, `block blue chair 4 2` of the block in a cell.
-/// Each with its line.
+/// Notes below a drawing about single things: `room teal 0 0 5 6` for the room with this box, `block blue chair 4 2` for the block in this
+/// cell. Each has its line.
 #[derive(Debug, Default)]
 struct Notes {
     rooms: BTreeMap<[i32; 4], (usize, String)>,
@@ -36,7 +36,7 @@ struct Notes {
 }
 
 impl Notes {
-    /// Takes a line in. Gives whether it is a note.
+    /// Reads a line. Returns `true` if it is a note.
     fn take(&mut self, number: usize, line: &str) -> bool {
         fn numbers<const N: usize>(texts: &[&str]) -> Option<[i32; N]> {
             let numbers: Option<Vec<i32>> = texts.iter().map(|text| text.parse().ok()).collect();
@@ -52,7 +52,7 @@ impl Notes {
         }
     }
 
-    /// A note of a room or block that is not drawn.
+    /// The error of a note about a room or block that is not drawn.
     fn idle(&self, objects: &[ObjectRecord]) -> Option<Misdrawn> {
         let room = |place: &[i32; 4]| {
             objects
@@ -68,7 +68,7 @@ impl Notes {
     }
 }
 
-/// A drawing taken apart.
+/// The parts of a drawing.
 struct Drawing {
     /// The letter of each cell: x to the east, y to the north.
     cells: BTreeMap<(i32, i32), char>,
@@ -88,10 +88,10 @@ impl Drawing {
     }
 }
 
-/// The home of a drawing.
+/// The home in a drawing.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The fault, and its line.
 pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
     let drawing = taken_apart(text)?;
     let mut objects = rooms(&drawing)?;
@@ -105,7 +105,7 @@ pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
             let said = drawing.notes.blocks.get(&[x, y]).or_else(|| drawing.legend.get(&character));
             let meaning = said.map(|(_, meaning)| meaning.split_whitespace().collect::<Vec<_>>());
             let Some([color, shape]) = meaning.as_deref() else {
-                let message = format!("what block {character} is is not said; add a line such as \"{character}: yellow chair\"");
+                let message = format!("block {character} has no colour and shape; add a line such as \"{character}: yellow chair\"");
                 return drawing.wrong((x, y), message);
             };
             let (color, shape) = ((*color).to_owned(), (*shape).to_owned());
@@ -160,7 +160,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
     Ok(Drawing { cells, legend, notes, rows: height, first })
 }
 
-/// The rooms: each a full rectangle of one small letter, with the robot and blocks in it.
+/// The rooms. Each is a full rectangle of one small letter; the robot and blocks may be in it.
 fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, Misdrawn> {
     let inside = |cell: &(i32, i32)| drawing.cells.get(cell).copied().filter(|&c| c == '@' || c.is_alphabetic());
     let mut seen: BTreeSet<(i32, i32)> = BTreeSet::new();
@@ -192,7 +192,7 @@ fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, Misdrawn> {
         let said = drawing.notes.rooms.get(&[left - 1, bottom - 1, right + 1, top + 1]).or_else(|| drawing.legend.get(&letter));
         let named = said.map(|(_, meaning)| meaning.clone());
         let Some(color) = named.or_else(|| COLORS.iter().find(|(known, _)| *known == letter).map(|(_, color)| (*color).to_owned())) else {
-            return drawing.wrong(start, format!("which colour {letter} is is not said; add a line such as \"{letter}: teal\""));
+            return drawing.wrong(start, format!("room {letter} has no colour; add a line such as \"{letter}: teal\""));
         };
         let name = format!("room{}", rooms.len());
         rooms.push(ObjectRecord::Room { name, left: left - 1, bottom: bottom - 1, right: right + 1, top: top + 1, color });
@@ -233,7 +233,7 @@ mod tests {
         for (drawing, line, message) in [
             ("#####\n#rCr#\n#####", 2, "C: yellow chair"),
             ("####\n#rg#\n####", 2, "touch"),
-            ("####\n#zz#\n####", 2, "which colour z is"),
+            ("####\n#zz#\n####", 2, "room z has no colour"),
             ("#####\n#rr##\n#rrr#\n#####", 3, "no rectangle"),
             ("####\n#r!#\n####", 2, "means nothing"),
             ("####\n#r@#\n####\nr: red\n\nr: teal", 6, "on line 4 already"),

@@ -1,9 +1,9 @@
-//! The file for a BBC micro:bit, as Intel HEX: the program, and in the last pages of the flash what the robot knows and where it lives.
+//! The file for a BBC micro:bit, as Intel HEX: the program, and in the last pages of the flash the robot's home and models.
 //!
-//! | from | to | what |
+//! | from | to | contents |
 //! |---|---|---|
 //! | 0 | [`HOME`] | the program, which `cargo xtask microbit` makes |
-//! | [`HOME`] | [`SLOTS`] | a home and commands, a request a line, as the serial line takes them; erased (0xff) where the robot has its own home |
+//! | [`HOME`] | [`SLOTS`] | a home and commands, a request per line, as on the serial line; erased (0xff): the built-in home |
 //! | [`SLOTS`] | [`END`] | two slots with models, as `goodbot::storage` writes them |
 //!
 //! ```
@@ -22,9 +22,9 @@ use ihex::{Reader, Record};
 
 use crate::environment::{EnvironmentFile, ObjectRecord};
 
-/// Where the home is kept.
+/// The address of the home.
 pub const HOME: u32 = 0x3_DC00;
-/// Where the models are kept.
+/// The address of the models.
 pub const SLOTS: u32 = 0x3_E000;
 /// The end of the flash.
 pub const END: u32 = 0x4_0000;
@@ -33,14 +33,14 @@ pub const SLOT_BYTES: u32 = (END - SLOTS) / 2;
 /// The longest line that the board reads, in bytes.
 pub const MOST_LINE: usize = 64;
 
-/// What the program has in it, and no other has.
+/// A text that the program has, and no other program has.
 const MARK: &[u8] = b"goodbot on the micro:bit";
 /// Bytes of data on one line of the file.
 const LINE: usize = 16;
-/// What erased flash holds.
+/// The value of erased flash.
 const ERASED: u8 = 0xff;
 
-/// Why there is no file, or why something does not fit.
+/// Errors of the file and of its parts.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MicrobitError {
@@ -49,7 +49,7 @@ pub enum MicrobitError {
     NotHex {
         /// The line, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The fault.
         problem: String,
     },
     /// Intel HEX, but not goodbot's program for the micro:bit.
@@ -61,27 +61,27 @@ pub enum MicrobitError {
         /// The address that is out of bounds.
         address: u32,
     },
-    /// Too many bytes.
+    /// A part with too many bytes.
     #[error("{what} has {bytes} bytes, and the micro:bit has room for {most}")]
     TooLong {
-        /// What they are.
+        /// The part.
         what: &'static str,
-        /// How many there are.
+        /// Its bytes.
         bytes: usize,
-        /// How many may be.
+        /// The most bytes for it.
         most: usize,
     },
-    /// A name, color or shape that the board cannot read on a line.
-    #[error("{0:?} cannot be said on one line; use a word without spaces")]
+    /// A name, colour or shape that is not one word, as the board's lines need.
+    #[error("{0:?} is not one word; use a word without spaces")]
     Name(String),
 }
 
-/// What a micro:bit's flash is to hold.
+/// The contents of a micro:bit's flash.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MicrobitFile(BTreeMap<u32, u8>);
 
 impl MicrobitFile {
-    /// The program: the addresses in the flash, and the bytes there.
+    /// A file of the program alone: addresses in the flash, with the bytes there.
     ///
     /// # Errors
     /// [`MicrobitError::Program`] and [`MicrobitError::NotGoodbot`].
@@ -94,7 +94,7 @@ impl MicrobitFile {
         file.checked()
     }
 
-    /// Reads a file, with what it has besides the program.
+    /// Reads a file: the program, and whatever else it contains.
     ///
     /// # Errors
     /// [`MicrobitError::NotHex`], [`MicrobitError::Program`] and [`MicrobitError::NotGoodbot`].
@@ -124,30 +124,30 @@ impl MicrobitFile {
         if all.windows(MARK.len()).any(|window| window == MARK) { Ok(self) } else { Err(MicrobitError::NotGoodbot) }
     }
 
-    /// `count` bytes from an address on; where the file has none, the flash is erased.
+    /// `count` bytes from an address on. Bytes that the file does not have are erased.
     pub fn bytes(&self, from: u32, count: usize) -> Vec<u8> {
         (from..).take(count).map(|at| self.0.get(&at).copied().unwrap_or(ERASED)).collect()
     }
 
-    /// How many bytes of flash it takes.
+    /// How many bytes of flash the file takes.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// Whether there is none.
+    /// Whether the file has no bytes.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Puts the slots' bytes in place of those it has.
+    /// Replaces the bytes of the slots.
     ///
     /// # Errors
     /// [`MicrobitError::TooLong`].
     pub fn put_slots(&mut self, slots: &[u8]) -> Result<(), MicrobitError> {
-        self.put("what was learned", SLOTS, END, slots)
+        self.put("the learned model", SLOTS, END, slots)
     }
 
-    /// Replaces the robot's own home and list of commands, each only if one is given.
+    /// Replaces the robot's own home and its list of commands, each only if one is given.
     ///
     /// # Errors
     /// [`MicrobitError::Name`] and [`MicrobitError::TooLong`].
@@ -183,7 +183,7 @@ impl MicrobitFile {
         Ok(())
     }
 
-    /// As text, to be dragged onto the board.
+    /// The file as a text, to be dragged onto the board.
     pub fn to_text(&self) -> String {
         let (mut text, mut upper) = (String::new(), None);
         let mut line: (u32, Vec<u8>) = (0, Vec::new());
@@ -193,7 +193,7 @@ impl MicrobitFile {
             if value.is_empty() {
                 return;
             }
-            // Each record says the lower half of its address.
+            // A data record has only the lower half of its address.
             if upper != Some(at >> 16) {
                 upper = Some(at >> 16);
                 add(&Record::ExtendedLinearAddress((at >> 16) as u16));
@@ -213,7 +213,7 @@ impl MicrobitFile {
     }
 }
 
-/// An object as the board reads it.
+/// An object as a request to the board.
 fn request(object: &ObjectRecord) -> Result<String, MicrobitError> {
     let words = match object {
         ObjectRecord::Room { name, color, .. } => vec![name, color],
@@ -271,7 +271,7 @@ mod tests {
         let before = file.clone();
         assert_eq!(
             file.put_slots(&[0; 8_193]).unwrap_err().to_string(),
-            "what was learned has 8193 bytes, and the micro:bit has room for 8192"
+            "the learned model has 8193 bytes, and the micro:bit has room for 8192"
         );
         let commands: Vec<String> = (0..40).map(|number| format!("go to the room that has the number {number}")).collect();
         assert!(file.put_home(None, &commands).unwrap_err().to_string().contains("room for 1024"));

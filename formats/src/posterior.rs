@@ -1,12 +1,11 @@
-//! Posteriors: what the robot believed before the first step of a session and after each.
+//! Posteriors: the robot's belief before the first step of a session, and after each step.
 //!
-//! JSON Lines, one object per belief. `session` is the session's id, `step` counts from 0, which
-//! is the prior; `tasks` goes from [tasks](crate::task_text) to probabilities, `strategies` from
-//! the names of trainer strategies to probabilities. Order is kept. A probability may be above 1
-//! by a rounding error of single precision.
+//! JSON Lines, one object for each belief. `session` is the session's id. `step` counts from 0, the prior. `tasks` maps
+//! [tasks](crate::task_text) to probabilities, `strategies` maps the names of trainer strategies to probabilities. Order is kept. A
+//! probability may be above 1 by a rounding error of single precision.
 //!
-//! A belief is read in double precision. It is written in the caller's: a single precision number
-//! with the fewest digits that give that number back.
+//! A belief is read in double precision, and written in the caller's precision. A number of single precision is written with the fewest
+//! digits that give the same number again.
 //!
 //! ```
 //! use goodbot_formats::posterior::PosteriorLine;
@@ -31,7 +30,7 @@ use crate::json::Source;
 use crate::task_text::GroundTaskText;
 use crate::weights;
 
-/// One belief. `P` is `f64` when read, and the program's own type when written.
+/// One belief. `P` is `f64` for reading, and the program's own type for writing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PosteriorLine<P = f64> {
     /// The id of the session.
@@ -47,7 +46,7 @@ pub struct PosteriorLine<P = f64> {
     pub strategies: Vec<(String, P)>,
 }
 
-/// How far above 1 a sum of rounded probabilities may come out.
+/// How far a sum of rounded probabilities may exceed 1.
 const EXCESS: f64 = 1e-5;
 
 impl PosteriorLine<f64> {
@@ -70,8 +69,8 @@ impl PosteriorLine<f64> {
 }
 
 impl<P: Copy + Into<f64> + Serialize> PosteriorLine<P> {
-    /// The belief on one line, without a line end. An error if it could not be read again: a
-    /// number that is no probability, or a name that is there twice.
+    /// The belief on one line, without a line end. It is an error if the line could not be read again: if a number is no probability, or a
+    /// name occurs twice.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         let wrong = |field: &str, problem| FormatError::new(1, problem).with_field(field);
         let (mut tasks, mut strategies) = (BTreeSet::new(), BTreeSet::new());

@@ -18,7 +18,7 @@ where
     serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
 }
 
-/// An object from tasks to probabilities up to `1 + excess`; two ways of writing a task are one.
+/// An object from tasks to probabilities up to `1 + excess`. Two spellings of one task count as the same name.
 pub(crate) fn tasks(node: Node<'_>, excess: f64) -> Result<Vec<(GroundTaskText, f64)>, FormatError> {
     let object = node.object()?;
     let mut seen = BTreeSet::new();

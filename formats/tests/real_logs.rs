@@ -1,4 +1,4 @@
-//! Logs of real trainers, from the data beside the project: nothing of them is lost. Ignored where there are none.
+//! Logs of real trainers, from the data beside the project, are read and written without loss. Ignored without these data.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! What can be typed.
+//! The commands and options of the command line.
 
 use crate::ask::AskOptions;
 use crate::check::CheckArgs;
@@ -47,7 +47,7 @@ pub struct Cli {
     /// When to use colours: auto (on a terminal, unless NO_COLOR is set), always or never
     #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true, hide_possible_values = true)]
     pub color: Color,
-    /// What to do
+    /// The command
     #[command(subcommand)]
     pub command: Option<Command>,
     /// The options of `goodbot paper`
@@ -67,7 +67,7 @@ pub enum Color {
     Never,
 }
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Run the paper's experiment: seven lessons with a simulated trainer, then five tests
@@ -105,7 +105,7 @@ pub enum Command {
     Study(StudyOptions),
     /// Print a home or a session log to begin with
     Example {
-        /// What
+        /// The example
         #[arg(value_enum)]
         what: Example,
     },

@@ -13,8 +13,8 @@ use std::sync::Arc;
 
 /// Print the world of a PDDL domain and problem
 ///
-/// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 16 are understood. The problem must be a small one: a robot has at most 15
-/// actions with their objects, those left out that the others settle, and 256 tasks.
+/// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 16 are understood. The problem must be small: a robot has at
+/// most 256 tasks, and at most 15 actions with their objects. Parameters that others determine do not count.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Each object's name is an attribute that words can mean; add others, such as a colour, to the file.
@@ -33,7 +33,7 @@ pub struct ConvertArgs {
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure`]: what is wrong with the files, or cannot be said in a world.
+/// [`Failure`]: a fault of the files, or a part that a world cannot express.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let domain = read(&args.domain, Domain::parse)?;
     let problem = read(&args.problem, Problem::parse)?;
@@ -45,7 +45,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     if problem.goal.iter().all(|atom| problem.init.contains(atom)) {
         eprintln!("{}: warning: the goal holds at first; no plan is needed", printable(input::name(&args.problem)));
     }
-    // What no robot can act in is refused here, and not where it is used.
+    // A world in which no robot can act is refused here, before it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;
     tables.lend(|robot| robot::tasks(tables.file(), robot)).map_err(refused)?;
     let mut out = std::io::stdout().lock();

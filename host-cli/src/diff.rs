@@ -1,4 +1,4 @@
-//! `goodbot diff`: what one model knows and the other does not, and which words mean something else.
+//! `goodbot diff`: the sessions and words that only one of two models has, and the words with another meaning.
 
 use crate::inspect::sessions;
 use crate::paper::lexicon::Lexicon;
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// Print the differences of two models: sessions, words, and meanings of words
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-A word is shared among ideas, as in goodbot inspect. It has moved by the part of it that belongs to another idea than before: 0 % is the same \
+A word has shares in ideas, as in goodbot inspect. It has moved by the share that belongs to another idea than before: 0 % is the same \
 meaning, 100 % another one.
 
 Example:
@@ -30,7 +30,7 @@ pub struct DiffArgs {
     /// The model after
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     second: PathBuf,
-    /// Tell words that moved by this part or more: 0 to 1
+    /// Print words that moved by this share or more: 0 to 1
     #[arg(long, value_name = "SHARE", default_value = "0.05", value_parser = share)]
     least: f32,
     /// Print a line of JSON for each difference
@@ -46,26 +46,26 @@ fn share(text: &str) -> Result<f32, String> {
 /// The shares of one word among ideas.
 type Shares = BTreeMap<String, f32>;
 
-/// What one model knows.
+/// The sessions and words of a model.
 struct Known {
     sessions: Vec<String>,
     words: BTreeMap<String, Shares>,
 }
 
-/// What became of a word.
+/// A word whose meaning has moved.
 #[derive(Clone, Debug, PartialEq)]
 struct Moved {
     word: String,
-    /// The part of it that belongs to another idea than before.
+    /// The share that belongs to another idea than before.
     by: f32,
-    /// The ideas that it left or came to, with their shares before and after, the most moved first.
+    /// The ideas whose shares changed, with their shares before and after, the largest change first.
     ideas: Vec<(String, f32, f32)>,
 }
 
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure`] names the file and what is wrong with it.
+/// [`Failure`] names the file and its fault.
 pub fn run(args: &DiffArgs) -> Result<(), Failure> {
     let [before, after] = [known(&args.first)?, known(&args.second)?];
     let (gone, added) = (without(&before.sessions, &after.sessions), without(&after.sessions, &before.sessions));
@@ -125,7 +125,7 @@ fn known(file: &Path) -> Result<Known, Failure> {
     Ok(Known { sessions: sessions::commands(&agent), words })
 }
 
-/// Those texts that the others do not have, each as often as it is missing.
+/// The texts that the others do not have. A text that is missing twice is listed twice.
 fn without(texts: &[String], others: &[String]) -> Vec<String> {
     let mut left: BTreeMap<&str, usize> = BTreeMap::new();
     others.iter().for_each(|text| *left.entry(text).or_default() += 1);
@@ -139,7 +139,7 @@ fn without(texts: &[String], others: &[String]) -> Vec<String> {
     texts.iter().filter(is_missing).cloned().collect()
 }
 
-/// The words that both have, the most moved first.
+/// The words of both models, the most moved first.
 fn moved(before: &BTreeMap<String, Shares>, after: &BTreeMap<String, Shares>) -> Vec<Moved> {
     let of = |shares: &Shares, token: &str| shares.get(token).copied().unwrap_or(0.0);
     let word = |(word, old): (&String, &Shares)| {

@@ -1,11 +1,11 @@
-//! `goodbot example`: a home, a session log, a world and tables of words to begin with.
+//! `goodbot example`: prints a home, a session log, a world or a table of words to begin with.
 
 use clap::ValueEnum;
 use goodbot_console::outcome::Failure;
 use goodbot_lesson::listening::CLOSED_WORDS;
 use std::io::Write;
 
-/// What can be printed.
+/// The examples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Example {
     /// A home, as JSON
@@ -22,7 +22,7 @@ pub enum Example {
     ClosedWords,
 }
 
-/// The end of the table of closed words: what follows it is heard in lessons of any language.
+/// The end of the table of closed words. Words after it are heard whatever the language of the lessons.
 const WORDS_OF_ALL: &str = "# Words of your own: they are heard whatever the language of the lessons is.\nlanguage:\n";
 
 /// Three rooms with a legend.

@@ -1,17 +1,17 @@
-//! The help of the whole program: its commands in groups, for all in one list are too many to read.
+//! The help of the whole program. Its commands are in groups, because one list would be too long.
 
 use crate::cli::Cli;
 use clap::builder::StyledStr;
 use clap::{Arg, Command, CommandFactory};
 
-/// The commands that most people need.
+/// The commands for most people.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
-/// The commands for robots that are no host.
+/// The commands for controllers.
 const BOARDS: [&str; 5] = ["size", "table", "convert", "microbit", "parameters"];
-/// The commands about this program itself.
+/// The commands about the program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 
-/// What can be typed, with help in groups. A command that no list names is one of the laboratory.
+/// The command line, with help in groups. Commands in no list belong to the laboratory.
 pub fn arguments() -> Command {
     let everyday = group(|name| EVERYDAY.contains(&name));
     let boards = group(|name| BOARDS.contains(&name));
@@ -34,20 +34,20 @@ pub fn arguments() -> Command {
         itself.ansi(),
         heading("Options"),
     );
-    // The options of `goodbot paper` work here too, and its own help tells them.
+    // The options of `goodbot paper` work here too; its own help lists them.
     let of_all_commands = cli.mut_args(|arg| if arg.is_global_set() { arg } else { arg.hide(true) });
     take_negative_numbers(of_all_commands.help_template(template))
 }
 
-/// Lets every option take a number below 0: what is wrong with it is told by who reads it, and not as an option that there is not.
+/// Lets every option take a number below 0, so that the option's own error names the range. clap would call it an unknown option.
 fn take_negative_numbers(command: Command) -> Command {
     let takes_one = |arg: &Arg| !arg.is_positional() && arg.get_action().takes_values();
     command.mut_args(|arg| if takes_one(&arg) { arg.allow_negative_numbers(true) } else { arg }).mut_subcommands(take_negative_numbers)
 }
 
-/// The lines for those commands that are in a group, as clap writes them.
+/// The help lines of a group of commands, as clap writes them.
 fn group(has: impl Fn(&str) -> bool) -> StyledStr {
-    // clap adds this one by itself.
+    // clap adds this command by itself.
     let is_help_hidden = !has("help");
     Cli::command()
         .mut_subcommands(|command| {

@@ -1,7 +1,7 @@
 //! The goodbot command line, as the program `goodbot` and as Python's `python -m goodbot`.
 //!
-//! Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input. Data goes to standard output, progress and messages to
-//! standard error.
+//! Exit codes: 0 all well, 1 a result that failed, 2 bad use or bad input. Data goes to standard output, progress and messages to standard
+//! error.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
@@ -35,7 +35,7 @@ use goodbot_lab::{evaluate, fit_trainers, questions, study, ways};
 use std::ffi::OsString;
 use std::io::{IsTerminal, Write};
 
-/// Does what was typed, the program's name first, and gives the exit code.
+/// Runs the command that was typed, beginning with the program's name, and returns the exit code.
 ///
 /// ```
 /// assert_eq!(goodbot_cli::run(&["goodbot".into(), "--version".into()]), 0);
@@ -90,7 +90,7 @@ fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
     Ok(std::io::stdout().lock().write_all(&script)?)
 }
 
-/// One page with all commands: each is a page of clap_mangen's, one after the other.
+/// One manual page for all commands: the pages of clap_mangen, one after another.
 fn manual() -> Result<(), Failure> {
     let mut page = Vec::new();
     let mut cli = Cli::command();

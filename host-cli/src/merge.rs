@@ -1,4 +1,4 @@
-//! `goodbot merge`: what two robots learned, in one model.
+//! `goodbot merge`: joins the models of two robots.
 
 use clap::{Args, ValueHint};
 use goodbot::capacity::{LIFTED_TASKS, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
@@ -14,7 +14,7 @@ use goodbot_console::output::{Kind, Output};
 use goodbot_console::whole_file::read_model;
 use std::path::{Path, PathBuf};
 
-/// Join what two robots learned
+/// Join the models of two robots
 #[derive(Clone, Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct MergeArgs {
@@ -24,7 +24,7 @@ pub struct MergeArgs {
     /// The second model: its sessions follow
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     pub second: PathBuf,
-    /// Where the merged model goes; - is standard output
+    /// The merged model to write; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     pub out: PathBuf,
     /// Replace a file that is no model
@@ -32,7 +32,7 @@ pub struct MergeArgs {
     pub force: bool,
 }
 
-/// The largest table of translations: larger models are refused by its name.
+/// The largest table of translations. Larger models are refused with an error that names it.
 const MOST_TRANSLATIONS: usize = 1 << 24;
 
 const EXAMPLES: &str = "\
@@ -46,7 +46,7 @@ Example:
 /// Joins two models.
 ///
 /// # Errors
-/// [`Failure`] names the file and what is wrong with it.
+/// [`Failure`] names the file and its fault.
 pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let target = Output::new(Kind::Model, &options.out, [&options.first, &options.second], options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
@@ -58,7 +58,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let mut agent = Agent::new(memory, &tasks, Options::PAPER)?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
-    // What is believed of the trainer, and how, has nothing to do with how words were learned.
+    // The belief about the trainer has nothing to do with how words were learned.
     let learns = |options: &Options| (options.language, options.weights, options.least_weight);
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
@@ -73,7 +73,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The kinds of task of both models; `None` where neither keeps any.
+/// The kinds of task of both models; `None` if neither keeps any.
 fn kinds(first: &Path, ours: &[u8], second: &Path, theirs: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
     let both = match (kept(first, ours)?, kept(second, theirs)?) {
         (None, None) => return Ok(None),
@@ -97,11 +97,11 @@ fn kinds(first: &Path, ours: &[u8], second: &Path, theirs: &[u8]) -> Result<Opti
     Ok(Some(all))
 }
 
-/// Room for all that both have, and not less than the standard capacities.
+/// Room for the tables of both models, and at least the standard capacities.
 fn room_for(ours: &Contents<'_>, theirs: &Contents<'_>) -> Capacities {
     let standard = Capacities::STANDARD;
     let both = standard.at_least(ours.needs().plus(theirs.needs()));
-    // Every pair of lengths that a model can have.
+    // All pairs of lengths that a model can have.
     let length_pairs = (TOKENS_PER_COMMAND + 1) * (WORDS_PER_COMMAND + 1);
     let alignments = (TOKENS_PER_COMMAND + 1) * (TOKENS_PER_COMMAND + 2) / 2 * (WORDS_PER_COMMAND + 1) * WORDS_PER_COMMAND / 2;
     let translations = both.words.saturating_mul(both.tokens + 1).clamp(standard.translations, MOST_TRANSLATIONS);

@@ -1,4 +1,4 @@
-//! `goodbot microbit`: a micro:bit's file with what a robot learned elsewhere.
+//! `goodbot microbit`: writes a file for a micro:bit, with a model that was learned elsewhere.
 
 use clap::{Args, ValueHint};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
@@ -23,10 +23,10 @@ use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-/// How much the board's robot remembers.
+/// The capacities of the board's robot.
 const CAPACITIES: Capacities = Capacities::TINY;
 
-/// Where the program comes from.
+/// How to get the program.
 const HOW_TO_GET_IT: &str = "cargo xtask microbit, in the folder of goodbot's source, makes the program as dist/goodbot.hex";
 
 /// The options of `goodbot microbit`.
@@ -51,7 +51,7 @@ pub struct MicrobitOptions {
     /// A command for the list of the long press; may be given several times
     #[arg(long, short = 'c', value_name = "WORDS")]
     command: Vec<String>,
-    /// Where the file goes; - is standard output
+    /// The file to write; - is standard output
     #[arg(long, short = 'o', value_name = "FILE.hex", value_hint = ValueHint::FilePath)]
     out: PathBuf,
     /// Replace a file that goodbot did not write
@@ -62,7 +62,7 @@ pub struct MicrobitOptions {
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure`] names the file and what is wrong with it.
+/// [`Failure`] names the file and its fault.
 pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
     let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(Path::new));
     let target = Output::new(Kind::Microbit, &options.out, inputs, options.force)?;
@@ -97,7 +97,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
     }
 }
 
-/// A home that the board has room for.
+/// A home that fits the board.
 fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
     let environment = input::home(name)?;
     let mut memory = HomeHeap::new(&CAPACITIES);
@@ -107,7 +107,7 @@ fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile
     }
 }
 
-/// The board's slots with a model that its robot takes back, and how many sessions that has.
+/// The board's slots with a model that its robot can restore, and the number of its sessions.
 fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let file = read_model(path)?;
     if let Some(kinds) = kept(path, &file)? {
@@ -134,7 +134,7 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
             // The board's robot expects the paper's trainer.
             learned.set_strategies(&[(Strategy::BALANCED, 1.0)]).map_err(|error| refused(path, &error))?;
         }
-        // This memory has no room for the layer, nor has the board: the role model is what is saved.
+        // Neither this memory nor the board has the layer, so only the role model is saved.
         model = learned.saved().map_err(|error| refused(path, &error))?;
     }
     agent.restore(&model).map_err(|error| refused(path, &format!("on a micro:bit: {}", error.in_words())))?;
@@ -144,10 +144,10 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     Ok((flash.0, agent.language().bitext().sessions()))
 }
 
-/// The board's slots, as its program finds them.
+/// The board's slots, as its program reads them.
 struct Flash(Vec<u8>);
 
-/// Bytes outside the slots were asked for.
+/// An access outside the slots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Outside;
 

@@ -1,10 +1,10 @@
-//! What was typed and cannot be understood, told in plain words.
+//! Errors of the command line, in plain words.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use goodbot_console::messages::printable;
 use std::ffi::OsString;
 
-/// What people type for a command that has another name.
+/// Common names for commands that have another name here.
 const OTHER_NAMES: [(&[&str], &str); 6] = [
     (&["train", "fit"], "learn, or goodbot teach"),
     (&["test", "eval", "score", "validate"], "evaluate"),
@@ -14,21 +14,21 @@ const OTHER_NAMES: [(&[&str], &str); 6] = [
     (&["lint", "verify"], "check"),
 ];
 
-/// Tells what is wrong, and gives the exit code.
+/// Reports the error, and returns the exit code.
 pub fn tell(error: &clap::Error, typed: &[OsString]) -> u8 {
     match in_words(error) {
         Some(message) => eprintln!("error: {message}\n\nFor more information, try 'goodbot --help'."),
-        // What was typed may have control characters; then it is told without colours.
+        // The command line may have control characters. The error then has no colours.
         None if typed.iter().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
             eprint!("{}", printable(&error.render().to_string()));
         }
-        // A reader who leaves is no fault, and help is none either.
+        // Help is no error, and neither is a reader who stops early.
         None => drop(error.print()),
     }
     u8::try_from(error.exit_code()).unwrap_or(2)
 }
 
-/// What is wrong, where it can be told better than by the one who reads the arguments.
+/// The error in plainer words than clap's; `None` if clap's are good.
 fn in_words(error: &clap::Error) -> Option<String> {
     let typed = |context: ContextKind| match error.get(context) {
         Some(ContextValue::String(typed)) => Some(typed.as_str()),

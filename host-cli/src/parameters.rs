@@ -1,4 +1,4 @@
-//! `goodbot parameters`: what a robot needs that only obeys.
+//! `goodbot parameters`: writes the part of a model that a robot needs if it does not learn.
 
 use clap::{Args, ValueHint};
 use goodbot::language::{LanguageModel, Settings};
@@ -20,7 +20,7 @@ pub struct ParametersArgs {
     /// The model
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     pub model: PathBuf,
-    /// Where the parameters go; - is standard output
+    /// The file to write; - is standard output
     #[arg(long, short = 'o', value_name = "FILE", value_hint = ValueHint::FilePath)]
     pub out: PathBuf,
     /// Write an array in C
@@ -39,10 +39,10 @@ Examples:
   goodbot parameters kitchen.model -o kitchen.parameters
   goodbot parameters kitchen.model -o kitchen.h --c";
 
-/// Writes them.
+/// Runs the command.
 ///
 /// # Errors
-/// [`Failure`] names the file and what is wrong with it.
+/// [`Failure`] names the file and its fault.
 pub fn run(options: &ParametersArgs) -> Result<(), Failure> {
     let refused = |error: &dyn Display| Failure::Input(format!("{}: {error}", options.model.display()));
     let target = Output::new(Kind::Parameters, &options.out, [&options.model], options.force)?;

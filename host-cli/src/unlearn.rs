@@ -1,4 +1,4 @@
-//! `goodbot unlearn`: a model without one of its sessions.
+//! `goodbot unlearn`: removes a session from a model.
 
 use crate::inspect::sessions;
 use clap::{Args, ValueHint};
@@ -34,7 +34,7 @@ pub struct UnlearnArgs {
     /// The log of all sessions that the model learned from, which has their ids
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     log: Option<String>,
-    /// Where the model without it goes; - is standard output
+    /// The model to write, without the session; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
     /// Replace a file that is no model
@@ -45,7 +45,7 @@ pub struct UnlearnArgs {
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure`] names the file and what is wrong with it.
+/// [`Failure`] names the file and its fault.
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     let inputs = [Some(args.model.as_path()), args.log.as_deref().map(Path::new)];
     let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
@@ -71,7 +71,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The position of a session that is named by its number.
+/// The position of a session with this number.
 fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
     let number = text.parse::<usize>().ok().filter(|number| (1..=count).contains(number));
     number.map(|number| number - 1).ok_or_else(|| {
@@ -83,7 +83,7 @@ fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
     })
 }
 
-/// The position of a session that is named by its id in the log of all that was learned.
+/// The position of a session with this id, in the log of all learned sessions.
 fn position_in_log(model: &Path, log: &str, id: &str, count: usize) -> Result<usize, Failure> {
     let name = input::name(log);
     let opened = input::log(log)?;

@@ -1,4 +1,4 @@
-//! Sessions of real trainers, from the data beside the project; ignored where there are none.
+//! Sessions of real trainers, from the data beside the project. Ignored without these data.
 
 #[allow(dead_code, reason = "other tests need more of it")]
 #[path = "behaviour/program/mod.rs"]

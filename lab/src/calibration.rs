@@ -1,37 +1,37 @@
-//! Whether what is said to be 80 % sure is right in 8 of 10: answers by how sure they were, and a picture of that.
+//! Calibration: are answers with 80 % certainty right in 8 of 10 cases? Counts answers by certainty, and draws them.
 
 use crate::canvas::{GREEN, draw as canvas};
 use crate::mean::wilson;
 use plotters::prelude::*;
 use std::error::Error;
 
-/// Into how many ranges of the same width answers are put.
+/// The number of ranges of equal width.
 pub const RANGES: usize = 10;
 
 /// The answers of one range of certainty.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Range {
-    /// How many.
+    /// The number of answers.
     pub count: usize,
     /// How many of them were right.
     pub right: usize,
-    /// The sum of the probabilities of what was predicted.
+    /// The sum of the predictions' probabilities.
     certainty: f64,
 }
 
 impl Range {
-    /// The mean probability of what was predicted.
+    /// The mean probability of the predictions.
     pub fn certainty(&self) -> f64 {
         self.certainty / self.count.max(1) as f64
     }
 
-    /// The share that was right.
+    /// The share of right answers.
     pub fn accuracy(&self) -> f64 {
         self.right as f64 / self.count.max(1) as f64
     }
 }
 
-/// Answers by the probability of what was predicted, each with whether it was right.
+/// Counts answers in ranges. Each answer has the probability of its prediction, and whether it was right.
 pub fn ranges(answers: impl Iterator<Item = (f64, bool)>) -> [Range; RANGES] {
     let mut ranges = [Range::default(); RANGES];
     for (probability, right) in answers {
@@ -45,18 +45,18 @@ pub fn ranges(answers: impl Iterator<Item = (f64, bool)>) -> [Range; RANGES] {
     ranges
 }
 
-/// The expected calibration error: how far certainty and accuracy are apart, on average over the answers.
+/// The expected calibration error: the mean difference between certainty and accuracy over all answers.
 pub fn error(ranges: &[Range]) -> f64 {
     let all: usize = ranges.iter().map(|range| range.count).sum();
     let apart = |range: &Range| range.count as f64 * (range.certainty() - range.accuracy()).abs();
     ranges.iter().map(apart).sum::<f64>() / all.max(1) as f64
 }
 
-/// A reliability diagram as SVG: the share that was right, with its 95 % interval, against how sure the answers were. Answers on the
-/// diagonal are as sure as they should be; the number above each point says how many there are. `across` and `up` describe the axes.
+/// A reliability diagram as SVG: the share of right answers, with its 95 % interval, against their certainty. Calibrated answers are on the
+/// diagonal. The number above each point is the number of answers. `across` and `up` describe the axes.
 ///
 /// # Errors
-/// What the plotting library says.
+/// The plotting library's error.
 pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<String, Box<dyn Error>> {
     canvas((560, 560), |area| {
         let mut chart = ChartBuilder::on(area)

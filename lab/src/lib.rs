@@ -1,17 +1,17 @@
 //! goodbot's laboratory: the commands that measure.
 //!
-//! | module | its command |
+//! | module | command |
 //! |---|---|
 //! | [`evaluate`] | trains on recorded sessions, asks for those left out, and counts right answers |
-//! | [`study`] | robots that learn from reward and punishment, beside each other, with many kinds of trainers |
-//! | [`fit_trainers`] | finds what trainers to expect, from what real ones said |
+//! | [`study`] | compares robots that learn from reward and punishment, with many kinds of trainers |
+//! | [`fit_trainers`] | fits the trainers to expect to the feedback of real ones |
 //! | [`questions`] | simulates sessions with questions and without |
 //! | [`ways`] | simulates how the robot learns commands with a way |
 //!
-//! They share [`recorded`] for what real trainers saw and said, [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
+//! They share [`recorded`] for real trainers' sessions, [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
 
 #![forbid(unsafe_code)]
-// Each command lists its own rooms, for who reads the source.
+// Each command's documentation lists its private modules, for readers of the source.
 #![allow(rustdoc::private_intra_doc_links)]
 #![deny(missing_docs)]
 

@@ -10,7 +10,7 @@ pub struct Mean {
 }
 
 impl Mean {
-    /// Of these values.
+    /// The mean of these values.
     pub fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
         let count = values.clone().count().max(1) as f64;
         let mean = values.clone().sum::<f64>() / count;
@@ -29,7 +29,7 @@ pub fn wilson(right: usize, all: usize) -> (f64, f64) {
     let middle = p + z * z / (2.0 * n);
     let half = z * (p * (1.0 - p) / n + z * z / (4.0 * n * n)).sqrt();
     let whole = 1.0 + z * z / n;
-    // Rounding must not lead beyond a share.
+    // Rounding must not lead outside 0 to 1.
     (((middle - half) / whole).max(0.0), ((middle + half) / whole).min(1.0))
 }
 

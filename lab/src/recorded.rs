@@ -1,4 +1,4 @@
-//! Recorded sessions as what a trainer saw: actions that were right or wrong for each task, and where the trainer ended the session.
+//! Recorded sessions as the trainer saw them: actions that were right or wrong for each task, and the end of the session.
 
 use goodbot::feedback::{Feedback, Judged, Moment};
 use goodbot::memory::AgentHeap;
@@ -16,15 +16,15 @@ use goodbot_lesson::{Fault, home};
 /// One step of a session.
 #[derive(Clone, Debug)]
 pub struct WalkStep {
-    /// Whether each task was done before it; nothing where that is not known.
+    /// Whether each task was done before it; `None` if unknown.
     pub began: Vec<Option<bool>>,
-    /// What the action was for each task.
+    /// The judgement of the action for each task.
     pub judged: Vec<Judged>,
-    /// What the trainer said to it.
+    /// The trainer's feedback to it.
     pub feedback: Feedback,
-    /// What was done and said last after it.
+    /// The last actions and the last feedback after it.
     pub moment: Moment,
-    /// Whether each task was done after it; nothing where that is not known.
+    /// Whether each task was done after it; `None` if unknown.
     pub at_goal: Vec<Option<bool>>,
 }
 
@@ -33,20 +33,20 @@ pub struct WalkStep {
 pub struct Walk {
     /// Its id in the log.
     pub id: Option<String>,
-    /// Who trained: see [`trainer_of`].
+    /// The trainer: see [`trainer_of`].
     pub trainer: String,
     /// Whether it continued the one before.
     pub continues: bool,
     /// The tasks' prior.
     pub prior: Vec<f32>,
-    /// The task that was meant, by position.
+    /// The position of the intended task.
     pub intended: Option<usize>,
     /// The steps.
     pub steps: Vec<WalkStep>,
 }
 
 impl Walk {
-    /// Whether the trainer said anything.
+    /// Whether the trainer gave any feedback.
     pub fn has_feedback(&self) -> bool {
         self.steps.iter().any(|step| step.feedback != Feedback::Neutral)
     }
@@ -60,7 +60,7 @@ pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
 /// Reads the sessions with feedback of these files, and plans for each of their steps.
 ///
 /// # Errors
-/// What is wrong with the first that is at fault.
+/// The first fault.
 pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Failure> {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER)?;
     let mut walks = vec![];
@@ -91,7 +91,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
             Event::Planned(planned) => planned,
             _ => continue,
         };
-        // Where one step ends, the next begins.
+        // Each step begins where the last one ended.
         let here: Vec<Option<bool>> = (0..session.tasks.len()).map(|task| at_goal(agent.planned().optimal(task))).collect();
         if let Some(last) = steps.last_mut() {
             if last.moment.rests == 0 {
@@ -118,7 +118,7 @@ fn walk(agent: &mut Agent<AgentHeap>, file: &str, recorded: &RecordedSession, li
     Ok(Walk { id: header.id.clone(), trainer, continues: header.continues, prior, intended: session.intended, steps })
 }
 
-/// Whether a task is done, as its plan says; nothing where that is not known.
+/// Whether a task is done, by its plan; `None` if unknown.
 const fn at_goal(plan: OptimalSet) -> Option<bool> {
     match plan {
         OptimalSet::Approximate(_) | OptimalSet::Unknown => None,

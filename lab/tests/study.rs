@@ -47,7 +47,7 @@ fn every_agent_gets_through_the_course_with_every_trainer_and_the_same_seed_give
             assert!(outcome.lessons.iter().all(|lesson| lesson.steps <= MOST_STEPS), "{} with {}", agent.name, trainer.name);
         }
     }
-    // Whatever was planned for before in these homes.
+    // Whatever plans were made before in these homes.
     for agent in AGENTS {
         assert_eq!(outcome(agent, "population", &mut one, 3), outcome(agent, "population", &mut other, 3), "{}", agent.name);
     }
@@ -86,7 +86,7 @@ fn a_trainer_who_says_the_wrong_word_teaches_each_inference_and_language_worse_t
 fn where_only_feedback_can_tell_nobody_learns_without_a_word() {
     let who = [("sabl+roles", "balanced"), ("sabl+roles", "mute"), ("none+roles", "balanced"), ("tamer+model2", "mute")];
     let [taught, alone, unheard, other] = means(Course::Told, who, right);
-    // By luck one of five is right.
+    // By luck, one of five tests is right.
     assert!(taught > 3.0, "{taught}");
     assert!(alone < 2.0 && unheard < 2.0 && other < 2.0, "{alone}, {unheard}, {other}");
 }
@@ -116,7 +116,7 @@ fn settings_that_were_taken_are_among_those_that_were_tried_and_not_at_the_edge(
     assert!(inside(coach::CHOSEN.rate, &coach::RATES) && inside(coach::CHOSEN.trace, &coach::TRACES));
     assert!(inside(shaping::CHOSEN.consistency, &shaping::CONSISTENCIES));
     assert!(inside(loglinear::CHOSEN.rate, &loglinear::RATES));
-    // The grids are those of the agents.
+    // The grids contain the agents' settings.
     let learns = Learns::Factors(Inference::Sabl, Language::LogLinear(loglinear::CHOSEN));
     assert!(AGENTS.iter().any(|agent| agent.learns == learns));
 }

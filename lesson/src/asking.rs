@@ -1,28 +1,30 @@
 //! When the robot asks in a live session: seldom, and nothing twice.
 //!
-//! Beside what [`goodbot::asking`] decides: never where a task is believed with 0.5; never what was asked or offered before in the session,
-//! even after a step back; and half as readily after each session in which all answers were as expected, down to an eighth, until one is not.
-//! While a question waits for its answer, no other is asked.
-//! Where the robot listened and two tasks fit nearly as well that differ in one object, such as two chairs, it asks at once which is meant.
+//! Beyond [`goodbot::asking`], these rules hold:
+//! - The robot asks nothing if a task has a belief of 0.5.
+//! - It asks and offers nothing twice in a session, even after a step back.
+//! - It asks half as readily after each session with expected answers only, down to an eighth, until an answer surprises it.
+//! - It asks nothing while a question waits for its answer.
+//! - If it listened, and two tasks that differ in one object fit nearly as well, it asks at once which is meant: two chairs, for example.
 
 use crate::live::{Lesson, LiveError};
 use crate::place::Place;
 use goodbot::asking::{Answer, Asking, Question};
 use goodbot::task::TaskSet;
 
-/// With this much belief in a task nothing is asked. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
+/// The robot asks nothing if a task has this belief. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
 /// commands, and understands 2 in 100 more.
 const SURE: f32 = 0.5;
-/// Expected answers in up to this many sessions make it ask ever less.
+/// Each session with expected answers makes the robot ask less, up to this many sessions.
 const MOST_TRUST: u8 = 3;
-/// An answer with less than this share of an even part is a surprise.
+/// An answer is a surprise if its probability is below this share of a uniform guess.
 const LEAST_EXPECTED: f32 = 0.9;
-/// What a question costs in steps where two things fit alike.
+/// The cost of a question between two tied tasks, in steps.
 const COST_OF_A_TIE: f32 = 0.5;
-/// Two tasks fit alike if the less probable one has this share of the other, and both together this belief.
+/// Two tasks tie if the less probable one has this share of the other's belief, and both together have this belief.
 const TIE: f32 = 0.6;
 
-/// What was asked in a session, and how it was answered.
+/// The questions of a session, and whether the answers were as expected.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Asked {
     /// The tasks of each question and of each of its choices.
@@ -32,16 +34,17 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// Nothing was asked.
+    /// No question was asked.
     pub const NOTHING: Self = Self { sets: Vec::new(), answered: false, surprised: false };
 
-    /// Records an answer: how probable it was, and how many others there were. One that is less probable than most is a surprise.
+    /// Records an answer with its probability, and how many other answers there were. It is a surprise if it is less probable than a
+    /// uniform guess would make it.
     pub fn hear(&mut self, probability: f32, others: u8) {
         self.answered = true;
         self.surprised |= probability * (f32::from(others) + 1.0) < LEAST_EXPECTED;
     }
 
-    /// How far the robot trusts itself after this session.
+    /// How many sessions in a row had expected answers, after this one; at most [`MOST_TRUST`].
     pub fn trust(&self, before: u8) -> u8 {
         match (self.answered, self.surprised) {
             (false, _) => before,
@@ -55,19 +58,19 @@ impl Asked {
     }
 }
 
-/// The tasks of a question, and those of each choice.
+/// The tasks of a question, and those of each of its choices.
 fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
     let count = usize::from(question.subject.choices());
     std::iter::once(question.yes).chain(question.choices.into_iter().take(count)).filter(|set| !set.is_empty())
 }
 
 impl<D: Place> Lesson<D> {
-    /// What the robot asks here, if a question teaches it more than its next steps do. The plan must be done.
+    /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::question`](goodbot::Agent::question) refuses.
+    /// [`LiveError::NoSession`], or the errors of [`Agent::question`](goodbot::Agent::question).
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
-        // A trainer who does not answer is not asked more.
+        // A trainer who does not answer gets no second question.
         if self.agent.open_question().is_some() {
             return Ok(None);
         }
@@ -92,7 +95,7 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// Records how probable an answer is that is about to be taken in.
+    /// Records the probability of an answer before it changes the belief.
     pub(crate) fn expect_answer(&mut self, answer: Answer) {
         let Some((tasks, yes, others)) = self.agent.open_question().and_then(|question| question.meaning(answer)) else { return };
         let among: f32 = tasks.iter().map(|task| self.agent.belief().probability(task)).sum();
@@ -101,13 +104,13 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// A session is over: whether its answers were as expected counts for the next.
+    /// Ends a session: whether its answers were expected counts for the next one.
     pub(crate) fn end_asking(&mut self) {
         let trust = self.trust;
         self.trust = self.asked_mut().map_or(trust, |asked| asked.trust(trust));
     }
 
-    /// Whether two tasks that differ in one object fit what was said nearly as well.
+    /// Whether two tasks that differ in one object fit the command nearly as well.
     fn has_tie(&self) -> bool {
         if self.session().is_none_or(|(walk, _)| walk.listening.is_none()) {
             return false;

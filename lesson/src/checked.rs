@@ -1,4 +1,4 @@
-//! A recorded session, checked against its home or its world, and walked through before anything is believed of it.
+//! Checks a recorded session against its home or world, and walks through its steps before it is used as evidence.
 
 use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
@@ -19,13 +19,13 @@ use std::fmt;
 
 /// A session that can be replayed.
 pub struct CheckedSession<D: Domain> {
-    /// What happens in it.
+    /// Its command, steps and answers.
     pub walk: Walk<D>,
-    /// The tasks that there are here, with their names.
+    /// The tasks that are possible here, with their names.
     pub tasks: Vec<(GroundedTask, GroundTaskText)>,
-    /// The task that was meant, by its position, where the record names one of the tasks.
+    /// The position of the intended task, if the record names one of the tasks.
     pub intended: Option<usize>,
-    /// That not all words of the command are read, where it is so.
+    /// The command's length, if only its first words are read.
     pub long: Option<Long>,
 }
 
@@ -36,7 +36,7 @@ impl<D: Domain<State: fmt::Debug> + fmt::Debug> fmt::Debug for CheckedSession<D>
     }
 }
 
-/// The moves that a session's actions are.
+/// The moves of a home with these actions.
 pub fn moves<'a>(names: impl Iterator<Item = &'a str>) -> Option<Moves> {
     let mut names: Vec<&str> = names.filter(|&name| name != "noop").collect();
     names.sort_unstable();
@@ -47,11 +47,11 @@ pub fn moves<'a>(names: impl Iterator<Item = &'a str>) -> Option<Moves> {
     }
 }
 
-/// Collects what is wrong with one session.
+/// Collects the faults of one session.
 pub(crate) struct Checker<'a> {
     file: &'a str,
     recorded: &'a RecordedSession,
-    /// The field that tells where it takes place, and what there can be too much of.
+    /// The header's field for the place, and the things to leave out if it has too many tasks.
     place: (&'static str, &'static str),
     faults: Vec<Fault>,
 }
@@ -66,10 +66,10 @@ impl<'a> Checker<'a> {
     }
 }
 
-/// Checks a session and walks through it. `lifted` are the tasks that commands may mean.
+/// Checks a session and walks through it. `lifted` are the kinds of task that commands may mean.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All faults of the session.
 pub fn check<M: HomeMemory>(
     file: &str,
     recorded: &RecordedSession,
@@ -101,10 +101,10 @@ pub fn check<M: HomeMemory>(
     })
 }
 
-/// As [`check`], for a session that is replayed: one that was labelled has no steps.
+/// As [`check`], for a session that is replayed. A labelled session is refused, because it has no steps.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All faults of the session.
 pub fn check_steps<M: HomeMemory>(
     file: &str,
     recorded: &RecordedSession,
@@ -115,7 +115,7 @@ pub fn check_steps<M: HomeMemory>(
     check(file, recorded, lifted, memory)
 }
 
-/// Whether a session is one that is replayed.
+/// Refuses a session without steps to replay.
 pub(crate) fn has_steps(file: &str, recorded: &RecordedSession) -> Result<(), Vec<Fault>> {
     if recorded.header.kind == Kind::Labelled {
         let message = "a labelled session has no steps to go through; learn from it with goodbot learn";
@@ -125,7 +125,7 @@ pub(crate) fn has_steps(file: &str, recorded: &RecordedSession) -> Result<(), Ve
 }
 
 impl Checker<'_> {
-    /// Walks through a session in its home or its world. `impossible` says why a step cannot be taken in a state.
+    /// Walks through a session in its home or world. `impossible` words the reason why a step cannot be taken in a state.
     pub(crate) fn session<D: Domain>(
         mut self,
         home: D,
@@ -160,7 +160,7 @@ impl Checker<'_> {
         Ok(CheckedSession { walk, tasks, intended, long: read(&header.command).ok().and_then(|read| read.long()) })
     }
 
-    /// What is wrong with it so far.
+    /// The faults found so far.
     pub(crate) fn into_faults(self) -> Vec<Fault> {
         self.faults
     }
@@ -177,7 +177,7 @@ impl Checker<'_> {
         }
     }
 
-    /// How the session began where the robot listened.
+    /// The utterance and its conversation, if the robot listened when the session began.
     fn listening<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Option<Listening> {
         let header = &self.recorded.header;
         let utterance = header.utterance.clone()?;
@@ -193,7 +193,7 @@ impl Checker<'_> {
         Some(Listening { utterance, after, conversation })
     }
 
-    /// The words that speak about commands.
+    /// The table of closed words.
     fn closed_words(&mut self) -> goodbot::talk::ClosedWords<'static> {
         let table = self.recorded.header.closed_words.as_deref().map(crate::listening::kept_table);
         match table {
@@ -206,7 +206,7 @@ impl Checker<'_> {
         }
     }
 
-    /// The conversation that the session is part of.
+    /// The conversation that the session belongs to.
     fn conversation<D: Domain>(&mut self, home: &D, start: &D::State, lifted: &[LiftedTask]) -> Conversing {
         let Some(record) = &self.recorded.header.conversation else { return Conversing::default() };
         let named = self.tasks(home, start, lifted);
@@ -244,9 +244,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Whether what was meant is a task here.
+    /// Checks that the intended task is a task here.
     fn intended_task<D: Domain>(&mut self, home: &D, start: &D::State, tasks: &[(GroundedTask, GroundTaskText)], considers_ways: bool) {
-        // What cannot be a task was refused when it was read.
+        // The reader refused a record that is no task.
         let Some(Ok(meant)) = self.recorded.header.meant() else { return };
         let way = meant.way();
         let holds = |atoms: &[GroundAtomText]| {
@@ -276,7 +276,7 @@ impl Checker<'_> {
         } else if any(&way.avoiding) {
             self.fault("avoiding", format!("holds {here}, so the task is impossible; correct it or the environment"));
         } else if !tasks.is_empty() && (way.is_empty() || considers_ways) && !tasks.iter().any(|(_, name)| name.is_same(&meant)) {
-            // Where no ways are considered, what was meant with one is left alone.
+            // Where no ways are considered, an intended task with a way is not checked against the tasks.
             self.fault("intended", "is no task of the kinds that commands may mean; name its kind with --task, or correct it");
         }
     }
@@ -285,7 +285,7 @@ impl Checker<'_> {
         let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
         let (field, things) = self.place;
         let grounded = match self.recorded.header.utterance {
-            // Where the robot listens, those that are done already are among them.
+            // A robot that listens also considers tasks that are done already.
             Some(_) => ground_with_done(home, lifted, start, &mut tasks, f32::MIN_POSITIVE),
             None => ground(home, lifted, start, &mut tasks),
         };
@@ -316,12 +316,12 @@ impl Checker<'_> {
         let largest = prior.iter().map(|&(_, value)| value).fold(0.0, f64::max);
         for (name, value) in prior {
             match tasks.iter().find(|(_, task)| task.is_same(name)) {
-                // In any unit: the largest is 1, so that single precision never makes all of them 0.
+                // As shares of the largest, so that single precision never makes all of them 0.
                 Some(&(task, _)) => values.push((task, (value / largest) as f32)),
                 None if tasks.is_empty() => {}
                 None => {
-                    let message = "is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked \
-                                   for; remove it, or name its kind with --task";
+                    let message = "is no task here: it holds at the beginning already, names an object that is not here, or is of a kind \
+                                   not asked for; remove it, or name its kind with --task";
                     self.fault(format!("prior.{name}"), message);
                 }
             }
@@ -350,14 +350,14 @@ impl Checker<'_> {
         for RecordedAnswer { line, after, answer } in &self.recorded.answers {
             let mut named = TaskSet::EMPTY;
             for name in &answer.tasks {
-                // A session about what shall not be has its tasks where the others would be.
+                // A session of prohibitions has negated tasks at the positions of the plain ones.
                 let position = tasks.iter().position(|(_, task)| task.is_same(name) || task.is_same(&name.opposite()));
                 match position {
                     Some(position) => named = named.with(position),
                     None => {
                         let message = format!(
-                            "{} is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked for; \
-                             remove the answer, or name its kind with --task",
+                            "{} is no task here: it holds at the beginning already, names an object that is not here, or is of a kind not \
+                             asked for; remove the answer, or name its kind with --task",
                             quoted(&name.to_string())
                         );
                         self.faults.push(Fault::on_line(self.file, *line, message).in_field("tasks"));
@@ -412,7 +412,7 @@ fn impossible(record: &StepRecord, x: i32, y: i32) -> String {
     )
 }
 
-/// Whether a proposition is about what is here; what is wrong with it otherwise.
+/// The proposition that a text names, if its function and objects are in this home; otherwise the fault.
 pub fn known_atom(home: &impl Domain, atom: &GroundAtomText) -> Result<goodbot::oomdp::GroundProposition, String> {
     if atom.is_negated() {
         return Err(format!("{atom} is a prohibition, and no session is about one; name a goal"));

@@ -1,7 +1,7 @@
 //! Conversations: what "it", "there" and "back" refer to, from one session to the next.
 //!
 //! A task is remembered when its session is learned from, when the robot has done it although nothing is learned, and when it was done
-//! already. A conversation speaks of one home, and begins anew where things are put elsewhere.
+//! already. A conversation belongs to one home. It begins anew when things are moved from outside.
 
 use crate::live::{Lesson, LiveError};
 use crate::place::Place;
@@ -15,21 +15,21 @@ use goodbot_formats::quoted;
 pub struct Conversing {
     /// Its name, where it has one.
     pub id: Option<String>,
-    /// What was said and done in it so far.
+    /// The last task, and the objects that later words can refer to.
     pub facts: Conversation,
 }
 
-/// The names in a record.
+/// The names of fields in a record.
 const ID: &str = "id";
 const LAST: &str = "last";
 
-/// The facts of a record. What is most like the thing follows from the thing.
+/// The facts that a record keeps. The other object of the same kind is left out: it follows from the object itself.
 fn kept() -> impl Iterator<Item = Fact> {
     Fact::ALL.into_iter().filter(|fact| *fact != Fact::OtherOfItsKind)
 }
 
 impl Conversing {
-    /// The conversation as a log has it; `None` where there is nothing to tell.
+    /// The conversation as a record in a log; `None` if there is nothing to record.
     pub fn recorded<D: Domain + ?Sized>(&self, domain: &D, lifted: &[LiftedTask]) -> Option<Vec<(String, String)>> {
         let mut record = Vec::new();
         record.extend(self.id.clone().map(|id| (ID.to_owned(), id)));
@@ -42,10 +42,10 @@ impl Conversing {
         Some(record).filter(|record| !record.is_empty())
     }
 
-    /// The conversation that a log has. `task` finds a task by its name.
+    /// Reads the record of a log. `task` finds a task by its name.
     ///
     /// # Errors
-    /// The name that is wrong, and what is wrong with it.
+    /// The name of the field at fault, and the fault.
     pub fn read<'r, D: Domain + ?Sized>(
         domain: &D,
         record: &'r [(String, String)],
@@ -79,7 +79,7 @@ impl Conversing {
     }
 }
 
-/// The conversation under way, and others that can be gone on with.
+/// The conversation under way, and the named ones that can be continued.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Conversations {
     pub now: Conversing,
@@ -87,7 +87,7 @@ pub(crate) struct Conversations {
 }
 
 impl Conversations {
-    /// Puts the conversation under way aside.
+    /// Puts the conversation under way aside, if it has a name.
     fn put_aside(&mut self) {
         let now = std::mem::take(&mut self.now);
         self.others.extend(Some(now).filter(|now| now.id.is_some()));
@@ -111,17 +111,17 @@ impl<D: Place> Lesson<D> {
         self.conversations.now.id.get_or_insert_with(|| id.to_owned());
     }
 
-    /// Begins another conversation. The robot stays where it is, and remembers nothing of what was said. The session under way is forgotten.
+    /// Begins a new conversation. The robot stays where it is, and forgets what was said. The session under way is forgotten.
     pub fn converse_anew(&mut self) {
         self.forget();
         self.declined = None;
         self.conversations.put_aside();
     }
 
-    /// Goes on with another conversation in this home, by its name. The session under way is forgotten.
+    /// Continues another conversation in this home, by its name. The session under way is forgotten.
     ///
     /// # Errors
-    /// [`LiveError::NoConversation`] where none has this name: then nothing has changed.
+    /// [`LiveError::NoConversation`] if none has this name. Nothing has changed then.
     pub fn converse(&mut self, id: &str) -> Result<(), LiveError> {
         let is_named = |known: &Conversing| known.id.as_deref() == Some(id);
         let position = self.conversations.others.iter().position(is_named);
@@ -139,12 +139,12 @@ impl<D: Place> Lesson<D> {
         Ok(())
     }
 
-    /// Things are elsewhere now, or this is another home.
+    /// Ends all conversations: things were moved from outside, or this is another home.
     pub(crate) fn end_conversations(&mut self) {
         self.conversations = Conversations::default();
     }
 
-    /// Remembers a task that was followed, or spoken of, where a session began.
+    /// Remembers a task that was followed or mentioned in a session that began in the state `start`.
     pub(crate) fn remember(&mut self, task: usize, start: &D::State) {
         let Some(task) = self.agent.tasks().get(task).copied() else { return };
         let facts = self.conversations.now.facts;

@@ -1,19 +1,19 @@
-//! What is wrong with a file, where, and what to do about it.
+//! The faults of a file: the place, the fault, and the remedy.
 
 use goodbot_formats::FormatError;
 pub use goodbot_formats::quoted;
 use std::fmt;
 
-/// A fault in a file. Displayed as `FILE:LINE: field "x": what is wrong; what to do`.
+/// A fault in a file. Displayed as `FILE:LINE: field "x": the fault; the remedy`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// The file's name.
     pub file: String,
-    /// The line, counted from 1; `None` where the fault is in the file as a whole.
+    /// The line, counted from 1; `None` for a fault of the file as a whole.
     pub line: Option<usize>,
-    /// The field, with its way from the outside: `environment.objects[2]`.
+    /// The field, with its path from the outside: `environment.objects[2]`.
     pub field: Option<String>,
-    /// What is wrong, and what to do.
+    /// The fault, and the remedy.
     pub message: String,
 }
 
@@ -33,7 +33,7 @@ impl Fault {
         Self { field: Some(field.into()), ..self }
     }
 
-    /// The fault that a reader found.
+    /// A fault that a reader found.
     pub fn from_format(file: &str, error: FormatError) -> Self {
         Self { file: file.to_owned(), line: Some(error.line), field: error.field, message: error.problem.to_string() }
     }

@@ -1,4 +1,4 @@
-//! Commands with more words than a robot reads: their first words are read, and what is not read is said.
+//! Commands with more words than a robot reads: it reads the first words, and a remark counts the words of each.
 
 use goodbot::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
 use goodbot::language::{Model, first_words, for_each_piece};
@@ -34,7 +34,7 @@ impl fmt::Display for Long {
 }
 
 impl Read<'_> {
-    /// That not all of it is read, where it is so.
+    /// The command's length, if only its first words are read.
     pub fn long(&self) -> Option<Long> {
         (self.count > WORDS_PER_COMMAND).then_some(Long { count: self.count })
     }
@@ -52,7 +52,7 @@ impl Read<'_> {
 /// ```
 ///
 /// # Errors
-/// A [`CapacityError`] where a word that is read is too long.
+/// A [`CapacityError`] if one of the read words is too long.
 pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
     let mut count = 0;
     let mut counted = |words: &str| {
@@ -72,12 +72,12 @@ pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
     }
 }
 
-/// What is wrong with a command that [`read`] refuses, in words.
+/// The fault of a command that [`read`] refuses, in words.
 pub fn too_long(error: CapacityError) -> String {
     format!("has a word of more than {} bytes; shorten it", error.limit)
 }
 
-/// The words of a command in order, as a model hears them.
+/// The words of a command in order, as a model reads them.
 ///
 /// ```
 /// use goodbot::language::Model;
@@ -86,7 +86,7 @@ pub fn too_long(error: CapacityError) -> String {
 /// ```
 ///
 /// # Errors
-/// A [`CapacityError`] where there are too many words, or one is too long.
+/// A [`CapacityError`] if there are too many words, or one is too long.
 pub fn heard(model: Model, command: &str) -> Result<Vec<String>, CapacityError> {
     let mut words = Vec::new();
     model.for_each_word(command, |word| {
@@ -96,12 +96,12 @@ pub fn heard(model: Model, command: &str) -> Result<Vec<String>, CapacityError> 
     Ok(words)
 }
 
-/// The words of a text that are read. What cannot be read stays as it is, and is refused where it is heard.
+/// The words of a text that are read. A text that [`read`] refuses is returned whole, and refused later when the robot hears it.
 pub fn words_read(text: &str) -> &str {
     read(text).map_or(text, |read| read.words)
 }
 
-/// The remark that this many commands are not read to their end.
+/// The remark that only the first words of this many commands are read.
 pub fn told(count: usize) -> String {
     match count {
         1 => format!("1 command has more than {WORDS_PER_COMMAND} words; its first {WORDS_PER_COMMAND} are read"),

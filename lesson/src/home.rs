@@ -1,4 +1,4 @@
-//! A home from an environment, and what is wrong with it.
+//! Homes built from environments, and the flaws of an environment.
 
 use crate::fault::{Fault, quoted};
 use goodbot::Capacities;
@@ -9,17 +9,17 @@ use goodbot::oomdp::{Domain, ObjectId};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::map;
 
-/// What is wrong with a home.
+/// A flaw of a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flaw {
-    /// The object, by its position in the environment, where it is one of them.
+    /// The position of the object in the environment, if the flaw is in one of them.
     pub object: Option<usize>,
-    /// What is wrong.
+    /// The flaw.
     pub problem: HomeProblem,
 }
 
 impl Flaw {
-    /// What is wrong and what to do, naming the object.
+    /// The flaw and its remedy, with the object's name.
     pub fn message(&self, environment: &EnvironmentFile) -> String {
         match self.object.and_then(|object| environment.objects.get(object)) {
             Some(object) => format!("object {}: {}", quoted(object.name()), self.in_words()),
@@ -45,7 +45,7 @@ impl Flaw {
     }
 }
 
-/// What a home has too many of, and what to do, without a name of the library's; `None` where a home has no such thing.
+/// The limit that a home exceeds, and the remedy, without the library's names; `None` for a limit that no home has.
 pub fn full(error: &CapacityError) -> Option<String> {
     let &CapacityError { capacity, limit, given } = error;
     let (what, remedy) = match capacity {
@@ -59,10 +59,10 @@ pub fn full(error: &CapacityError) -> Option<String> {
     Some(format!("too many {what}: {given} or more, and {limit} are the most; {remedy}"))
 }
 
-/// A home from a text, as JSON or drawn.
+/// Reads a home from a text: JSON, or a drawing.
 ///
 /// # Errors
-/// What is wrong with it.
+/// The fault, and its place.
 pub fn parse(name: &str, text: &str) -> Result<EnvironmentFile, Fault> {
     if map::is_map(text) {
         return map::parse(text).map_err(|wrong| Fault::on_line(name, wrong.line, wrong.message));
@@ -75,7 +75,7 @@ pub fn memory() -> HomeHeap {
     HomeHeap::new(&Capacities::STANDARD)
 }
 
-/// The home of an environment, with its initial state.
+/// Builds the home of an environment, with its initial state.
 pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory: M) -> Result<(Home<M>, HomeState), Flaw> {
     let mut builder = HomeBuilder::new(memory);
     for (position, object) in environment.objects.iter().enumerate() {
@@ -85,7 +85,7 @@ pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory:
     Ok((home.with_derived(environment.derived), start))
 }
 
-/// Everything that is wrong with a home.
+/// All flaws of a home.
 pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
     let most = Capacities::STANDARD.objects;
     if environment.objects.len() > most {
@@ -109,7 +109,7 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
     flaws
 }
 
-/// The objects that cannot be added, whatever else there is.
+/// The objects that cannot be added, whatever other objects there are.
 fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     let mut memory = memory();
     let mut builder = HomeBuilder::new(&mut memory);
@@ -117,7 +117,7 @@ fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     for (position, object) in environment.objects.iter().enumerate() {
         if let Err(problem) = add(&mut builder, object) {
             flaws.push(Flaw { object: Some(position), problem });
-            // Where one does not fit, none after it does.
+            // After one that does not fit, no other fits.
             if matches!(problem, HomeProblem::Capacity(_)) {
                 break;
             }
@@ -126,14 +126,14 @@ fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
     flaws
 }
 
-/// The things whose place is not possible: each block is tried without those found before.
+/// The objects at impossible positions. Each pass leaves out those found before.
 fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     let (mut flaws, mut left): (Vec<Flaw>, Vec<usize>) = (Vec::new(), (0..environment.objects.len()).collect());
     loop {
         let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
         let mut memory = memory();
         let Err(flaw) = build(&rest, Moves::Push, &mut memory).map(drop) else { return flaws };
-        // Once the agent is left out, nothing more can be tried.
+        // Without an agent no home can be built, so the search ends.
         if flaw.problem == HomeProblem::NoAgent {
             return flaws;
         }
@@ -144,7 +144,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
     }
 }
 
-/// A home in a state, as a file has it.
+/// The environment of a home in a state, as a file has it.
 pub fn environment(home: &Home<impl HomeMemory>, state: &HomeState) -> EnvironmentFile {
     let objects = home.world().objects;
     let record = |id: ObjectId| {

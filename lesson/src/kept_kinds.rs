@@ -1,37 +1,37 @@
-//! The kinds of task that a model was learned for, in a record after the model's bytes.
+//! The kinds of task that a model was trained for, in a record after the model's bytes.
 //!
-//! The model itself has no room for them: a controller is made with its kinds, and passes the record over. `docs/format.md` says what each
-//! byte means.
+//! The model itself has no room for them: a controller is compiled with its kinds, and skips the record. `docs/format.md` gives the meaning
+//! of each byte.
 
 use goodbot::oomdp::Schema;
 use goodbot::snapshot::KINDS_MAGIC;
 use goodbot::task::{LiftedProposition, LiftedTask, Piece, Wording};
 
-/// Bytes of the magic and the length, and of the check at the end.
+/// Bytes of the magic and the length, and of the checksum at the end.
 const HEAD: usize = 12;
 const CHECK: usize = 4;
-/// Where a model says how long it is.
+/// The position of a model's stated length.
 const STATED: std::ops::Range<usize> = 10..14;
 
-/// What is wrong with a record.
+/// The fault of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the kinds of task after the model are damaged: their length or their check is wrong; take another copy")]
 pub struct Damaged;
 
-/// A model without the record after it.
+/// A model's bytes without the record after them.
 pub fn model_alone(file: &[u8]) -> &[u8] {
     let stated = file.get(STATED).and_then(|bytes| bytes.try_into().ok()).map(u32::from_le_bytes);
     stated.and_then(|stated| file.get(..usize::try_from(stated).ok()?)).unwrap_or(file)
 }
 
-/// The texts of the kinds of task after a model; `None` where it has no record.
+/// The kinds of task in the record after a model, as texts; `None` without a record.
 ///
 /// # Errors
 /// [`Damaged`].
 pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
     let record = file.get(model_alone(file).len()..).unwrap_or_default();
     if !record.starts_with(&KINDS_MAGIC) {
-        // The model's own check says what is wrong with other bytes there.
+        // The model's own check finds the fault of other bytes there.
         return Ok(None);
     }
     let (checked, check) = record.split_last_chunk::<CHECK>().ok_or(Damaged)?;
@@ -43,7 +43,7 @@ pub fn of(file: &[u8]) -> Result<Option<Vec<String>>, Damaged> {
     Ok(Some(texts.lines().map(str::to_owned).collect()))
 }
 
-/// The model with a record of these kinds of task, in place of its own.
+/// The model with a record of these kinds of task, which replaces an older record.
 pub fn with(file: &[u8], texts: &[String]) -> Vec<u8> {
     let mut record = [KINDS_MAGIC.as_slice(), &[0; HEAD - KINDS_MAGIC.len()]].concat();
     for text in texts {
@@ -56,12 +56,12 @@ pub fn with(file: &[u8], texts: &[String]) -> Vec<u8> {
     [model_alone(file), &record, &check.to_le_bytes()].concat()
 }
 
-/// CRC-32, as a model has it.
+/// The CRC-32 that models use.
 fn crc(bytes: &[u8]) -> u32 {
     crc::Crc::<u32, crc::NoTable>::new(&crc::CRC_32_ISO_HDLC).checksum(bytes)
 }
 
-/// A kind of task as a text, the same for all texts of that kind: its variables are named in their order.
+/// A kind of task as a text. Its variables are named in order, so that equal kinds have equal texts.
 ///
 /// ```
 /// use goodbot::{home::SCHEMA, task::LiftedTask};

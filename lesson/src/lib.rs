@@ -1,21 +1,21 @@
-//! What a lesson is, once for all shells: the command line, the page, Python and the laboratory.
+//! Lessons for all shells: the command line, the page, Python and the laboratory.
 //!
-//! - [`fault`]: what is wrong with a file, and where;
-//! - [`first_words`]: commands with more words than are read;
+//! - [`fault`]: the faults of a file, with their places;
+//! - [`first_words`]: commands with more words than a robot reads;
 //! - [`home`]: a home from an environment;
 //! - [`name`]: a grounded task as a text, for files and for people;
-//! - [`checked`]: a recorded session, checked, with the place of each fault;
-//! - [`walk`]: what happens in a session;
+//! - [`checked`]: recorded sessions, checked, with the place of each fault;
+//! - [`walk`]: the command, steps and answers of a session;
 //! - [`replay`]: the replay of a recorded session;
-//! - [`kept_kinds`]: the kinds of task that a model was learned for, in a record after the model;
-//! - [`live`]: a session as it happens;
-//! - [`listening`]: what a person says to the robot, and how a session begins with it;
+//! - [`kept_kinds`]: the kinds of task that a model was trained for, in a record after the model;
+//! - [`live`]: a session under way;
+//! - [`listening`]: the utterances of a person, and how they begin sessions;
 //! - [`conversing`]: what "it", "there" and "back" refer to, from one session to the next;
 //! - [`voice`]: praise, blame, answers and corrections in words;
-//! - [`asking`]: when the robot asks in it;
-//! - [`place`]: where a session takes place;
-//! - [`recording`]: a live session as a log has it;
-//! - [`world`]: a world from a file, and what commands may mean in it.
+//! - [`asking`]: when the robot asks in a live session;
+//! - [`place`]: the home or world of a lesson;
+//! - [`recording`]: the log of a live session;
+//! - [`world`]: a world from a file, and the tasks that commands may mean in it.
 
 #![deny(missing_docs)]
 

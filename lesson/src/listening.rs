@@ -1,8 +1,8 @@
-//! What a person says to the robot, and how a session begins with it.
+//! The utterances of a person, and how they begin sessions.
 //!
-//! [`Lesson::listen`] begins a session where there is something to do: a command, what shall not be, the first of several commands, or the
-//! first of all things of a kind. When that session is over, [`Lesson::listen_on`] begins the next one, as long as [`Lesson::is_more`] says
-//! that there is one. Each part is a session of its own, with feedback of its own. To stop between parts, [`Lesson::forget`].
+//! [`Lesson::listen`] begins a session if there is something to do: a command, a prohibition, the first of several commands, or the first
+//! of all things of a kind. After that session, [`Lesson::listen_on`] begins the next one, as long as [`Lesson::is_more`] says that there
+//! is one. Each part is a session of its own, with feedback of its own. [`Lesson::forget`] stops between parts.
 
 use crate::live::{Lesson, LiveError, Session};
 use crate::place::Place;
@@ -16,16 +16,16 @@ use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
 use std::sync::{Mutex, PoisonError};
 
-/// The words that speak about commands.
+/// The closed words of all languages.
 pub const CLOSED_WORDS: ClosedWords<'static> = ClosedWords::ALL;
 
-/// The tables that lessons and logs use beside that one: each stays as long as the program runs, and is kept once.
+/// The other tables of closed words that lessons and logs use. Each text is kept once, until the program ends.
 static TABLES: Mutex<Vec<&str>> = Mutex::new(Vec::new());
 
-/// A table that a program uses as long as it runs.
+/// A table of closed words that is kept until the program ends.
 ///
 /// # Errors
-/// A [`ClosedWordsError`] where the text is no table.
+/// A [`ClosedWordsError`] if the text is no table.
 pub fn kept_table(text: &str) -> Result<ClosedWords<'static>, ClosedWordsError<'_>> {
     ClosedWords::new(text)?;
     let mut tables = TABLES.lock().unwrap_or_else(PoisonError::into_inner);
@@ -38,18 +38,18 @@ pub fn kept_table(text: &str) -> Result<ClosedWords<'static>, ClosedWordsError<'
     Ok(ClosedWords::new(kept).unwrap_or(ClosedWords::NONE))
 }
 
-/// With fewer lessons everything is a command: nothing is known yet of how people word what the robot can do.
+/// With fewer lessons, every utterance is a command: the robot has heard too few sentences to tell commands from other talk.
 pub const FEW_LESSONS: usize = 20;
 
-/// Whether a robot can tell what is no command.
+/// Whether a robot can tell commands from other talk.
 pub fn tells_talk(agent: &Agent<impl AgentMemory>) -> bool {
     agent.language().bitext().sessions() >= FEW_LESSONS && agent.options().language.model == Model::Roles
 }
 
-/// Begins a session as the record has it.
+/// Begins a session with a recorded utterance.
 ///
 /// # Errors
-/// What [`Agent::listen`] refuses.
+/// The errors of [`Agent::listen`] and [`Agent::listen_after`].
 pub fn listen<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     home: &D,
@@ -71,20 +71,20 @@ pub fn listen<D: Domain>(
 pub(crate) struct Ahead {
     listening: Listening,
     after: Option<GroundedTask>,
-    /// Where it is the same words once more, for the next of all things: how many were left.
+    /// How many tasks were left, if the same words are heard again for the next of all things.
     left: Option<usize>,
-    /// Whether it is tried although it is not sure.
+    /// Whether the robot tries it although it is not sure.
     insists: bool,
 }
 
-/// Whether what was listened to is begun. `insists` says that it was said once before.
+/// Whether the robot begins a session for this utterance. `insists` says that it was said once before.
 fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
     let is_sure = listened.verdict == Verdict::Sure;
     match listened.hypothesis {
         _ if listened.verdict == Verdict::Done => false,
-        // The opposite of what is meant is worse than to wait.
+        // Doing the opposite of a prohibition is worse than waiting.
         _ if is_negated => is_sure,
-        // A thing that nobody has named is perhaps to be learned.
+        // A name that no lesson had is perhaps to be learned.
         Hypothesis::Command | Hypothesis::Absent | Hypothesis::About => true,
         Hypothesis::Several => is_sure || insists,
         Hypothesis::Again => is_sure,
@@ -95,12 +95,12 @@ fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
 
 /// The words before the rest of an utterance, without the connective.
 fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) -> &'u str {
-    // What is done last may be said first: "before ..., ...".
+    // After "before ..., ..." the rest is the whole utterance once more, and so is the command.
     let Some(mut part) = rest.filter(|&rest| rest > 0).and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
     loop {
         part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
         let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();
-        // Letter by letter, as the words of the table became lower case.
+        // Letter by letter, as the table's words were made lower case.
         let word: String = last.chars().flat_map(char::to_lowercase).collect();
         match part.strip_suffix(last) {
             Some(before) if !before.is_empty() && closed.of(&word).contains(Class::Connective) => part = before,
@@ -110,22 +110,23 @@ fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) ->
 }
 
 impl<D: Place> Lesson<D> {
-    /// Listens to what a person says, and begins a session where there is something to do. `insists` tries what is not sure: the same was said
-    /// before. `environment` is the place as it is now, for the record. A session under way is forgotten, and what was still to come with it.
+    /// Listens to an utterance, and begins a session if there is something to do. `insists` says that the same was said before: the robot
+    /// then tries it although it is not sure. `environment` is the place as it is now, for the record. The session under way and the rest
+    /// of its utterance are forgotten.
     ///
     /// # Errors
-    /// What [`Agent::listen`] refuses.
+    /// The errors of [`Agent::listen`].
     pub fn listen(&mut self, utterance: &str, environment: D::Record, insists: bool) -> Result<Listened, LiveError> {
         self.forget();
         let listening = self.listening_to(utterance.trim(), None);
         self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
     }
 
-    /// Tells the robot something. With some lessons it [listens](Self::listen); before that everything is a command, and nothing is returned. Said once
-    /// more, words for which there was nothing to do are a command all the same, unless they say what shall not be.
+    /// Tells the robot something. After some lessons it [listens](Self::listen). Before that every utterance is a command, and `None` is
+    /// returned. If the same words are said twice and there was nothing to do, they count as a command too, unless they forbid something.
     ///
     /// # Errors
-    /// What [`Agent::listen`] and [`Agent::hear`] refuse.
+    /// The errors of [`Agent::listen`] and [`Agent::hear`].
     pub fn tell(&mut self, words: &str, environment: D::Record) -> Result<Option<Listened>, LiveError> {
         let is_again = self.declined.take().is_some_and(|declined| declined == words);
         if tells_talk(&self.agent) {
@@ -139,7 +140,7 @@ impl<D: Place> Lesson<D> {
         Ok(None)
     }
 
-    /// Begins a session of a log anew: `listening` and the task of the command before are what the log tells.
+    /// Begins a recorded session again. The log gives `listening` and the task of the command before.
     ///
     /// # Errors
     /// As [`listen`](Self::listen).
@@ -149,36 +150,37 @@ impl<D: Place> Lesson<D> {
         self.begin_part(Ahead { listening, after, left: None, insists: true }, environment)
     }
 
-    /// Whether the session, or the last one, is about what shall not be.
+    /// Whether the session, or the last one, is about a prohibition.
     pub fn is_about_what_shall_not_be(&self) -> bool {
         self.agent.tasks().iter().any(GroundedTask::is_negated)
     }
 
-    /// Whether an utterance has a rest.
+    /// Whether the utterance has more parts.
     pub const fn is_more(&self) -> bool {
         self.ahead.is_some()
     }
 
-    /// Whether there is something to learn from the session under way. What shall not be, and "again", have no words for their tasks.
+    /// Whether the session under way has something to learn from. A prohibition and "again" have no words for their tasks.
     pub fn teaches(&self) -> bool {
         self.is_under_way() && !self.agent.sentence().is_empty() && !self.is_about_what_shall_not_be()
     }
 
-    /// The rest of the utterance.
+    /// The part of the utterance that is still to come.
     pub fn rest(&self) -> Option<&str> {
         self.ahead.as_ref().map(|ahead| ahead.listening.utterance.as_str())
     }
 
-    /// Begins a session with what is still to come, where the robot is now; `None` where nothing is. The session before must be over.
+    /// Begins a session with the next part of the utterance, where the robot is now; `None` if there is none. The session before must be
+    /// over.
     ///
     /// # Errors
-    /// What [`Agent::listen_after`] refuses.
+    /// The errors of [`Agent::listen_after`].
     pub fn listen_on(&mut self, environment: D::Record) -> Result<Option<Listened>, LiveError> {
         let Some(mut ahead) = self.ahead.take() else { return Ok(None) };
         let left = ahead.left;
         ahead.listening.conversation = self.conversation().clone();
         let listened = self.begin_part(ahead, environment)?;
-        // Who could not bring one thing does not try it for ever.
+        // A robot that could not bring one thing does not try it for ever.
         if left.is_some_and(|left| listened.tasks.iter().count() >= left) {
             self.forget();
             return Ok(None);
@@ -186,7 +188,7 @@ impl<D: Place> Lesson<D> {
         Ok(Some(listened))
     }
 
-    /// Begins with the first part that is not done already.
+    /// Begins a session with the first part that is not done yet.
     fn begin_part(&mut self, mut ahead: Ahead, environment: D::Record) -> Result<Listened, LiveError> {
         expect_ends(&mut self.agent)?;
         let listened = loop {
@@ -228,7 +230,7 @@ impl<D: Place> Lesson<D> {
         Listening { utterance: utterance.to_owned(), after, conversation: self.conversation().clone() }
     }
 
-    /// A part is over: the next one comes after it.
+    /// Ends a part: the next part follows its task.
     pub(crate) fn end_part(&mut self) {
         let followed = self.followed();
         if let Some(ahead) = self.ahead.as_mut().filter(|ahead| ahead.left.is_none()) {

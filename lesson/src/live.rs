@@ -1,10 +1,10 @@
-//! A live session: a command is heard, the robot goes step by step, and each step is judged.
+//! A live session: the robot hears a command, goes step by step, and the trainer judges each step.
 //!
-//! [`Lesson::hear`], then over and over [`Lesson::plan`] until it is done, [`Lesson::act`], [`Lesson::judge`], [`Lesson::go_on`]; at the end
-//! [`Lesson::finish`], or [`Lesson::forget`].
+//! Call [`Lesson::hear`]. Then repeat [`Lesson::plan`] until it is done, [`Lesson::act`], [`Lesson::judge`] and [`Lesson::go_on`]. At the
+//! end call [`Lesson::finish`] or [`Lesson::forget`].
 //!
-//! A word counts at once, and of several words to one step the last one counts. To take a step back, the session is walked again up to
-//! there: the same steps and the same words give the same belief.
+//! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
+//! the same steps and the same feedback give the same belief.
 
 use crate::asking::Asked;
 use crate::name::task_name;
@@ -27,16 +27,16 @@ use goodbot_formats::session::Kind;
 use goodbot_formats::task_text::GroundTaskText;
 use rand_core::Rng;
 
-/// What cannot be done in a session now.
+/// The calls that a session refuses now.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum LiveError {
     /// No command was heard.
     #[error("no session is under way; give a command first")]
     NoSession,
-    /// The last step is not over: [`Lesson::go_on`] leads on.
+    /// The last step is not over: call [`Lesson::go_on`] first.
     #[error("the last step waits for a word, or for silence")]
     StepNotOver,
-    /// No step waits for a word.
+    /// No step waits for feedback.
     #[error("there is no step to judge yet; let the robot go first")]
     NoStep,
     /// No conversation has this name.
@@ -47,13 +47,13 @@ pub enum LiveError {
     NoConversation {
         /// The name.
         id: String,
-        /// The names that there are.
+        /// The names of all conversations here.
         known: Vec<String>,
     },
     /// The home has no action of this name.
     #[error("{0} is no action here")]
     NoAction(String),
-    /// The agent refuses it.
+    /// The agent's error.
     #[error(transparent)]
     Agent(#[from] AgentError),
 }
@@ -64,25 +64,25 @@ impl From<ReplayError> for LiveError {
     }
 }
 
-/// The step that the robot took last.
+/// The robot's last step.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Acted {
     /// The action's name.
     pub action: String,
-    /// The task that it was for.
+    /// The position of the task that it was for.
     pub task: usize,
-    /// How probable the tasks are together for which it is right.
+    /// The total probability of the tasks for which it is right.
     pub confidence: f32,
-    /// What the robot knew of the way to the task's goal.
+    /// How far the plan toward the task's goal is known.
     pub plan: OptimalSet,
-    /// For each task, by position, whether it is right.
+    /// For each task, by position, whether the step is right.
     pub judgements: Vec<Judgement>,
-    /// What was said to it; nothing yet.
+    /// The feedback; `None` before the first.
     pub judged: Option<Feedback>,
 }
 
 impl Acted {
-    /// Whether it was right for a task; `None` where that is not known.
+    /// Whether the step was right for a task; `None` if that is not known.
     pub fn is_right(&self, task: usize) -> Option<bool> {
         match self.judgements.get(task)? {
             Judgement::Correct => Some(true),
@@ -92,27 +92,27 @@ impl Acted {
     }
 }
 
-/// A word to a step, and its effect.
+/// The effect of feedback to a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judged {
-    /// It was taken in.
+    /// It counted as this evidence.
     As(Evidence),
-    /// The same had been said already.
+    /// The same feedback was given already.
     AsBefore,
 }
 
-/// What is known of a session besides its walk.
+/// The data of a session besides its walk.
 #[derive(Clone, Debug)]
 pub struct Session<R = EnvironmentFile> {
-    /// The home, or the facts of another world, when the command was heard.
+    /// The home, or the facts of another world, at the time of the command.
     pub environment: R,
-    /// The trainer strategies that were expected then, each with its probability.
+    /// The trainer strategies expected then, each with its probability.
     pub strategies: Vec<(Strategy, f32)>,
-    /// Where this is not the first command of what was said: the task of the command before.
+    /// The task of the command before, if the utterance has several commands and this is a later one.
     pub after: Option<GroundedTask>,
-    /// For each step that was taken, and each task, whether it was right.
+    /// For each step taken, and each task, whether the step was right.
     pub(crate) judgements: Vec<Vec<Judgement>>,
-    /// Where it is walked again.
+    /// The replay, while the session is walked again.
     pub(crate) again: Option<Replay>,
     pub(crate) asked: Asked,
 }
@@ -122,14 +122,14 @@ impl<R> Session<R> {
         Self { environment, strategies, after: None, judgements: Vec::new(), again: None, asked: Asked::NOTHING }
     }
 
-    /// The strategies that a log must name; `None` for the paper's one, which every robot begins with.
+    /// The strategies that a log must name; `None` for the paper's single strategy, which every robot begins with.
     pub fn named_strategies(&self) -> Option<&[(Strategy, f32)]> {
         let is_paper = matches!(self.strategies.as_slice(), [] | [(Strategy::BALANCED, _)]);
         (!is_paper).then_some(&self.strategies)
     }
 }
 
-/// A robot in a home, or in another [place](Place), and the session under way.
+/// A robot in a home or another [place](Place), with the session under way.
 ///
 /// ```
 /// use goodbot::feedback::Feedback;
@@ -160,29 +160,29 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     pub(crate) walk: Walk<D>,
     state: D::State,
     session: Option<Session<D::Record>>,
-    /// The last step, and from where it was taken.
+    /// The last step, and the state before it.
     acted: Option<(Acted, Step<D::State>)>,
-    /// In how many sessions, one after another, all answers were as expected.
+    /// How many sessions in a row had expected answers only.
     pub(crate) trust: u8,
     pub(crate) ahead: Option<crate::listening::Ahead>,
     pub(crate) conversations: crate::conversing::Conversations,
-    /// The words that speak about commands.
+    /// The closed words.
     pub closed: goodbot::talk::ClosedWords<'static>,
-    /// What was said along with the buttons.
+    /// The words said along with the feedback buttons.
     pub voice: crate::voice::Voice,
-    /// The words for which there was nothing to do, if they were the last.
+    /// The last words, if there was nothing to do for them.
     pub(crate) declined: Option<String>,
 }
 
 impl Lesson {
-    /// The names of the robot's actions, where a log must name them: those of one that does more than move.
+    /// The names of the robot's actions, if a log must name them: if the robot does more than move.
     pub fn named_actions(&self) -> Option<impl Iterator<Item = &str>> {
         crate::place::named_actions(self.home())
     }
 }
 
 impl<D: Place> Lesson<D> {
-    /// A robot in a home, or in another world. No session is under way.
+    /// A robot in a home or another world. No session is under way.
     pub fn new(agent: Agent<AgentHeap>, home: D, start: D::State) -> Self {
         let walk = Walk::new(home, start, Kind::Feedback);
         Self {
@@ -205,17 +205,17 @@ impl<D: Place> Lesson<D> {
         &self.walk.home
     }
 
-    /// Where everything is now.
+    /// The present state.
     pub const fn state(&self) -> &D::State {
         &self.state
     }
 
-    /// The robot, the home and where everything is now, for calls of the robot that need all three.
+    /// The robot, the home and the present state, for calls of the robot that need all three.
     pub const fn parts(&mut self) -> (&mut Agent<AgentHeap>, &D, &D::State) {
         (&mut self.agent, &self.walk.home, &self.state)
     }
 
-    /// Puts everything where a state has it. The session under way is forgotten.
+    /// Moves everything to a state. The session under way is forgotten.
     pub fn put(&mut self, state: D::State) {
         self.forget();
         self.state = state;
@@ -230,7 +230,7 @@ impl<D: Place> Lesson<D> {
         self.end_conversations();
     }
 
-    /// Takes another robot's mind. The session under way is forgotten.
+    /// Replaces the robot by another agent. The session under way is forgotten.
     pub fn replace_agent(&mut self, agent: Agent<AgentHeap>) {
         self.forget();
         self.agent = agent;
@@ -241,7 +241,7 @@ impl<D: Place> Lesson<D> {
         self.session.is_some()
     }
 
-    /// The session under way: its walk so far, and what else is known of it.
+    /// The walk of the session under way so far, and its other data.
     pub fn session(&self) -> Option<(&Walk<D>, &Session<D::Record>)> {
         self.session.as_ref().map(|session| (&self.walk, session))
     }
@@ -259,12 +259,12 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// How many steps the session has, those included that are still to be walked again.
+    /// How many steps the session has, with those still to be walked again.
     pub fn steps(&self) -> usize {
         if self.is_under_way() { self.walk.steps.len() } else { 0 }
     }
 
-    /// The steps that were taken and judged: what was said, and for each task, by position, whether the step was right.
+    /// The feedback to each judged step, and for each task, by position, whether the step was right.
     pub fn done(&self) -> impl ExactSizeIterator<Item = (Feedback, &[Judgement])> {
         let judgements = self.session.as_ref().map_or(&[][..], |session| &session.judgements);
         self.walk.steps.iter().zip(judgements).map(|(step, judgements)| (step.feedback, judgements.as_slice()))
@@ -283,11 +283,11 @@ impl<D: Place> Lesson<D> {
     /// forgotten.
     ///
     /// # Errors
-    /// What [`Agent::hear`] refuses.
+    /// The errors of [`Agent::hear`].
     pub fn hear(&mut self, command: &str, environment: D::Record) -> Result<(), LiveError> {
         self.forget();
         expect_ends(&mut self.agent)?;
-        // Who does not listen knows no conversation.
+        // A robot that does not listen has no conversation.
         self.agent.resume(goodbot::talk::Conversation::NEW);
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let strategies = self.agent.belief().strategies().to_vec();
@@ -309,11 +309,11 @@ impl<D: Place> Lesson<D> {
         self.session = Some(session);
     }
 
-    /// Plans, with at most about `budget` looks; returns whether the plan is done. Where the session is walked again, it goes on with that,
-    /// and is done when the last step is taken again.
+    /// Plans with a budget of about `budget` looks, and returns whether the plan is done. While the session is walked again, each call
+    /// continues the replay; the plan is done when the last step is taken again.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::plan`] refuses.
+    /// [`LiveError::NoSession`], or the errors of [`Agent::plan`].
     pub fn plan(&mut self, budget: u32) -> Result<bool, LiveError> {
         let session = self.session.as_mut().ok_or(LiveError::NoSession)?;
         let Some(again) = session.again.as_mut() else {
@@ -330,7 +330,7 @@ impl<D: Place> Lesson<D> {
             }
             Event::Ended => {
                 session.again = None;
-                // Of no step at all, the first is still to be planned.
+                // Without any step, the first one is still to be planned.
                 return Ok(self.acted.is_some());
             }
             Event::Working | Event::Heard | Event::Answered(_) | Event::Planned(None) | Event::Closed(_) => {}
@@ -343,7 +343,7 @@ impl<D: Place> Lesson<D> {
         self.session.as_ref().is_some_and(|session| session.again.is_some())
     }
 
-    /// Walks the rest again at once.
+    /// Walks all remaining steps again at once.
     ///
     /// # Errors
     /// As [`plan`](Self::plan).
@@ -354,20 +354,20 @@ impl<D: Place> Lesson<D> {
         Ok(())
     }
 
-    /// The robot acts by its plan, which must be done. The last step must be over.
+    /// The robot acts on its plan, which must be done. The last step must be over.
     ///
     /// # Errors
-    /// [`LiveError::StepNotOver`], or what [`Agent::decide_by`] refuses.
+    /// [`LiveError::StepNotOver`], or the errors of [`Agent::decide_by`].
     pub fn act(&mut self, random: &mut impl Rng) -> Result<&Acted, LiveError> {
         self.check_over()?;
         let decision = self.agent.decide_by(&self.walk.home, &self.state, random)?;
         self.perform(decision.action, Some(decision.task))
     }
 
-    /// The robot takes a step that somebody else chose, by its name.
+    /// The robot takes a step that somebody else chose, by the action's name.
     ///
     /// # Errors
-    /// [`LiveError::NoAction`], and as [`act`](Self::act).
+    /// [`LiveError::NoAction`], or the errors of [`act`](Self::act).
     pub fn act_as(&mut self, action: &str) -> Result<&Acted, LiveError> {
         self.check_over()?;
         let action = action_named(self.home(), action).ok_or_else(|| LiveError::NoAction(action.to_owned()))?;
@@ -393,10 +393,10 @@ impl<D: Place> Lesson<D> {
         Ok(&self.acted.insert((acted, step)).0)
     }
 
-    /// The trainer says a word to the last step, or stays silent. The last word to a step counts.
+    /// The trainer gives feedback to the last step; [`Feedback::Neutral`] is silence. The last feedback to a step counts.
     ///
     /// # Errors
-    /// [`LiveError::NoStep`], or what [`Agent::feedback`] refuses.
+    /// [`LiveError::NoStep`], or the errors of [`Agent::feedback`].
     pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, LiveError> {
         let (Some((acted, step)), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
         if acted.judged == Some(feedback) {
@@ -413,7 +413,7 @@ impl<D: Place> Lesson<D> {
         Ok(Judged::As(evidence))
     }
 
-    /// The last step is over. Where nothing was said to it, silence counts.
+    /// The last step is over. Without feedback, silence counts.
     ///
     /// # Errors
     /// As [`judge`](Self::judge).
@@ -425,15 +425,15 @@ impl<D: Place> Lesson<D> {
         Ok(())
     }
 
-    /// The last step is over. Nobody judges it, and that is no silence either: it is left out of the session.
+    /// The last step is over. Without feedback, it is left out of the session: this is not silence.
     pub fn leave_unjudged(&mut self) {
         self.acted = None;
     }
 
-    /// Takes in the answer to the question that was asked last.
+    /// Takes the answer to the last question.
     ///
     /// # Errors
-    /// What [`Agent::answer`] refuses.
+    /// The errors of [`Agent::answer`].
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
         let question = self.agent.open_question().copied();
         self.expect_answer(answer);
@@ -444,11 +444,11 @@ impl<D: Place> Lesson<D> {
         Ok(evidence)
     }
 
-    /// Takes in an answer to a question that was not asked: whether what is meant is among these tasks, how often that is wrong, and how many
-    /// other answers there were.
+    /// Takes an answer without a question: whether the intended task is among these tasks, the probability that the answer is wrong, and
+    /// how many other answers were possible.
     ///
     /// # Errors
-    /// What [`Agent::answered`] refuses.
+    /// The errors of [`Agent::answered`].
     pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, LiveError> {
         let evidence = self.agent.answered(tasks, yes, eta, others)?;
         self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(eta) });
@@ -461,17 +461,17 @@ impl<D: Place> Lesson<D> {
 
     pub(crate) fn note_answer(&mut self, answer: SessionAnswer) {
         if self.is_under_way() {
-            // Where a step waits for its word, the answer comes before that step.
+            // The answer comes before a step that waits for its feedback.
             let after = self.walk.steps.len();
             self.walk.answers.push(SessionAnswer { after, ..answer });
         }
     }
 
-    /// Takes the last step back: the session is to be walked again up to there, by [`plan`](Self::plan). A step that nobody judged is only
-    /// undone. Returns whether there was a step.
+    /// Takes the last step back. [`plan`](Self::plan) then walks the session again up to there. A step without feedback is only undone.
+    /// Returns whether there was a step.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::hear`] refuses.
+    /// [`LiveError::NoSession`], or the errors of [`Agent::hear`].
     pub fn take_back(&mut self) -> Result<bool, LiveError> {
         let session = self.session.as_mut().ok_or(LiveError::NoSession)?;
         if let Some((Acted { judged: None, .. }, step)) = &self.acted {
@@ -493,25 +493,25 @@ impl<D: Place> Lesson<D> {
         Ok(true)
     }
 
-    /// Takes in that the trainer ends the session here, where the end is evidence. A step to which nothing was said is not part of the session,
-    /// nor is the end after that.
+    /// Tells the agent that the trainer ends the session here, if the end is evidence. A last step without feedback is not part of the
+    /// session, and the end after it is no evidence.
     fn take_end(&mut self) -> Result<(), LiveError> {
         if !self.agent.options().ending.is_evidence() || self.acted().is_some_and(|acted| acted.judged.is_none()) {
             return Ok(());
         }
         self.agent.plan_fully(&self.walk.home, &self.state)?;
         match self.agent.trainer_ended(&self.walk.home, &self.state) {
-            // What was only answered has no end that the trainer chose.
+            // In a session of answers alone, the trainer chose no end.
             Ok(_) | Err(AgentError::NothingDone) => Ok(()),
             Err(error) => Err(error.into()),
         }
     }
 
-    /// The trainer ends the session, and the language model is to learn from it.
+    /// Ends the session by the trainer's choice; the language model is to learn from it.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::plan`] refuses at the end of the session: then it goes on. What [`Agent::finish`] refuses: the
-    /// session has ended then too.
+    /// [`LiveError::NoSession`], or the errors of [`Agent::plan`] at the end of the session: the session then continues. The errors of
+    /// [`Agent::finish`]: the session has ended then.
     pub fn finish(&mut self) -> Result<Finished, LiveError> {
         self.walk_on()?;
         if self.is_under_way() {
@@ -540,7 +540,7 @@ impl<D: Place> Lesson<D> {
     }
 }
 
-/// What an agent whose plan is done thinks of a step.
+/// A step as an agent with a complete plan judges it.
 fn acted<D: Domain>(agent: &Agent<AgentHeap>, home: &D, action: Action) -> Result<Acted, LiveError> {
     let (plan, belief) = (agent.planned(), agent.belief());
     let task = agent.most_likely().ok_or(LiveError::NoSession)?;

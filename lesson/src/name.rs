@@ -1,4 +1,4 @@
-//! A grounded task as a text.
+//! Grounded tasks as texts.
 
 use goodbot::home::{AGENT, COLOR, Home, SHAPE};
 use goodbot::memory::HomeMemory;
@@ -6,15 +6,15 @@ use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
 use goodbot::task::{GroundedTask, LiftedTask, Part, Piece, TaskText, Wording};
 use goodbot_formats::task_text::{GroundTaskText, TaskTextError};
 
-/// The text of a task: `blockInRoom(block0,room1)`. `lifted` is the task that it grounds.
+/// The text of a task, such as `blockInRoom(block0,room1)`. `lifted` is the kind of task that it grounds.
 ///
 /// # Errors
-/// A [`TaskTextError`] where a name could not be read again; names from files always can.
+/// A [`TaskTextError`] if the text could not be parsed again. Names from files always can.
 pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<GroundTaskText, TaskTextError> {
     TaskText::new(task, lifted, domain.world()).to_string().parse()
 }
 
-/// A task in a person's words: `go to the green room`, `take the blue chair to the red room`.
+/// A task in everyday words: `go to the green room`, `take the blue chair to the red room`.
 pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let said = |object| object_in_words(home, object);
     let goes = |subject| home.world().objects.get(subject).is_some_and(|known| known.class == AGENT);
@@ -27,14 +27,14 @@ pub fn in_words(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &Ground
             (false, true) => format!("keep the {} out of the {}", said(subject), said(place)),
         }
     };
-    // A way goes through a room, or through a room with something else than the robot in it.
+    // A way goes through a room, or through a room that contains another object.
     way_in_words(lifted, task, goal, |part: GroundProposition| {
         let [subject, place, _] = part.arguments;
         if goes(subject) { format!("the {}", said(place)) } else { format!("the {} with the {} in it", said(place), said(subject)) }
     })
 }
 
-/// A task in words, with its way: `go to the green room, but not through the yellow room`. `goal` says a goal, `place` what is gone through.
+/// A task in words, with its way: `go to the green room, but not through the yellow room`. `goal` words a goal, `place` a place on the way.
 pub fn way_in_words(
     lifted: &LiftedTask,
     task: &GroundedTask,
@@ -50,7 +50,7 @@ pub fn way_in_words(
     words
 }
 
-/// An object by its looks: `green room`, and with its name where others look the same: `blue chair (block0)`.
+/// An object by its looks, such as `green room`; with its name if another looks the same: `blue chair (block0)`.
 pub fn object_in_words(home: &Home<impl HomeMemory>, object: ObjectId) -> String {
     let objects = home.world().objects;
     let Some(class) = objects.get(object).map(|known| known.class) else { return String::new() };

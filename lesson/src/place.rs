@@ -1,4 +1,4 @@
-//! Where a lesson takes place, and how a log tells of it: a home, or another world.
+//! The place of a lesson, a home or another world, and its record in a log.
 
 use crate::home;
 use goodbot::home::Home;
@@ -8,25 +8,25 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::RecordedSession;
 use std::fmt;
 
-/// Where a lesson takes place.
+/// The place of a lesson.
 pub trait Place: Domain<State: fmt::Debug> + fmt::Debug {
-    /// How a log tells of the place as it is when a command is said.
+    /// The place at the time of a command, as a log records it.
     type Record: Clone + fmt::Debug;
 
     /// A session as a log has it.
     type Recorded;
 
-    /// The place in a state.
+    /// The record of the place in a state.
     fn record(&self, state: &Self::State) -> Self::Record;
 
-    /// A session that began where `record` tells. `session` has all the rest; its environment is empty.
+    /// A session that began in `record`. `session` has everything else; its environment is empty.
     fn recorded(&self, record: &Self::Record, session: RecordedSession) -> Self::Recorded;
 }
 
-/// How many actions a robot has that only moves.
+/// The number of actions of a robot that only moves.
 const MOVES: usize = 4;
 
-/// The names of the actions in a home, where a log must name them: those of a robot that does more than move.
+/// The names of a home's actions, if a log must name them: if the robot does more than move.
 pub(crate) fn named_actions<M: HomeMemory>(home: &Home<M>) -> Option<impl Iterator<Item = &str>> {
     let actions = home.actions();
     (actions.len() > MOVES).then(|| actions.iter().map(|kind| kind.name))

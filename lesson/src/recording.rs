@@ -1,4 +1,4 @@
-//! A live session as a log has it.
+//! The log of a live session.
 
 use crate::live::Lesson;
 use crate::place::Place;
@@ -11,8 +11,8 @@ use goodbot_formats::session::{
 };
 
 impl<D: Place> Lesson<D> {
-    /// The session under way as a log has it: what was heard, done, judged and answered. `learn` says whether it is learned from.
-    /// Nothing where no session is under way.
+    /// The session under way as a log has it: utterance, steps, feedback and answers. `learn` says whether it is learned from. `None` if no
+    /// session is under way.
     pub fn recorded(&self, learn: bool) -> Option<D::Recorded> {
         let (walk, session) = self.session()?;
         let home = self.home();
@@ -45,7 +45,7 @@ impl<D: Place> Lesson<D> {
         Some(home.recorded(&session.environment, recorded))
     }
 
-    /// The place as it is now, as a log tells of it.
+    /// The record of the place as it is now.
     pub fn environment(&self) -> D::Record {
         self.home().record(self.state())
     }

@@ -1,4 +1,4 @@
-//! A recorded session, replayed by an agent: the same command in the same home or world, the same actions, words and answers.
+//! Replays a recorded session with an agent: the same command in the same home or world, the same actions, feedback and answers.
 
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::feedback::{Ending, Strategy, population};
@@ -14,55 +14,56 @@ use goodbot_formats::session::Kind;
 /// Which parts of a recorded session count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rules {
-    /// Whether the trainer strategies that the session names are believed.
+    /// Whether the agent expects the trainer strategies that the session names.
     pub strategies: bool,
-    /// Whether the recorded prior counts, and the session before, where this one goes on from it. Otherwise the command alone is heard.
+    /// Whether the recorded prior counts, or the belief of the session before if this one continues it. Otherwise only the command counts.
     pub context: bool,
-    /// Whether feedback, demonstrations and answers are evidence. Otherwise each step is only planned for.
+    /// Whether feedback, demonstrations and answers are evidence. Otherwise the agent only plans for each step.
     pub evidence: bool,
-    /// Whether the end is planned for too. A demonstration that is evidence then ends with a rest: who shows the way stops where it is done.
+    /// Whether the agent plans for the end too. A demonstration that is evidence then ends with a rest: a demonstrator stops when the task
+    /// is done.
     pub end: bool,
-    /// Whether the session is over. Otherwise its end is no evidence, whatever the agent takes an end for.
+    /// Whether the session is over. Otherwise its end is no evidence, whatever the agent's options.
     pub over: bool,
 }
 
 impl Rules {
-    /// The session as it was.
+    /// The session as it happened.
     pub const AS_IT_WAS: Self = Self { strategies: true, context: true, evidence: true, end: false, over: true };
-    /// What the session shows of the task, whatever was known before.
+    /// The session's evidence for its task, without earlier knowledge.
     pub const BY_ITSELF: Self = Self { strategies: true, context: false, evidence: true, end: true, over: true };
-    /// Plans alone: for who judges the trainer, and not the task.
+    /// Plans alone, to judge the trainer and not the task.
     pub const PLANS: Self = Self { strategies: false, context: false, evidence: false, end: true, over: true };
-    /// A session under way, up to where it is.
+    /// A session under way, up to its present step.
     pub const UNDER_WAY: Self = Self { over: false, ..Self::AS_IT_WAS };
 }
 
-/// What has just happened.
+/// The event of one call of [`Replay::advance`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event<'s, S = HomeState> {
-    /// The budget was used up; go on.
+    /// The budget is used up; call again.
     Working,
-    /// The command was heard.
+    /// The agent heard the command.
     Heard,
-    /// The trainer answered a question.
+    /// The agent took an answer of the trainer.
     Answered(&'s SessionAnswer),
-    /// The plan for a step is done, and the step is still to be taken; without a step, the plan for the end.
+    /// The plan for a step is done, and the step comes next; without a step, the plan for the end.
     Planned(Option<&'s Step<S>>),
-    /// A step was taken, and what was said to it taken in.
+    /// The agent took a step and its feedback.
     Took(&'s Step<S>, Evidence),
-    /// The end was taken in as evidence.
+    /// The end was taken as evidence.
     Closed(Evidence),
-    /// Nothing is left.
+    /// The session is replayed.
     Ended,
 }
 
-/// What an agent refused, and the line that led to it.
+/// An agent's error, and the line in the log that caused it.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("{error}")]
 pub struct ReplayError {
     /// The line in the log.
     pub line: usize,
-    /// Why it was refused.
+    /// The error.
     pub error: AgentError,
 }
 
@@ -76,7 +77,7 @@ enum Next {
     Nothing,
 }
 
-/// A walk through a recorded session. Finish, or forget, when it has ended.
+/// The replay of a recorded session. Finish or forget the session after [`Event::Ended`].
 ///
 /// ```
 /// use goodbot::memory::AgentHeap;
@@ -109,16 +110,16 @@ pub struct Replay {
 }
 
 impl Replay {
-    /// A walk that has not begun.
+    /// A replay at the beginning of a session.
     pub const fn new(rules: Rules) -> Self {
         Self { rules, next: Next::Hear, answered: 0 }
     }
 
-    /// Goes on to what happens next. `walk` is the same at each call, and nothing else is done with the agent in between that changes
-    /// its belief or its plan. A plan takes at most about `budget` looks.
+    /// Continues to the next event. Pass the same `walk` at each call, and leave the agent's belief and plan alone in between. One call
+    /// plans with a budget of about `budget` looks.
     ///
     /// # Errors
-    /// What the agent refuses, with the line.
+    /// The agent's error, with the line.
     pub fn advance<'s, D: Domain>(
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
@@ -217,28 +218,28 @@ impl Replay {
     }
 }
 
-/// Whether an agent expects what real people do.
+/// Whether the agent expects the strategies fitted to real people.
 pub fn expects_people(agent: &Agent<impl AgentMemory>) -> bool {
     let expected = agent.belief().strategies().iter().map(|(strategy, _)| strategy);
     expected.eq(population::STRATEGIES.iter().map(|(strategy, _)| strategy))
 }
 
-/// Takes the end of a session for evidence where the agent expects what real people do, and else for none: of people it is known when they end
-/// a session. A session under way ends unlearned where that changes.
+/// Makes the end of a session evidence if the agent expects real people's strategies: when people end a session is known. Otherwise makes
+/// it no evidence. A change forgets the session under way.
 ///
 /// # Errors
-/// What the agent refuses.
+/// The agent's error.
 pub fn expect_ends(agent: &mut Agent<impl AgentMemory>) -> Result<(), AgentError> {
     let options = *agent.options();
     let ending = if expects_people(agent) { population::ENDING } else { Ending::NO_EVIDENCE };
     if options.ending == ending { Ok(()) } else { agent.set_options(Options { ending, ..options }) }
 }
 
-/// Expects these strategies of the trainer. Where they are expected already, to the last bit, nothing changes: an agent's own log teaches it the
-/// same again.
+/// Makes the agent expect these trainer strategies. If it expects them already, to the last bit, nothing changes: so its own log teaches it
+/// the same again.
 ///
 /// # Errors
-/// What the agent refuses.
+/// The agent's error.
 pub fn expect(agent: &mut Agent<impl AgentMemory>, strategies: &[Expected]) -> Result<(), AgentError> {
     let belief = agent.belief();
     let known = belief.strategies().iter().enumerate().map(|(at, &(strategy, _))| (strategy, belief.strategy_probability(at)));

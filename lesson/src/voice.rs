@@ -1,5 +1,5 @@
-//! What a person says while a session is under way, and between sessions, as [`goodbot::Agent::said`] tells it; and what is said along with the buttons:
-//! such words are praise or blame from then on, as long as the program runs.
+//! Words during a session and between sessions, as [`goodbot::Agent::said`] reads them, and words said along with the feedback buttons.
+//! Those count as praise or blame until the program ends.
 
 use crate::listening::tells_talk;
 use crate::live::{Lesson, LiveError};
@@ -13,17 +13,17 @@ use goodbot::session::Evidence;
 use goodbot::talk::{Class, Classes, ClosedWords, Said, Stage, for_each_open_word};
 use goodbot::task::TaskSet;
 
-/// What was said along with the buttons: for each word, how often with "good" and with "bad".
+/// The words said along with the feedback buttons: how often each came with "good" and with "bad".
 #[derive(Clone, Debug, Default)]
 pub struct Voice {
     said: Vec<(String, [u32; 2])>,
 }
 
 impl Voice {
-    /// Takes in what was said along with a button. Silence teaches nothing, and neither do words of closed classes.
+    /// Counts the words said along with a button. Silence teaches nothing, nor do words of closed classes.
     ///
     /// # Errors
-    /// A [`goodbot::capacity::CapacityError`] where the words are too many or too long.
+    /// A [`goodbot::capacity::CapacityError`] if there are too many words, or one is too long.
     pub fn learn(&mut self, words: &str, feedback: Feedback, closed: ClosedWords<'_>) -> Result<(), AgentError> {
         let side = match feedback {
             Feedback::Reward => 0,
@@ -47,11 +47,11 @@ impl Voice {
 }
 
 impl<D: Place> Lesson<D> {
-    /// What a person's words ask for, at this point of the conversation. Nothing is done yet. Words that change what was before are no command
-    /// where nothing was: they are [`Said::Nothing`] of [`Class::Back`].
+    /// Reads a person's words at this point of the conversation, and changes nothing. Words that refer to something before are no command
+    /// if there is nothing before: they are [`Said::Nothing`] of [`Class::Back`].
     ///
     /// # Errors
-    /// An [`AgentError`] where the words are too many or too long.
+    /// An [`AgentError`] if there are too many words, or one is too long.
     pub fn said(&self, words: &str) -> Result<Said, LiveError> {
         let stage = match self.acted() {
             _ if !self.is_under_way() => Stage::Between,
@@ -60,7 +60,7 @@ impl<D: Place> Lesson<D> {
             Some(_) => Stage::Stepped,
         };
         let said = self.agent.said(words, self.closed, stage, |word| self.voice.count(word))?;
-        // With few lessons nothing is known of what words point at, and with no command before there is nothing to point at.
+        // With few lessons, no pointing word is learned; without an earlier command, there is nothing to point at.
         let is_new = !tells_talk(&self.agent) || self.conversation().facts.is_empty();
         let may_point = stage == Stage::Between && matches!(said, Said::Command | Said::Nothing(Class::No));
         if may_point && is_new && self.changes_what_was_before(words, said)? {
@@ -69,35 +69,36 @@ impl<D: Place> Lesson<D> {
         Ok(said)
     }
 
-    /// Whether words would change what was before: "no, the other one", "put it back", "forget it". A command has more words of its own.
+    /// Whether words would change something said before: "no, the other one", "put it back", "forget it". A command has more words of its
+    /// own.
     fn changes_what_was_before(&self, words: &str, said: Said) -> Result<bool, AgentError> {
         let (mut is_no, mut points, mut open) = (false, false, 0_usize);
         for_each_piece(words, |piece| {
             let classes = self.closed.of(piece);
             is_no |= open == 0 && classes.contains(Class::No);
             points |= classes.forgets() || classes.contains_any(&[Class::Back, Class::Other]);
-            // A sign of Chinese is half a word.
+            // A Chinese sign counts as half a word.
             open = open.saturating_add(if classes == Classes::NONE { piece.chars().take(2).count() } else { 0 });
             Ok(())
         })?;
         let is_short = open <= if is_no { 4 } else { 2 };
-        // "No" alone judges, and "no, go to the red room" is a command.
+        // "No" alone is feedback, and "no, go to the red room" is a command.
         let is_turned = || Ok::<_, AgentError>(is_no && said == Said::Command && !self.agent.is_told_to_act(words, self.closed)?);
         Ok(is_short && (points || is_turned()?))
     }
 
-    /// Learns what is said along with a button.
+    /// Counts the words said along with a button.
     ///
     /// # Errors
-    /// As [`Voice::learn`].
+    /// The errors of [`Voice::learn`].
     pub fn learn_voice(&mut self, words: &str, feedback: Feedback) -> Result<(), LiveError> {
         Ok(self.voice.learn(words, feedback, self.closed)?)
     }
 
-    /// Takes in words that turn the robot on its way round, as [`goodbot::Agent::correct`] does, and keeps them for the record.
+    /// Takes a correction of the robot on its way, as [`goodbot::Agent::correct`] does, and keeps its words for the record.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what the agent refuses.
+    /// [`LiveError::NoSession`], or the agent's error.
     pub fn correct(&mut self, words: &str) -> Result<Evidence, LiveError> {
         if !self.is_under_way() {
             return Err(LiveError::NoSession);
@@ -111,10 +112,10 @@ impl<D: Place> Lesson<D> {
         Ok(Evidence::Used)
     }
 
-    /// Takes in a correction of a log anew: the "no" to these tasks, how often that is wrong, and the words.
+    /// Takes a recorded correction again: "no" to these tasks, the probability that this is wrong, and the words.
     ///
     /// # Errors
-    /// As [`correct`](Self::correct).
+    /// The errors of [`correct`](Self::correct).
     pub fn correct_as(&mut self, tasks: TaskSet, eta: f32, words: &str) -> Result<(), LiveError> {
         let closed = self.closed;
         let (agent, home, _) = self.parts();

@@ -1,4 +1,4 @@
-//! What happens in a session: a command in a home or another world, steps, what was said to them, and answers.
+//! The course of a session: a command in a home or another world, steps with their feedback, and answers.
 
 use crate::conversing::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
@@ -10,71 +10,71 @@ use goodbot_formats::session::{Kind, StrategyRecord};
 /// One step of a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step<S = HomeState> {
-    /// Its line.
+    /// Its line in the log.
     pub line: usize,
-    /// Where everything was before it.
+    /// The state before it.
     pub before: S,
-    /// What was done.
+    /// The action.
     pub action: Action,
-    /// What the trainer said; silence in a demonstration.
+    /// The feedback; silence in a demonstration.
     pub feedback: Feedback,
-    /// Whether it was a move that moved nothing.
+    /// Whether it is an action that changed nothing, other than the rest.
     pub bump: bool,
 }
 
 impl<S: Copy + PartialEq> Step<S> {
-    /// A step from a state, with where everything is after it; `None` where there is no such action, or it cannot be done there.
+    /// A step from a state, and the state after it; `None` if there is no such action, or it is impossible in that state.
     pub fn from<D: Domain<State = S>>(domain: &D, before: S, action: &str, feedback: Feedback, line: usize) -> Option<(Self, S)> {
         let action = action_named(domain, action)?;
         let next = apply(domain, &before, action)?;
         Some((Self { line, feedback, ..Self::new(before, action, next) }, next))
     }
 
-    /// A live step, to which nothing was said yet.
+    /// A live step without feedback.
     pub fn new(before: S, action: Action, after: S) -> Self {
         Self { line: 0, before, action, feedback: Feedback::Neutral, bump: action != Action::NOOP && after == before }
     }
 
-    /// Where everything is after it.
+    /// The state after it.
     pub fn after<D: Domain<State = S>>(&self, domain: &D) -> S {
         apply(domain, &self.before, self.action).unwrap_or(self.before)
     }
 }
 
-/// An answer of a session.
+/// An answer in a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SessionAnswer {
-    /// Its line.
+    /// Its line in the log.
     pub line: usize,
     /// How many steps come before it.
     pub after: usize,
-    /// The tasks that it is about.
+    /// The tasks of the question.
     pub tasks: TaskSet,
-    /// Whether what is meant is among them.
+    /// Whether the intended task is among them.
     pub yes: bool,
     /// The probability that it is wrong.
     pub eta: f32,
-    /// How many other answers there were.
+    /// How many other answers were possible.
     pub others: u8,
-    /// What was said, where it was a correction: evidence beside the answer.
+    /// The words of a correction: evidence beside the answer.
     pub words: Option<String>,
 }
 
 impl SessionAnswer {
-    /// An answer of yes to nothing yet, which is wrong with this probability.
+    /// A "yes" to no tasks, wrong with the probability `eta`, for the caller to fill in.
     pub const fn of(eta: f32) -> Self {
         Self { line: 0, after: 0, tasks: TaskSet::EMPTY, yes: true, eta, others: 1, words: None }
     }
 }
 
-/// How a session began where the robot listened.
+/// The utterance that began a session.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Listening {
-    /// What was said, from the session's command on.
+    /// The utterance, from the session's command on.
     pub utterance: String,
-    /// Where other commands were before this one: the lifted task of the last of them, by its position.
+    /// The kind of the task before, by its position, if the utterance has earlier commands.
     pub after: Option<u8>,
-    /// What was said and done before.
+    /// The conversation before the utterance.
     pub conversation: Conversing,
 }
 
@@ -83,17 +83,17 @@ pub struct Listening {
 pub struct Expected {
     /// The strategy.
     pub strategy: Strategy,
-    /// How probable it is, as a share of the most probable one: single precision then never makes all of them 0.
+    /// Its probability as a share of the most probable strategy's: single precision then never makes all of them 0.
     pub share: f32,
-    /// How probable it is, as it is recorded.
+    /// Its recorded probability.
     pub recorded: f32,
 }
 
 impl Expected {
-    /// A recorded strategy; `most` is how probable the most probable one is.
+    /// A recorded strategy; `most` is the probability of the most probable one.
     ///
     /// # Errors
-    /// What is no probability.
+    /// A [`StrategyError`] for a number out of range.
     pub fn new(record: &StrategyRecord, most: f64) -> Result<Self, StrategyError> {
         let strategy = Strategy::new(record.mu_plus as f32, record.mu_minus as f32, record.epsilon as f32)?;
         let strategy = strategy.with_lags(record.lags.map_or(Strategy::NO_LAG, |lags| lags.map(|lag| lag as f32)))?;
@@ -108,15 +108,15 @@ impl Expected {
 /// A session from its command to its end.
 #[derive(Debug)]
 pub struct Walk<D: Domain> {
-    /// What was said.
+    /// The command.
     pub command: String,
-    /// Where the robot listened: the utterance that the command is of.
+    /// The utterance that the command is part of, if the robot listened.
     pub listening: Option<Listening>,
-    /// The words that speak about commands.
+    /// The closed words.
     pub closed: goodbot::talk::ClosedWords<'static>,
-    /// How it teaches.
+    /// The kind of session: feedback, demonstration or label.
     pub kind: Kind,
-    /// Whether it is the command before, once more.
+    /// Whether it repeats the command before, and keeps its belief.
     pub continues: bool,
     /// The line of its header.
     pub header_line: usize,
@@ -124,9 +124,9 @@ pub struct Walk<D: Domain> {
     pub end_line: usize,
     /// The home, or the robot of another world.
     pub home: D,
-    /// Where everything is at the beginning.
+    /// The state at the beginning.
     pub start: D::State,
-    /// The recorded prior of the tasks that it names; it is 0 for others.
+    /// The recorded prior of the tasks that it names; others have 0.
     pub prior: Option<Vec<(GroundedTask, f32)>>,
     /// The recorded strategies.
     pub strategies: Option<Vec<Expected>>,
@@ -137,7 +137,7 @@ pub struct Walk<D: Domain> {
 }
 
 impl<D: Domain> Walk<D> {
-    /// A session in which nothing has happened yet, not even a command.
+    /// A session at its very beginning, without a command.
     pub const fn new(home: D, start: D::State, kind: Kind) -> Self {
         Self {
             command: String::new(),
@@ -156,7 +156,7 @@ impl<D: Domain> Walk<D> {
         }
     }
 
-    /// Where everything is at the end.
+    /// The state at the end.
     pub fn end(&self) -> D::State {
         self.steps.last().map_or(self.start, |last| last.after(&self.home))
     }

@@ -75,7 +75,7 @@ fn taught() -> Lesson {
     Lesson::new(agent, place, start)
 }
 
-/// Walks until the robot takes its task for done, and praises each step.
+/// Walks until the robot thinks that its task is done, and praises each step.
 fn walk(lesson: &mut Lesson, random: &mut Pcg32) {
     for _ in 0..60 {
         while !lesson.plan(10_000).expect("a plan") {}
@@ -109,10 +109,10 @@ fn replayed(lesson: &mut Lesson, recorded: &RecordedSession) -> Vec<u32> {
     beliefs
 }
 
-/// Ends a session, and has another robot go through its record.
+/// Ends a session, and replays its record with another robot.
 fn end(lesson: &mut Lesson, other: &mut Lesson) {
     let recorded = lesson.recorded(true).expect("a session");
-    // The end is evidence too where people are expected; here it is not.
+    // If people are expected, the end is evidence too; here it is not.
     let believed = beliefs(&lesson.agent);
     assert_eq!(replayed(other, &recorded), believed, "{:?}", recorded.header.command);
     let _ = lesson.finish().expect("learned");
@@ -133,7 +133,7 @@ fn each_part_of_what_was_said_is_replayed_to_the_bit() {
         lesson.listen_on(now).expect("heard").expect("a part");
         assert_eq!(lesson.command(), Some(command));
         walk(&mut lesson, &mut random);
-        // A step back hears the part again as it was heard.
+        // After a step back, the part is heard as before.
         let before = beliefs(&lesson.agent);
         lesson.go_on().expect("it goes on");
         while !lesson.plan(10_000).expect("a plan") {}
@@ -239,7 +239,7 @@ fn what_is_done_already_is_spoken_of_too() {
     lesson.listen("bring it to the blue room", rooms(), false).expect("heard");
     let task = lesson.agent.most_likely().expect("a task");
     assert_eq!(lesson.name_of(task).expect("a name").to_string(), "blockInRoom(block0,room1)");
-    // What the robot has done is remembered although it is not learned from.
+    // A finished task is remembered although it is not learned from.
     walk(&mut lesson, &mut random);
     lesson.forget();
     let now = lesson.environment();

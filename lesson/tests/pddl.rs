@@ -1,4 +1,4 @@
-//! Problems of the planning field, as worlds: the robot's plans cost what the best plans cost.
+//! Problems of the planning field as worlds: the robot's plans cost as much as the best plans.
 
 use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_formats::task_text::GroundTaskText;
@@ -11,7 +11,7 @@ const GRIPPER_4: &str = include_str!("pddl/gripper-4.pddl");
 const DELIVERY: &str = include_str!("pddl/delivery.pddl");
 const DELIVERY_4: &str = include_str!("pddl/delivery-4.pddl");
 
-/// Problems, with the cost of the best plan for the goal: the length of pyperplan's, found breadth first, where all actions cost 1.
+/// Problems, with the cost of the best plan for the goal. With equal costs, it is the length of pyperplan's plan, found breadth first.
 const PROBLEMS: [(&str, &str, u32); 6] = [
     (GRIPPER, GRIPPER_4, 9),
     (include_str!("pddl/blocks.pddl"), include_str!("pddl/blocks-3.pddl"), 6),
@@ -87,7 +87,7 @@ fn what_is_not_understood_is_refused_by_line() {
     let swap = "(define (domain d) (:predicates (p ?x) (q ?x)) (:action a :parameters (?x ?y) :precondition (p ?x) :effect (q ?y)))";
     let two = "(define (problem two) (:domain d) (:objects a b) (:init (p a)) (:goal (q a)))";
     assert!(refused(swap, two).contains("add (not (= ?x ?y))"));
-    // The search of many choices ends soon, though no action can ever be done.
+    // A search over many choices ends soon, even if no action is ever possible.
     let objects: String = (0..200).map(|number| format!(" o{number}")).collect();
     let many = "(define (domain d) (:predicates (p ?x) (q ?x) (r ?x)) (:action a :parameters (?a ?b ?c ?d ?e) :precondition (r ?e) :effect (q ?a)))";
     let wide = format!("(define (problem wide) (:domain d) (:objects{objects}) (:init (p o0)) (:goal (q o0)))");
@@ -136,7 +136,7 @@ fn what_contradicts_itself_in_a_domain_or_a_problem_is_refused_by_its_name() {
     let itself = "(define (domain d) (:predicates (p ?x ?y)) (:action a :parameters (?x) :effect (p ?x ?x)))";
     let one = "(define (problem one) (:domain d) (:objects a b) (:init) (:goal (p a b)))";
     assert!(read(itself, one).is_err_and(|it| it.contains("line 1: an effect of a on p has one object twice")));
-    // The same said twice of what holds at first is said once.
+    // A fact that is given twice counts once.
     let twice = GRIPPER_4.replacen("(:init", "(:init (at-robby rooma)", 1);
     assert_eq!(read(GRIPPER, &twice), read(GRIPPER, GRIPPER_4));
 }

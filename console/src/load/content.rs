@@ -1,4 +1,4 @@
-//! The kind of a file, from its first bytes.
+//! Recognizes the kind of a file by its first bytes.
 
 use goodbot::talk::Class;
 
@@ -24,7 +24,7 @@ pub enum Content {
 }
 
 impl Content {
-    /// The kind of a file that begins like this.
+    /// The kind of a file that begins with these bytes.
     pub fn of(bytes: &[u8]) -> Self {
         if bytes.starts_with(b"goodbot\0") {
             return Self::Model;
@@ -45,14 +45,14 @@ impl Content {
             Ok(line) if line.get("session").is_some() && line.get("step").is_some() => Self::Beliefs,
             Ok(_) => Self::Environment,
             Err(_) if is_world(text) => Self::Worlds,
-            // A session line may be broken itself, or be longer than what was looked at.
+            // A session line may be at fault, or longer than the bytes read so far.
             Err(_) if first.contains("\"type\"") && first.contains("\"session\"") => Self::Log,
             Err(_) if is_table(text) => Self::ClosedWords,
             Err(_) => Self::Environment,
         }
     }
 
-    /// With its article.
+    /// The kind's name, with its article.
     pub fn name(self) -> &'static str {
         match self {
             Self::Environment | Self::Map => "a home",
@@ -66,13 +66,13 @@ impl Content {
     }
 }
 
-/// Whether this is the beginning of a world, be it on one line or on many.
+/// Whether this is the beginning of a world, on one line or on several.
 fn is_world(text: &str) -> bool {
     let text: String = text.chars().filter(|c| !c.is_whitespace()).take(1_000).collect();
     text.starts_with('{') && text.contains("\"type\":\"world\"")
 }
 
-/// Whether a line begins with a class of words, which no JSON does.
+/// Whether a line begins with a class of words. No line of JSON does.
 fn is_table(text: &str) -> bool {
     let names = text.lines().filter_map(|line| Some(line.split_once(':')?.0.trim()));
     !text.trim_start().starts_with(['{', '[']) && names.into_iter().any(|name| Class::ALL.iter().any(|class| class.name() == name))

@@ -12,7 +12,7 @@ use goodbot_lesson::{Fault, home};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
 
-/// How standard input is called in messages.
+/// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";
 
 /// The name of a file in messages.
@@ -27,7 +27,7 @@ pub fn open(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     Ok(BufReader::with_capacity(1 << 16, opened))
 }
 
-/// Opens a session log, and refuses what is plainly something else.
+/// Opens a session log, and refuses a file of another kind.
 pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     let mut opened = open(file)?;
     let content = Content::of(opened.fill_buf().map_err(unreadable(file))?);
@@ -39,9 +39,9 @@ pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     Ok(opened)
 }
 
-/// The sessions of a log, be it of homes or of worlds.
+/// The sessions of a log of homes or worlds.
 pub fn sessions<'l>(mut log: impl BufRead + 'l) -> Box<dyn Iterator<Item = Result<RecordedSession, FormatError>> + 'l> {
-    // What cannot be read is told when it is read.
+    // A read error is reported with the first session.
     if !log.fill_buf().is_ok_and(|head| Content::of(head) == Content::Worlds) {
         return Box::new(SessionReader::new(log));
     }
@@ -52,13 +52,13 @@ pub fn sessions<'l>(mut log: impl BufRead + 'l) -> Box<dyn Iterator<Item = Resul
     }))
 }
 
-/// Whether this is the beginning of a home as JSON, be it on one line or on many.
+/// Whether this is the beginning of a home as JSON, on one line or on several.
 fn is_home(head: &[u8]) -> bool {
     let text: String = String::from_utf8_lossy(head).chars().filter(|c| !c.is_whitespace()).take(200).collect();
     text.trim_start_matches('\u{feff}').starts_with('{') && text.contains("\"objects\":[") && !text.contains("\"type\":")
 }
 
-/// Where a robot lives.
+/// The place where a robot lives.
 #[derive(Debug)]
 pub enum Place {
     /// In a home.
@@ -70,7 +70,7 @@ pub enum Place {
 /// A home or a world from a file.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// The fault of the file.
 pub fn place(file: &str) -> Result<Place, Fault> {
     let bytes = bytes(file)?;
     if Content::of(&bytes) == Content::Worlds {
@@ -82,7 +82,7 @@ pub fn place(file: &str) -> Result<Place, Fault> {
 /// A home from a file, as JSON or drawn as text.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// The fault of the file.
 pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
     home_of(file, bytes(file)?)
 }
@@ -110,23 +110,23 @@ impl WorldInFile {
     /// A world from the text of a file.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The fault of the world.
     pub fn parse(name: &str, bytes: Vec<u8>) -> Result<Self, Fault> {
         let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
         let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(name, error))?;
         Ok(Self { world, name: name.to_owned(), text })
     }
 
-    /// What is wrong with a field of it, in its place.
+    /// A fault of one of its fields, with the field's line.
     pub fn fault(&self, field: &str, message: &str) -> Fault {
         Fault { line: field_line(&self.text, field), ..Fault::new(&self.name, message) }.in_field(field)
     }
 }
 
-/// A world from a file; `None` where the file is something else.
+/// A world from a file; `None` if the file is of another kind.
 ///
 /// # Errors
-/// What is wrong with the file.
+/// The fault of the file.
 pub fn world(file: &str) -> Result<Option<WorldInFile>, Fault> {
     let mut opened = open(file)?;
     if Content::of(opened.fill_buf().map_err(unreadable(file))?) != Content::Worlds {
@@ -135,7 +135,7 @@ pub fn world(file: &str) -> Result<Option<WorldInFile>, Fault> {
     WorldInFile::parse(name(file), rest(file, opened)?).map(Some)
 }
 
-/// Writes faults to standard error, where anyone still reads it.
+/// Writes faults to standard error, if it is still open.
 pub fn tell(faults: &[Fault]) {
     let mut messages = std::io::stderr().lock();
     for fault in faults {
@@ -143,20 +143,20 @@ pub fn tell(faults: &[Fault]) {
     }
 }
 
-/// All of a file.
+/// The whole content of a file.
 pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
     rest(file, open(file)?)
 }
 
-/// All of a file, as text.
+/// The whole content of a file, as text.
 ///
 /// # Errors
-/// Where it cannot be read, or is not UTF-8.
+/// A fault if it cannot be read, or is not UTF-8.
 pub fn text(file: &str) -> Result<String, Fault> {
     String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), Problem::NotUtf8))
 }
 
-/// All that is left of an opened file.
+/// The rest of an opened file.
 pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     opened.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;

@@ -25,10 +25,10 @@ pub struct TaskKinds {
 }
 
 impl TaskKinds {
-    /// The lifted tasks: the paper's two, unless they are left out, and those that were named.
+    /// The lifted tasks: the paper's two, unless they are left out, and those of the options.
     ///
     /// # Errors
-    /// [`Failure::Input`] where they are too many.
+    /// [`Failure::Input`] if they are too many.
     pub fn lifted(&self) -> Result<Vec<LiftedTask>, Failure> {
         let paper = home::paper_tasks()?;
         let mut lifted = if self.only_these_tasks { vec![] } else { paper.to_vec() };
@@ -50,10 +50,10 @@ impl TaskKinds {
         Ok(lifted)
     }
 
-    /// The lifted tasks for a model: those that its file keeps, unless it keeps none. Then they are those of the options, as without a model.
+    /// The lifted tasks of a model: those that its file keeps. If it keeps none, they are those of the options.
     ///
     /// # Errors
-    /// As [`lifted`](Self::lifted), and where the file is no model, or keeps other kinds than those that the options name.
+    /// The errors of [`lifted`](Self::lifted), and an error if the file is no model, or keeps other kinds than the options name.
     pub fn of_model(&self, file: &Path) -> Result<Vec<LiftedTask>, Failure> {
         let asked = if self.is_given() { Some(self.lifted()?) } else { None };
         match kept(file, &read_model(file)?)? {
@@ -72,20 +72,20 @@ impl TaskKinds {
     }
 }
 
-/// The kinds of task that a model of homes keeps; `None` where it keeps none: its kinds are the paper's two, or the model does not say.
+/// The kinds of task that a model of homes keeps; `None` if it keeps none: they are then the paper's two, or unknown.
 ///
 /// # Errors
-/// [`Failure::Input`] where they are damaged.
+/// [`Failure::Input`] if they are damaged.
 pub fn kept(file: &Path, model: &[u8]) -> Result<Option<Vec<LiftedTask>>, Failure> {
     let texts = kept_kinds::of(model).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-    // What was learned in another vocabulary is refused, or taken along, where it is restored.
+    // Kinds of another vocabulary are handled when the model is restored: the model is refused, or its words are kept.
     Ok(texts.and_then(|texts| texts.iter().map(|text| TaskKinds::parse(text).ok()).collect()))
 }
 
-/// The kinds of task that a model keeps, where nothing else is asked for.
+/// The kinds of task that a model keeps, if no others are asked for.
 ///
 /// # Errors
-/// [`Failure::Input`] names both where they are others. `who` asks for them.
+/// [`Failure::Input`] names both kinds if they differ. `who` asks for them.
 pub fn agreed(file: &Path, kept: Vec<LiftedTask>, asked: Option<Vec<LiftedTask>>, who: &str) -> Result<Vec<LiftedTask>, Failure> {
     let Some(asked) = asked else { return Ok(kept) };
     let [ours, theirs] = [texts(&kept), texts(&asked)];
@@ -105,7 +105,7 @@ pub fn texts(lifted: &[LiftedTask]) -> Vec<String> {
     lifted.iter().map(|kind| kept_kinds::text(kind, &home::SCHEMA)).collect()
 }
 
-/// A model file of a robot in homes with its kinds of task. Those of the paper are left out: a file without any is for every robot.
+/// A model file for homes, with its kinds of task. The paper's kinds are left out: a file without kinds is for every robot.
 pub fn with_kinds(model: Vec<u8>, lifted: &[LiftedTask]) -> Vec<u8> {
     let is_papers = home::paper_tasks().is_ok_and(|paper| are_same(&texts(&paper), &texts(lifted)));
     if is_papers { model } else { kept_kinds::with(&model, &texts(lifted)) }

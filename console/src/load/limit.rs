@@ -1,8 +1,8 @@
-//! How much of a long log is read.
+//! Limits the sessions read from a long log.
 
 use clap::Args;
 
-/// How many sessions are read.
+/// The option for the limit.
 #[derive(Clone, Copy, Debug, Default, Args)]
 pub struct Limit {
     /// Read only the first N sessions of a log, or of all the logs that are read together; N is 1 or more
@@ -15,7 +15,7 @@ fn sessions(text: &str) -> Result<usize, String> {
 }
 
 impl Limit {
-    /// How many there are at most.
+    /// The most sessions to read.
     pub fn count(self) -> usize {
         self.limit.unwrap_or(usize::MAX)
     }

@@ -1,10 +1,10 @@
 //! Files that the commands read.
 //!
 //! - [`input`]: files and standard input;
-//! - [`closed_words`]: tables of words that speak about commands;
-//! - [`content`]: what a file is;
+//! - [`closed_words`]: tables of closed words;
+//! - [`content`]: the kind of a file;
 //! - [`kinds`]: the kinds of tasks that commands may mean;
-//! - [`limit`]: how many sessions of a log;
+//! - [`limit`]: the number of sessions to read;
 //! - [`synonyms`]: tables of words that mean the same.
 
 pub mod closed_words;

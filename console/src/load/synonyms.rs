@@ -8,7 +8,7 @@ use goodbot::language::{LanguageRef, Synonyms};
 use goodbot_lesson::Fault;
 use std::borrow::Cow;
 
-/// Where the table is.
+/// The option for the table.
 #[derive(Debug, Args)]
 pub struct SynonymOptions {
     /// A table of synonyms: an unknown word is heard as a known word of its line (goodbot example synonyms prints one)
@@ -22,23 +22,23 @@ impl SynonymOptions {
         self.synonyms.is_some()
     }
 
-    /// The table; without a file, it is empty.
+    /// The table; empty without a file.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the file cannot be read or is no such table.
+    /// [`Failure::Input`] if the file cannot be read or is no such table.
     pub fn read(&self) -> Result<Synonyms<'static>, Failure> {
         let Some(file) = &self.synonyms else { return Ok(Synonyms::NONE) };
-        // A program reads one table, and uses it as long as it runs.
+        // A program reads one table, and uses it until it ends.
         let text: &'static str = Box::leak(input::text(file)?.into());
         Synonyms::new(text).map_err(|error| Fault::new(input::name(file), error).into())
     }
 }
 
-/// What was said, with unknown words replaced by known synonyms. Where there are none it stays as it is, with its punctuation: a robot that
-/// listens reads that.
+/// The words, with unknown words replaced by known synonyms. If none is replaced, the text keeps its punctuation, which a listening robot
+/// reads.
 ///
 /// # Errors
-/// A [`CapacityError`] where a word is too long.
+/// A [`CapacityError`] if a word is too long.
 pub fn said_in_known_words<'w>(synonyms: Synonyms<'_>, language: LanguageRef<'_>, words: &'w str) -> Result<Cow<'w, str>, CapacityError> {
     let mut is_other = false;
     synonyms.for_each_word(language, words, |said, heard| {
@@ -55,7 +55,7 @@ pub fn said_in_known_words<'w>(synonyms: Synonyms<'_>, language: LanguageRef<'_>
 /// A command with unknown words replaced by known synonyms, if a table has them.
 ///
 /// # Errors
-/// [`Failure::Input`] where the command is too long.
+/// [`Failure::Input`] if the command is too long.
 pub fn in_known_words(synonyms: Synonyms<'_>, language: LanguageRef<'_>, command: &str) -> Result<String, Failure> {
     Ok(synonyms.in_known_words(language, command)?)
 }

@@ -1,4 +1,4 @@
-//! One session, walked by an agent that knows no word: which task do the steps speak for?
+//! Replays one session with an agent without words: how far do the steps speak for each task?
 
 use super::{Lesson, MachineCommand, Reading};
 use crate::believes::Believes;
@@ -23,7 +23,7 @@ use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::world::{self, robot::Robot};
 use goodbot_lesson::{Fault, home};
 
-/// Sees what a session shows.
+/// Turns sessions into training data.
 pub struct Witness {
     agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
@@ -32,16 +32,16 @@ pub struct Witness {
 }
 
 impl Witness {
-    /// One that knows no word. `believes` is what it expects of trainers, in place of what the sessions say, and `plans` says whether each task's
-    /// plan is wanted.
+    /// A witness without words. `believes` replaces the trainer strategies that the sessions name. `plans` says whether each task's plan is
+    /// wanted.
     pub fn new(lifted: &[LiftedTask], options: Options, believes: Option<Believes>, plans: bool) -> Result<Self, goodbot::AgentError> {
         Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), believes, plans })
     }
 
-    /// Walks through a session. Trainer strategies that the session names are taken; a recorded prior is not, since words made it.
+    /// Replays a session. The trainer strategies that it names count. A recorded prior does not count, because it comes from words.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The faults of the session.
     pub fn lesson(&mut self, file: &str, recorded: &RecordedSession) -> Result<Lesson, Vec<Fault>> {
         let session = check(file, recorded, &self.lifted, home::memory())?;
         self.seen(file, recorded, &session, |home, state| {
@@ -50,19 +50,19 @@ impl Witness {
         })
     }
 
-    /// Walks through a session in another world, as [`lesson`](Self::lesson) does in a home.
+    /// Replays a session in another world, as [`lesson`](Self::lesson) does in a home.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The faults of the session.
     pub fn lesson_in(&mut self, file: &str, recorded: &SessionInWorld, robot: Robot<'_>) -> Result<Lesson, Vec<Fault>> {
         let session = world::checked::check(file, recorded, robot, &self.lifted)?;
         self.seen_in(file, recorded, &session)
     }
 
-    /// What a command in another world means: all of `intended`, where that is told. Nothing where it is none of the tasks there.
+    /// The lesson of a command in another world. `intended`, if given, is its meaning; `None` if no task there has this meaning.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// The faults of the command.
     pub fn told_in(
         &mut self,
         file: &str,
@@ -92,7 +92,7 @@ impl Witness {
         Ok(Lesson { world: Some(super::worlds::place(&recorded.world, &recorded.facts)), ..lesson })
     }
 
-    /// What a session shows. `bump` says what a step that changes nothing does in a demonstration.
+    /// The training data of a session. `bump` words the effect of a step that changes nothing in a demonstration.
     fn seen<D: Domain>(
         &mut self,
         file: &str,
@@ -137,8 +137,8 @@ impl Witness {
         Ok(lesson)
     }
 
-    /// Expects of the trainer what was told, or else the paper's one, whom a session means that names no strategies. Who shows the way is
-    /// expected to make the paper's one mistake in ten.
+    /// Expects the trainers of `believes` in a feedback session, and otherwise the paper's trainer, whom a session without strategies
+    /// means. A demonstrator is expected to make one mistake in ten, like the paper's trainer.
     fn expect(&mut self, kind: Kind) -> Result<(), AgentError> {
         let plain = Options { drift: 0.0, ending: Ending::NO_EVIDENCE, ..*self.agent.options() };
         let told = self.believes.as_ref().filter(|_| kind == Kind::Feedback);
@@ -171,7 +171,7 @@ impl Witness {
         }
     }
 
-    /// The machine commands by their share of the posterior; those up to [`Options::least_weight`] are dropped.
+    /// The machine commands with their shares of the posterior. Shares up to [`Options::least_weight`] are dropped.
     fn pairs(&self) -> Vec<(MachineCommand, f32)> {
         let candidates = self.agent.candidates();
         let whole = total(candidates.entries().iter().map(|entry| entry.weight));
@@ -191,7 +191,7 @@ impl Witness {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
-            // The robot expects that a command asks for a change, and what it will be asked with must expect the same.
+            // The agent's prior favours tasks that change something. The language model must use the same prior.
             let prior = self.agent.tasks().get(position).map_or(task.prior, |it| it.prior);
             readings.push(Reading {
                 name: name.clone(),
@@ -204,7 +204,7 @@ impl Witness {
         Ok(readings)
     }
 
-    /// The first in order of a task's shortest plans.
+    /// The shortest plan of a task whose actions come first in order.
     fn plan<D: Domain>(&mut self, session: &CheckedSession<D>, task: usize) -> Result<MachineCommand, AgentError> {
         let (mut state, mut plan) = (session.walk.start, vec![]);
         self.agent.hear_again(&session.walk.home, &session.walk.start)?;
@@ -224,7 +224,7 @@ impl Witness {
     }
 }
 
-/// A remark on a step that is no evidence.
+/// A remark on feedback to a step that is no evidence.
 pub fn remark(evidence: Evidence) -> Option<&'static str> {
     match evidence {
         Evidence::Used => None,
@@ -239,7 +239,7 @@ fn walked(recorded: &RecordedSession) -> String {
     recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")
 }
 
-/// The machine commands of a task whose meaning was told: all equally probable, equal ones once.
+/// The machine commands of a labelled task: all equally probable, and equal ones merged.
 pub(super) fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
     let share = 1.0 / reading.commands.len().max(1) as f32;
     let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
@@ -257,7 +257,7 @@ pub fn token_text(tokens: SymbolsRef<'_>, token: Symbol) -> String {
     Marker::of(token).map_or_else(|| tokens.text(token).to_owned(), |marker| marker.to_string())
 }
 
-/// The machine commands of a task, one for each constraint; its description where the role model reads it.
+/// The machine commands of a task, one for each constraint. For the role model, its description alone.
 pub fn commands<D: Domain>(
     domain: &D,
     all: &[LiftedTask],
@@ -281,7 +281,7 @@ pub fn commands<D: Domain>(
     (0..expression.constraints()).map(text).collect()
 }
 
-/// A task by its propositions and the attributes of its objects.
+/// A task as the names of its propositions, with the attributes of its objects.
 pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) -> String {
     let functions = lifted.parts().map(|(part, it)| {
         let sign = match part {
@@ -305,7 +305,7 @@ pub fn label<D: Domain>(domain: &D, lifted: &LiftedTask, bindings: &[ObjectId]) 
     parts.join(" ")
 }
 
-/// The symbols of a description. A value that the model does not know is as good as any other that it does not know.
+/// The symbols of a description. All values that the model does not know share one symbol.
 pub fn description_symbols(language: LanguageRef<'_>, description: &MachineCommand) -> Vec<Symbol> {
     const UNKNOWN: Symbol = Symbol::new(i16::MAX as u16);
     let symbol = |token: &String| match token.parse::<Marker>() {

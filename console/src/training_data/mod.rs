@@ -1,12 +1,12 @@
-//! Recorded sessions as training data: the command, and the evidence of each session for the intended task.
+//! Recorded sessions as training data: each session's command, with its evidence for each task.
 //!
-//! - [`evidence`]: one session, walked by an agent that knows no word;
+//! - [`evidence`]: one session, replayed by an agent without words;
 //! - [`training`]: a language model trained on many at once;
 //! - [`restored`]: an agent from a model file;
 //! - [`worlds`]: commands and sessions in worlds from files.
 //!
-//! The order of the sessions plays no part: the posterior over a session's tasks comes from its prior without any word, Pr(l|s) Pr(t|s,l),
-//! and what the trainer said or showed.
+//! The order of the sessions does not matter: the posterior over a session's tasks comes from its prior without words, Pr(l|s) Pr(t|s,l),
+//! and from feedback, demonstration or label.
 
 pub mod evidence;
 pub mod restored;
@@ -43,7 +43,7 @@ pub struct Reading {
     pub prior: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
-    /// The actions of one of its shortest plans; empty where no one asked for plans.
+    /// The actions of one of its shortest plans; empty if no plans were wanted.
     pub plan: MachineCommand,
 }
 
@@ -54,36 +54,36 @@ pub struct Lesson {
     pub id: String,
     /// The command.
     pub command: String,
-    /// Where it was said, and the rest of its record. The environment of a command in a world from a file is empty.
+    /// The session's header. In a world from a file, its environment is empty.
     pub header: SessionHeader,
-    /// The world from a file, and what held there, where it is no home.
+    /// The world's name and its facts, if the place is no home.
     pub world: Option<String>,
-    /// Whether a robot acts where it was said: in homes, and in worlds with actions.
+    /// Whether a robot can act in the place: in homes, and in worlds with actions.
     pub acts: bool,
-    /// What it must stay together with when lessons are parted, where the log says so.
+    /// The group to keep on one side of a split between training and test data, if the log names one.
     pub group: Option<String>,
-    /// The task that was meant, by position, where the record says so.
+    /// The position of the intended task, if the record names it.
     pub intended: Option<usize>,
-    /// The tasks. Lessons in the same state of the same world share them.
+    /// The possible tasks. Lessons in the same state of the same world share them.
     pub readings: Arc<[Reading]>,
-    /// The probability of each task from the steps alone, or from what was told, without any word.
+    /// The probability of each task without words: from the steps, or from the label.
     pub beliefs: Vec<f32>,
-    /// The possible tasks, with their probabilities.
+    /// The machine commands of the possible tasks, with their probabilities.
     pub pairs: Vec<(MachineCommand, f32)>,
-    /// The trainer's actions, in order; empty for feedback.
+    /// The demonstrated actions in order; empty for feedback.
     pub shown: Vec<String>,
     /// The actions and their feedback, as a text.
     pub walk: String,
-    /// Whether it is to be learned from.
+    /// Whether the language model is to learn from it.
     pub learn: bool,
     /// Remarks that are no faults.
     pub remarks: Vec<Fault>,
-    /// That not all words of the command are read, where it is so.
+    /// The command's length, if only its first words are read.
     pub long: Option<Fault>,
 }
 
 impl Lesson {
-    /// A command that is told, in a world in which no robot acts. It is not known yet what it means, nor is it to be learned from.
+    /// A command in a world without a robot. Its meaning is still unknown, and it is not learned from.
     fn told(id: String, world: String, command: &Read<'_>, header: SessionHeader, readings: Arc<[Reading]>) -> Self {
         Self {
             id,
@@ -104,51 +104,51 @@ impl Lesson {
         }
     }
 
-    /// Whether the steps alone, without any word, speak more for what was meant than for any other task. Nothing where it is not known what
-    /// was meant, or where it was told.
+    /// Whether the evidence without words makes the intended task more probable than any other. `None` if the intended task is unknown or
+    /// was labelled.
     pub fn evidence_is_right(&self) -> Option<bool> {
         let meant = self.beliefs.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
         Some(self.beliefs.iter().filter(|belief| *belief >= meant).count() == 1)
     }
 
-    /// Where it was said, as a text: equal in equal homes, and in the same state of the same world.
+    /// The place as a text: equal for equal homes, and for the same state of the same world.
     pub fn place(&self) -> String {
         self.world.clone().unwrap_or_else(|| self.header.environment.to_json_line())
     }
 }
 
-/// The most sessions at fault that are passed over: a file with more is no log.
+/// The most faulty sessions to skip: a file with more is no log.
 pub const MOST_FAULTS: usize = 1_000;
 /// The most sessions that a model can be trained on.
 const MOST_SESSIONS: usize = u16::MAX as usize;
 
-/// What was read.
+/// The result of reading logs.
 #[derive(Debug, Default)]
 pub struct Lessons {
     /// The lessons.
     pub lessons: Vec<Lesson>,
-    /// How many sessions at fault were passed over.
+    /// How many faulty sessions were skipped.
     pub skipped: usize,
-    /// How many labelled sessions were left out because they tell a way.
+    /// How many labelled sessions were left out because their task has a way.
     pub with_way: usize,
-    /// How many commands in worlds were left out because they mean none of the tasks.
+    /// How many commands in worlds were left out because no task has their meaning.
     pub no_task: usize,
-    /// How many commands have more words than are read.
+    /// How many commands are read by their first words only.
     pub long: usize,
 }
 
-/// How sessions are read.
+/// The options for reading logs.
 #[derive(Clone, Debug, Default)]
 pub struct Told {
-    /// The expected trainers, in place of those that the sessions name.
+    /// The expected trainers, in place of the sessions' own.
     pub believes: Option<Believes>,
-    /// Whether sessions at fault are passed over.
+    /// Whether faulty sessions are skipped.
     pub keep_going: bool,
-    /// How many sessions are read of all files together.
+    /// The most sessions to read from all files together.
     pub limit: Limit,
 }
 
-/// Reads the sessions of all files and walks through them.
+/// Reads the sessions of all files and replays them.
 pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, told: &Told) -> Result<Lessons, Failure> {
     let keep_going = told.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
@@ -237,7 +237,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     Ok(Lessons { lessons, skipped, with_way, no_task, long })
 }
 
-/// Tells of commands with more words than are read, with the lines of the first ones.
+/// Reports commands that are read by their first words only, with the lines of the first five.
 pub fn tell_long(long: &[&Fault]) {
     const MOST: usize = 5;
     if long.is_empty() {

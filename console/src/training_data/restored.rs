@@ -1,4 +1,4 @@
-//! A model file as an agent that can be asked, or as a language model where it was learned in worlds from files.
+//! Restores a model file as an agent, or as a language model for questions in worlds.
 
 use crate::learner;
 use crate::messages::{counted, working};
@@ -14,24 +14,24 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use std::path::Path;
 
-/// The most that any table may hold, whatever a file says.
+/// The most entries of a table, whatever a file says.
 const MOST_OF_A_FIELD: usize = 1 << 24;
 
-/// From this many sessions on, learning may take seconds.
+/// From this number of sessions on, learning may take seconds.
 const MANY: usize = 500;
 
-/// An agent that knows what a model file knows.
+/// An agent with the model of a file.
 ///
 /// # Errors
-/// A [`Failure`] that names the file and what is wrong with it.
+/// A [`Failure`] that names the file and its fault.
 pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Failure> {
     agent_beside(file, lifted, &Starter::default())
 }
 
-/// The same, which also knows what a starter says. An empty starter says nothing.
+/// As [`agent`], with the lessons of a starter added.
 ///
 /// # Errors
-/// As [`agent`].
+/// The errors of [`agent`].
 pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Result<Agent<AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
@@ -46,7 +46,7 @@ pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Re
     Ok(agent)
 }
 
-/// Learns to the end, and tells that it goes on where that takes a while.
+/// Learns to the end, with a spinner if that may take seconds.
 pub fn learn_fully(agent: &mut Agent<impl AgentMemory>) {
     let sessions = agent.language().bitext().sessions();
     let working = (sessions >= MANY).then(|| working(format!("learning from {}", counted(sessions, "session"))));
@@ -56,25 +56,26 @@ pub fn learn_fully(agent: &mut Agent<impl AgentMemory>) {
     }
 }
 
-/// How a model file's robot understands and learns.
+/// The options of a model file's robot.
 ///
 /// # Errors
-/// As [`agent`].
+/// The errors of [`agent`].
 pub fn options(file: &Path) -> Result<Options, Failure> {
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     Ok(contents.options)
 }
 
-/// The language model of a file. `acts` says whether a robot acts where it is asked. Its memory is made in place of `memory`.
+/// The language model of a file, for questions. `acts` says whether a robot acts in the place of the question. `memory` is replaced by
+/// memory of the right size.
 ///
 /// # Errors
-/// As [`agent`], and where the file was learned by a robot that acts, and no robot acts where it is asked.
+/// The errors of [`agent`], and an error if the model was learned by a robot that acts, but none acts in the place of the question.
 pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    // What a robot that acts has learned in one world is understood in another.
+    // Words that an acting robot learned in one world are understood in another.
     if contents.vocabulary != 0 && !acts {
         return Err(fault(
             &"was learned in homes, or in a world where a robot acts, and none acts here; name a model of a log of commands",
@@ -87,25 +88,25 @@ pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Resul
     Ok(model)
 }
 
-/// The words of a model file, for a robot of other tasks: all but the tasks that they were learned for, and what is believed of trainers.
+/// The learned words of a model file, for a robot with other tasks: the kinds of task and the belief about trainers are left out.
 ///
 /// # Errors
-/// Where this is no model.
+/// A [`RestoreError`] if this is no model.
 pub fn words(bytes: &[u8]) -> Result<Vec<u8>, RestoreError> {
     let contents = Contents::read(bytes)?;
     let mut memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
-    // Here is room for all that the file holds, and its settings were found sound.
+    // The memory has room for the whole file, and its settings are valid: this cannot fail.
     let mut model = LanguageModel::new(&mut memory, contents.options.language).map_err(|_| RestoreError::NotAModel)?;
     model.restore(bytes)?;
     model.saved().map_err(|_| RestoreError::NotAModel)
 }
 
-/// For how many possible tasks there is to be room: for those of a model file, and for those of as many sessions as a new robot keeps.
+/// The number of possible tasks to make room for: those of a model file, and those of a new robot's sessions.
 pub fn room_for_tasks(contents: &Contents<'_>) -> usize {
     contents.possible.len().saturating_add(Capacities::STANDARD.pairs)
 }
 
-/// Room for what a model file holds, and for more.
+/// Capacities for the tables of a model file, and for more sessions.
 pub fn room_for(contents: &Contents<'_>) -> Capacities {
     let mut most = Capacities::STANDARD;
     for capacity in SAVED {

@@ -1,4 +1,4 @@
-//! A language model trained on many sessions at once, and asked.
+//! A language model trained on many sessions at once, with questions to it.
 
 use super::{Lesson, MachineCommand};
 use crate::learner;
@@ -15,24 +15,24 @@ use goodbot::task::{Marker, is_marker};
 use goodbot_lesson::first_words::heard;
 use std::collections::{BTreeSet, HashMap};
 
-/// Memory for a language model of these lessons, and for no search.
+/// Memory for a language model of these lessons, without planning.
 pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
     learner::memory(&capacities(lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD }), settings, tasks(lessons))
 }
 
-/// How many tasks are possible in the sessions of these lessons, all together.
+/// The total number of possible tasks in these lessons.
 pub fn tasks(lessons: &[Lesson]) -> usize {
     lessons.iter().map(|lesson| lesson.readings.len()).sum()
 }
 
-/// Capacities for what these lessons teach, and no less than `least`.
+/// Capacities for these lessons, and at least `least`.
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
     // Lessons in one world share their tasks.
     let mut counted = BTreeSet::new();
     for lesson in lessons {
-        // As either model hears it. Of a command that is too long its first words alone are here.
+        // The words as each model reads them. A command that is too long has only its first words here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
             let heard = heard(model, &lesson.command).unwrap_or_default();
             let count = heard.len();
@@ -71,7 +71,7 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
 /// Trains a model on lessons, from uniform parameters.
 ///
 /// # Errors
-/// An [`AgentError`] where the memory was made for fewer lessons, or a setting is out of range.
+/// An [`AgentError`] if the memory was made for fewer lessons, or a setting is out of range.
 pub fn train<'m, 'l>(
     memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,
@@ -83,10 +83,10 @@ pub fn train<'m, 'l>(
     Ok(model)
 }
 
-/// A model that has these lessons, and is still to be trained on them.
+/// A model with these lessons, before training.
 ///
 /// # Errors
-/// As [`train`].
+/// The errors of [`train`].
 pub fn data<'m, 'l>(
     memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,
@@ -110,7 +110,7 @@ pub fn data<'m, 'l>(
     Ok(model)
 }
 
-/// The descriptions of a lesson's tasks, each once, and how probable each is before any word.
+/// The descriptions of a lesson's tasks, without repetition, with their prior probabilities.
 fn possible(
     model: &mut LanguageModel<impl AgentMemory>,
     lesson: &Lesson,
@@ -132,8 +132,8 @@ fn possible(
     Ok(possible)
 }
 
-/// A description with the values of each group sorted, as a robot that has these symbols describes the task: the log's reader has others. A world
-/// keeps the order of its file, by which its commands are understood more often.
+/// A description with the values of each group sorted by this model's symbols, as a robot describes the task; the log's reader has other
+/// symbols. Worlds keep the order of their file: their commands are understood more often that way.
 fn in_order(lesson: &Lesson, mut description: Vec<Symbol>) -> Vec<Symbol> {
     if lesson.world.is_some() {
         return description;
@@ -143,13 +143,13 @@ fn in_order(lesson: &Lesson, mut description: Vec<Symbol>) -> Vec<Symbol> {
     description
 }
 
-/// The symbols of tokens, each looked up once: a world has thousands of tasks that share them, and may have thousands of tokens.
+/// The symbols of tokens, each looked up once: a world may have thousands of tasks that share thousands of tokens.
 struct Interned {
     symbols: HashMap<String, Symbol>,
 }
 
 impl Interned {
-    /// Those that a model has.
+    /// The symbols of a model.
     fn of(model: &LanguageModel<impl AgentMemory>) -> Self {
         Self { symbols: model.tokens().iter().map(|(symbol, text)| (text.to_owned(), symbol)).collect() }
     }
@@ -182,12 +182,12 @@ pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCom
 /// Pr(t|e,s) for each task of a lesson.
 ///
 /// # Errors
-/// A [`CapacityError`] where the command has no room.
+/// A [`CapacityError`] if the command does not fit.
 pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
     let sentence = model.hear(&lesson.command)?;
     let (mut scores, mut forms, mut descriptions, mut interned) = (Vec::new(), Vec::new(), Vec::new(), Interned::of(model));
     for reading in &*lesson.readings {
-        // In the same order as a robot that hears: so both give the same bits.
+        // The same order of operations as in a robot, so that both give the same bits.
         let share = 1.0 / reading.commands.len().max(1) as f32;
         let (mut sum, mut description) = (Scaled::ZERO, None);
         for command in &reading.commands {
@@ -212,7 +212,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
     Ok(scores.into_iter().map(|score| score.over(whole)).collect())
 }
 
-/// Lets the layer speak.
+/// Multiplies the scores by the layer's weights.
 fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &[Option<Symbol>], scores: &mut [Scaled]) {
     let mut firsts: HashMap<&Vec<Symbol>, usize> = HashMap::new();
     for (task, description) in descriptions.iter().enumerate() {
@@ -223,23 +223,23 @@ fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &
     model.weigh_parts(sentence, same, description, scores);
 }
 
-/// How a word was explained.
+/// The explanation of a word.
 #[derive(Clone, Debug)]
 pub struct Explained {
-    /// The word, in the form that the model knows it by.
+    /// The word in the model's form.
     pub word: String,
     /// The machine token that explains it best, `NULL` for none.
     pub token: String,
-    /// How much of the word's probability that token has.
+    /// That token's share of the word's probability.
     pub share: f32,
-    /// The word's probability given the whole machine command; nothing for a word never heard in training.
+    /// The word's probability given the whole machine command; `None` for a word never heard in training.
     pub probability: Option<f32>,
 }
 
-/// How the words of a command are explained by a machine command.
+/// Explains the words of a command by a machine command.
 ///
 /// # Errors
-/// A [`CapacityError`] where the command has no room.
+/// A [`CapacityError`] if the command does not fit.
 pub fn explain(
     model: &mut LanguageModel<impl AgentMemory>,
     english: &str,
@@ -263,7 +263,7 @@ pub fn explain(
     Ok(explained)
 }
 
-/// The same, for what is interned already.
+/// As [`explain`], for interned words and tokens.
 pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
     let tables = model.tables();
     let mut explained = Vec::new();
@@ -291,7 +291,7 @@ pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[
 /// The machine command of a task that explains a command best.
 ///
 /// # Errors
-/// A [`CapacityError`] where the command has no room.
+/// A [`CapacityError`] if the command does not fit.
 pub fn best_command<'r>(
     model: &mut LanguageModel<impl AgentMemory>,
     english: &str,

@@ -21,7 +21,7 @@ use std::collections::hash_map::Entry;
 use std::io::BufRead;
 use std::sync::Arc;
 
-/// A state of a world without a robot: the tasks there, and the position of each.
+/// A state of a world without a robot: its tasks, and the position of each.
 struct Scene {
     readings: Arc<[Reading]>,
     positions: HashMap<Vec<GroundAtomText>, usize>,
@@ -29,9 +29,9 @@ struct Scene {
 
 /// A world of a log.
 enum Known {
-    /// Its commands are told, and no robot acts: the states that they were given in, by their [`place`].
+    /// A world without a robot, with the scenes of its commands by their [`place`].
     Told(Arc<WorldFile>, HashMap<String, Scene>),
-    /// A robot acts in it.
+    /// A world with a robot.
     Acted(Arc<WorldFile>, Robot<'static>, Box<Witness>),
 }
 
@@ -41,16 +41,16 @@ struct Worlds<'b> {
     believes: Option<&'b Believes>,
     plans: bool,
     worlds: HashMap<String, Known>,
-    /// The commands that were read, by their names: what was done before each and by it.
+    /// For each named command: the steps of its conversation up to it.
     conversations: HashMap<String, Vec<Arc<Step>>>,
 }
 
-/// Reads a log of worlds, and hands over each lesson, or what is wrong with it: `None` for a command whose meaning is none of the tasks.
-/// `believes` is what is expected of trainers, in place of what the sessions say, and `plans` says whether each task's plan is wanted. At most
-/// `left` commands and sessions are read.
+/// Reads a log of worlds, and passes each lesson or fault to `take`; `None` is a command whose meaning is no task. `believes` replaces the
+/// trainer strategies that the sessions name. `plans` says whether each task's plan is wanted. At most `left` commands and sessions are
+/// read.
 ///
 /// # Errors
-/// What `take` says.
+/// The errors of `take`.
 pub fn read<E>(
     file: &str,
     log: impl BufRead,
@@ -84,10 +84,10 @@ pub fn read<E>(
     Ok(())
 }
 
-/// A command that is asked in a world: a lesson without its meaning.
+/// A question in a world: a lesson for a command without its meaning.
 ///
 /// # Errors
-/// What is wrong with the world, or with the command.
+/// The fault of the world or of the command.
 pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) -> Result<Lesson, Fault> {
     let asked = CommandRecord { line: 1, world: world.name.clone(), command: command.to_owned(), ..CommandRecord::default() };
     if !world.actions.is_empty() {
@@ -104,7 +104,7 @@ pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) 
 }
 
 impl Worlds<'_> {
-    /// Takes in a world. The same once more changes nothing; another of the same name takes its place.
+    /// Adds a world. The same world again changes nothing; another of the same name replaces it.
     fn meet(&mut self, file: &str, world: &Arc<WorldFile>) -> Result<(), Fault> {
         let (Known::Told(same, _) | Known::Acted(same, ..)) = match self.worlds.get(&world.name) {
             Some(known) => known,
@@ -114,7 +114,7 @@ impl Worlds<'_> {
     }
 
     fn meet_anew(&mut self, file: &str, world: &Arc<WorldFile>) -> Result<(), Fault> {
-        // Where the new one is at fault, nothing is said of what is in it.
+        // If the new world is at fault, its commands and sessions are skipped without further errors.
         self.worlds.remove(&world.name);
         let known = if world.actions.is_empty() {
             Known::Told(Arc::clone(world), HashMap::new())
@@ -134,7 +134,7 @@ impl Worlds<'_> {
             Some(Known::Acted(_, robot, witness)) => witness.lesson_in(file, recorded, *robot),
             None => Err(vec![]),
             Some(Known::Told(..)) => {
-                let message = "has no actions, so nothing can be done in it; add actions, or write a command with what was meant";
+                let message = "has no actions, so nothing can be done in it; add actions, or write a command with \"intended\"";
                 Err(vec![Fault::on_line(file, recorded.session.header_line, message).in_field("world")])
             }
         }
@@ -148,14 +148,14 @@ impl Worlds<'_> {
         if read.count == 0 {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
-        // What is to end besides is no task.
+        // A command that also ends a proposition has no task.
         if command.ended.is_empty() { self.told(file, command, &before, Some(&command.intended)) } else { Ok(None) }
     }
 
-    /// What was done before a command, in order.
+    /// The steps before a command, in order.
     ///
     /// # Errors
-    /// What is wrong with the names of those commands.
+    /// The fault of an unknown name.
     fn before(&self, command: &CommandRecord) -> Result<Vec<Arc<Step>>, String> {
         let mut before: Vec<Arc<Step>> = Vec::new();
         for id in &command.before {
@@ -166,7 +166,7 @@ impl Worlds<'_> {
         Ok(before)
     }
 
-    /// Remembers a command, and what was done before it, by its name.
+    /// Remembers a command and the steps before it, by its name.
     fn remember(&mut self, command: &CommandRecord, before: &[Arc<Step>]) {
         let Some(id) = &command.id else { return };
         let world = self.worlds.get(&command.world).map(|(Known::Told(world, _) | Known::Acted(world, ..))| Arc::clone(world));
@@ -174,7 +174,7 @@ impl Worlds<'_> {
         self.conversations.insert(id.clone(), steps);
     }
 
-    /// A command whose meaning is told, or asked for.
+    /// The lesson of a command with a known or a wanted meaning.
     fn told(
         &mut self,
         file: &str,
@@ -241,13 +241,13 @@ pub(super) fn place(world: &WorldFile, facts: &[GroundAtomText]) -> String {
     format!("{} {}", world.name, facts.join(" "))
 }
 
-/// As a labelled session has it, in no home.
+/// The header of a labelled session without a home.
 fn header(command: &CommandRecord) -> SessionHeader {
     let header = SessionHeader::new(Kind::Labelled, EnvironmentFile::new(vec![]), command.command.clone());
     SessionHeader { id: command.id.clone(), intended: Some(command.intended.clone()), ..header }
 }
 
-/// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles: it reads the values alone.
+/// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles, so it reads the values alone.
 ///
 /// # Errors
 /// [`TooMany`].

@@ -1,13 +1,13 @@
-//! Where the values of a JSON text begin and end, by RFC 8259.
+//! Finds the values of a JSON text, by RFC 8259.
 
-/// The most entries that an object or a list may have; more would take much memory for little text.
+/// The most entries of an object or a list: more would take much memory for a short text.
 pub(super) const LIMIT: usize = 1 << 16;
 
-/// What is wrong with a text, and at which of its bytes.
+/// The fault of a text, and the byte at which it is.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Fault {
     pub(super) at: usize,
-    /// What is wrong there; nothing where the text ends too soon.
+    /// The fault; `None` if the text ends too soon.
     pub(super) message: Option<&'static str>,
 }
 
@@ -26,7 +26,7 @@ pub(super) fn whole(text: &str) -> Result<&str, Fault> {
     if scanner.at < text.len() { Err(scanner.fault("trailing characters")) } else { Ok(value) }
 }
 
-/// The fields of an object, if they are not too many. It is an error if a name is no text.
+/// The fields of an object; `None` if there are too many. A field name with half a surrogate pair is an error.
 pub(super) fn members(object: &str) -> Result<Option<Vec<Member<'_>>>, &'static str> {
     let mut scanner = Scanner { text: object, at: 1 };
     let mut members = Vec::new();
@@ -42,7 +42,7 @@ pub(super) fn members(object: &str) -> Result<Option<Vec<Member<'_>>>, &'static 
     Ok(Some(members))
 }
 
-/// The items of a list, if they are not too many.
+/// The items of a list; `None` if there are too many.
 pub(super) fn items(list: &str) -> Option<Vec<&str>> {
     let mut scanner = Scanner { text: list, at: 1 };
     let mut items = Vec::new();
@@ -55,7 +55,7 @@ pub(super) fn items(list: &str) -> Option<Vec<&str>> {
     Some(items)
 }
 
-/// The contents of a text in quotes. Half a surrogate pair alone is an error.
+/// The contents of a text in quotes. Half a surrogate pair is an error.
 pub(super) fn unescaped(quoted: &str) -> Result<String, &'static str> {
     let mut rest = quoted.get(1..quoted.len().saturating_sub(1)).unwrap_or_default();
     let mut text = String::with_capacity(rest.len());
@@ -104,12 +104,12 @@ impl<'a> Scanner<'a> {
         self.text.as_bytes().get(self.at).copied()
     }
 
-    /// The fault here: at the end of the text, that it ends.
+    /// A fault at this byte. At the end of the text, the fault is that it ends.
     fn fault(&self, message: &'static str) -> Fault {
         Fault { at: self.at, message: Some(message).filter(|_| self.at < self.text.len()) }
     }
 
-    /// Goes on by one byte if it is one of these.
+    /// Advances by one byte if it is wanted.
     fn takes(&mut self, wanted: impl Fn(u8) -> bool) -> bool {
         let takes = self.byte().is_some_and(wanted);
         self.at += usize::from(takes);
@@ -124,18 +124,18 @@ impl<'a> Scanner<'a> {
         while self.takes(|byte| matches!(byte, b' ' | b'\t' | b'\n' | b'\r')) {}
     }
 
-    /// The next name or item of an object or a list that is known to be sound; nothing at its end.
+    /// The next field name or item of a checked object or list; `None` at its end.
     fn entry(&mut self) -> Option<&'a str> {
         self.blanks();
         self.takes(|byte| byte == b',');
         self.value().ok()
     }
 
-    /// Passes a value, however deep, and returns it.
+    /// Passes a value of any depth, and returns it.
     fn value(&mut self) -> Result<&'a str, Fault> {
         self.blanks();
         let from = self.at;
-        // How each list and object that has begun ends.
+        // The closing brackets of all open lists and objects.
         let mut open = Vec::new();
         loop {
             let list = self.takes(|byte| byte == b'[');
@@ -163,7 +163,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    /// Goes to the next value of the list that ends with `end`; in an object, passes its name.
+    /// Goes to the next value in a list or object that closes with `end`. In an object, passes the field name.
     fn name(&mut self, end: u8) -> Result<(), Fault> {
         self.blanks();
         if end == b']' {
@@ -179,7 +179,7 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    /// Passes a value without values inside.
+    /// Passes a value that contains no other values.
     fn scalar(&mut self) -> Result<(), Fault> {
         match self.byte() {
             Some(b'"') => self.string(),

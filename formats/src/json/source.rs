@@ -1,4 +1,4 @@
-//! A text, and the lines of its parts.
+//! A text that knows the lines of its parts.
 
 use super::Node;
 use super::scan::{self, Fault};
@@ -45,7 +45,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// How many characters there are in these bytes of a UTF-8 text.
+/// The number of characters in these bytes of a UTF-8 text.
 fn characters(bytes: &[u8]) -> usize {
     bytes.iter().filter(|&&b| b & 0xC0 != 0x80).count()
 }

@@ -1,8 +1,8 @@
-//! Words, and lists of them in brackets.
+//! Words, and lists in brackets.
 
 use super::PddlError;
 
-/// Lists in lists, at most so deep.
+/// The most lists inside one another.
 const DEEPEST: usize = 64;
 
 /// A word or a list, with its line.
@@ -79,7 +79,7 @@ impl Expression {
         }
     }
 
-    /// The first word of a list, and what follows.
+    /// The first word of a list, and the rest of the list.
     pub fn headed(&self) -> Result<(&str, &[Self]), PddlError> {
         match self.list()?.split_first() {
             Some((head, rest)) => Ok((head.word()?, rest)),

@@ -1,6 +1,6 @@
 //! PDDL, the planning field's language: a domain and a problem with typing, STRIPS, negative preconditions, equality and action costs.
 //!
-//! - `expression`: lists and words in brackets; the rest reads what they say.
+//! - `expression`: lists and words in brackets; `reading` interprets them.
 //!
 //! ```
 //! use goodbot_formats::pddl::{Domain, Problem};
@@ -17,17 +17,17 @@ mod reading;
 
 use std::fmt;
 
-/// What is wrong with a text, and where.
+/// The fault of a text, and its line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {message}")]
 pub struct PddlError {
     /// The line, counted from 1.
     pub line: usize,
-    /// What is wrong, and what to do.
+    /// The fault, and the remedy.
     pub message: String,
 }
 
-/// A name with its type; `object` where it has none.
+/// A name with its type; without a type, `object`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Typed {
     /// The name; that of a variable begins with `?`.
@@ -36,7 +36,7 @@ pub struct Typed {
     pub kind: String,
 }
 
-/// A predicate of terms.
+/// A predicate with its terms.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Atom {
     /// The predicate.
@@ -53,12 +53,12 @@ impl fmt::Display for Atom {
     }
 }
 
-/// What an action costs.
+/// The cost of an action.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Cost {
     /// A number; 1 by default.
     Of(u64),
-    /// What the problem says of these objects.
+    /// The value that the problem gives for these objects.
     Told(Atom),
 }
 
@@ -71,15 +71,15 @@ pub struct Schema {
     pub line: usize,
     /// Its parameters.
     pub parameters: Vec<Typed>,
-    /// What must hold, and what must not where that is false.
+    /// Propositions that must hold (`true`) or must not hold (`false`).
     pub conditions: Vec<(Atom, bool)>,
-    /// Terms that must be the same, and those that must not where that is false.
+    /// Pairs of terms that must be equal (`true`) or must differ (`false`).
     pub equal: Vec<(String, String, bool)>,
-    /// What holds after it.
+    /// The propositions that hold after it.
     pub adds: Vec<Atom>,
-    /// What does not, unless it is added.
+    /// The propositions that no longer hold after it, unless they are added.
     pub deletes: Vec<Atom>,
-    /// What it adds to `total-cost`; nothing where it says nothing.
+    /// Its increase of `total-cost`, if it has one.
     pub cost: Option<Cost>,
 }
 
@@ -90,7 +90,7 @@ pub struct Domain {
     pub name: String,
     /// The types, each with the one above it.
     pub types: Vec<Typed>,
-    /// Objects of every problem.
+    /// Objects that every problem has.
     pub constants: Vec<Typed>,
     /// The predicates, each with its parameters.
     pub predicates: Vec<(String, Vec<Typed>)>,
@@ -103,16 +103,16 @@ pub struct Domain {
 pub struct Problem {
     /// Its name.
     pub name: String,
-    /// The name of its domain; empty where it names none.
+    /// The name of its domain; empty if it names none.
     pub domain: String,
     /// The objects.
     pub objects: Vec<Typed>,
-    /// What holds at first.
+    /// The propositions that hold at the start.
     pub init: Vec<Atom>,
-    /// What is said of numbers.
+    /// The values of numeric functions.
     pub values: Vec<(Atom, u64)>,
-    /// What is to hold.
+    /// The propositions to reach.
     pub goal: Vec<Atom>,
-    /// Whether the plan with the least `total-cost` is best, and not the shortest.
+    /// Whether the best plan has the least `total-cost`; otherwise the shortest plan is best.
     pub minimizes_cost: bool,
 }

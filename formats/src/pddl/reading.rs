@@ -1,14 +1,14 @@
-//! What the lists of a domain and a problem say.
+//! Reads domains and problems from their lists.
 
 use super::expression::{Expression, error};
 use super::{Atom, Cost, Domain, PddlError, Problem, Schema, Typed};
 use std::collections::BTreeSet;
 
-/// Everything is of this type.
+/// The type of all objects.
 const OBJECT: &str = "object";
 const TOTAL_COST: &str = "total-cost";
 
-/// Words that are beyond what is read, and what to do.
+/// Words of PDDL that are not supported, with the remedy.
 const BEYOND: [(&str, &str); 8] = [
     ("when", "conditional effects are beyond STRIPS; write an action for each case"),
     ("forall", "quantifiers are beyond STRIPS; write what holds of each object"),
@@ -47,14 +47,14 @@ fn typed(items: &[Expression]) -> Result<Vec<Typed>, PddlError> {
     Ok(all)
 }
 
-/// As [`typed`], where each name is the only one of its kind.
+/// As [`typed`], but each name may occur once.
 fn typed_once(items: &[Expression], what: &str, line: usize) -> Result<Vec<Typed>, PddlError> {
     let all = typed(items)?;
     once(all.iter().map(|it| it.name.as_str()), what, line)?;
     Ok(all)
 }
 
-/// Whether no name is given twice.
+/// Refuses a name that is given twice.
 fn once<'n>(names: impl Iterator<Item = &'n str>, what: &str, line: usize) -> Result<(), PddlError> {
     let mut known = BTreeSet::new();
     for name in names {
@@ -89,7 +89,7 @@ fn parts(expression: &Expression) -> Result<Vec<&Expression>, PddlError> {
     }
 }
 
-/// An expression without its `not`, and whether it has none.
+/// An expression without its `not`, and whether it is positive.
 fn signed(expression: &Expression) -> Result<(&Expression, bool), PddlError> {
     match expression.headed()? {
         ("not", [inner]) => Ok((inner, false)),
@@ -120,7 +120,7 @@ impl Domain {
     /// Reads a domain.
     ///
     /// # Errors
-    /// What is wrong, and on which line.
+    /// The fault, and its line.
     pub fn parse(text: &str) -> Result<Self, PddlError> {
         let whole = Expression::parse(text)?;
         let (name, sections) = definition(&whole, "domain")?;
@@ -207,7 +207,7 @@ impl Problem {
     /// Reads a problem.
     ///
     /// # Errors
-    /// What is wrong, and on which line.
+    /// The fault, and its line.
     pub fn parse(text: &str) -> Result<Self, PddlError> {
         let whole = Expression::parse(text)?;
         let (name, sections) = definition(&whole, "problem")?;
@@ -222,7 +222,7 @@ impl Problem {
                     for fact in rest {
                         match fact.headed()? {
                             ("=", [what, value]) => problem.values.push((atom(what)?, number(value)?)),
-                            // What is not said does not hold.
+                            // A proposition that is not listed does not hold.
                             ("not", _) => {}
                             _ => problem.init.push(atom(fact)?),
                         }
@@ -232,7 +232,7 @@ impl Problem {
                     for part in parts(goal)? {
                         let (inner, holds) = signed(part)?;
                         if !holds {
-                            return error(part.line(), "is a goal that something holds no more; a command asks for what is to hold");
+                            return error(part.line(), "is a negated goal; name a proposition that is to hold");
                         }
                         problem.goal.push(atom(inner)?);
                     }

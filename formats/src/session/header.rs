@@ -1,4 +1,4 @@
-//! The line with which a session begins.
+//! The first line of a session.
 
 use std::collections::BTreeSet;
 use std::ops::Not;
@@ -18,72 +18,71 @@ pub struct SessionHeader {
     /// The session's name.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<String>,
-    /// How it teaches.
+    /// The kind of session.
     pub kind: Kind,
-    /// Where it takes place.
+    /// The home.
     pub environment: EnvironmentFile,
-    /// What was said.
+    /// The command.
     pub command: String,
-    /// The conjunction that was meant; at least one proposition. For evaluation only, but in a labelled session it is the lesson.
+    /// The intended conjunction, with at least one proposition. For evaluation only, but in a labelled session it is the lesson.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub intended: Option<Vec<GroundAtomText>>,
-    /// Where what was meant has a way: earlier goals, one after the other, each a conjunction.
+    /// The way of the intended task: earlier goals in order, each a conjunction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub before: Option<Vec<Vec<GroundAtomText>>>,
-    /// Where what was meant has a way: what is to hold in between, in whatever order, each a list of alternatives.
+    /// The way of the intended task: lists of alternatives. One of each list is to hold at some time up to the end, in any order.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub through: Option<Vec<Vec<GroundAtomText>>>,
-    /// Where what was meant has a way: what must not hold before the end.
+    /// The way of the intended task: propositions that must not hold before the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub avoiding: Option<Vec<GroundAtomText>>,
-    /// The domain's actions, where they are not the four moves.
+    /// The actions, if they are not the four moves.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub actions: Option<Vec<String>>,
-    /// Whether this is the command before, once more, in the same environment.
+    /// Whether this session repeats the command before, in the same environment.
     #[serde(skip_serializing_if = "Not::not")]
     pub continues: bool,
-    /// The tasks' probabilities, instead of those that the words would give, in their order.
+    /// The tasks' prior probabilities in order, in place of those from the words.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(serialize_with = "write_prior")]
     pub prior: Option<Vec<(GroundTaskText, f64)>>,
     /// The trainer strategies to consider, instead of the robot's own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub strategies: Option<Vec<StrategyRecord>>,
-    /// Where the robot listened: what was said from this command on. The session may be about what shall not be, or about the first of
-    /// several commands.
+    /// The utterance from this command on, if the robot listened. The session may be about a prohibition, or about the first of several
+    /// commands.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub utterance: Option<String>,
-    /// Where this is not the first command of what was said: the task of the command before.
+    /// The task of the command before, if this is a later command of an utterance.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub after: Option<GroundTaskText>,
-    /// Where the robot listened: the conversation, as texts by name. Its `id`, and what was said and done in it before.
+    /// The conversation, if the robot listened, as texts by name: its `id`, its last task, and the objects that words can refer to.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(serialize_with = "write_conversation")]
     pub conversation: Option<Vec<(String, String)>>,
-    /// The closed classes of words, where the robot knew others than those that are built in: the text of their table.
+    /// The text of the table of closed words, if it is not the built-in one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closed_words: Option<String>,
 }
 
-/// A way in which a trainer may use reward and punishment.
+/// A trainer's way of using reward and punishment.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StrategyRecord {
     /// The strategy's name.
     pub name: String,
-    /// How often a correct action meets silence.
+    /// The probability that a correct action gets silence.
     pub mu_plus: f64,
-    /// How often an incorrect action meets silence.
+    /// The probability that an incorrect action gets silence.
     pub mu_minus: f64,
-    /// How often the trainer mistakes the one for the other.
+    /// The probability that the trainer mistakes a correct action for an incorrect one, or the reverse.
     pub epsilon: f64,
-    /// How probable the strategy is beforehand.
+    /// Its prior probability.
     pub prior: f64,
-    /// How probable it is that a word is about the last action, about the one before, and about the one before that, where words may be
-    /// late.
+    /// For late feedback: the probabilities that it is about the last action, the one before, and the one before that.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lags: Option<[f64; 3]>,
-    /// Where rests are spoken of otherwise than moves: how often a rest at the goal meets silence, and one elsewhere, how often the one is
-    /// taken for the other, and how far a move inside the goal counts as a rest there.
+    /// For feedback to rests that differs from feedback to moves: the probability of silence to a rest at the goal, and to one elsewhere,
+    /// the probability that the trainer mistakes one for the other, and the degree to which a move inside the goal counts as a rest there.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rests: Option<[f64; 4]>,
 }
@@ -112,7 +111,7 @@ const KINDS: &[&str] = &["feedback", "demonstration", "labelled"];
 const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
-    /// A session of this kind, without other fields.
+    /// A session of this kind, without optional fields.
     pub const fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
         Self {
             id: None,
@@ -134,15 +133,15 @@ impl SessionHeader {
         }
     }
 
-    /// The names of the session's actions, the four moves unless it has its own; `noop`, which is
-    /// always one, only where it is named.
+    /// The names of the session's actions: its own, or the four moves. `noop`, which is always possible, is among them only if the session
+    /// names it.
     pub fn action_names(&self) -> impl Iterator<Item = &str> {
         let own = self.actions.iter().flatten().map(String::as_str);
         let moves = MOVES.iter().copied();
         own.chain(moves.filter(|_| self.actions.is_none()))
     }
 
-    /// The header on one line, without a line end; an error if it could not be read again.
+    /// The header on one line, without a line end. It is an error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("session", KNOWN_VERSIONS.last().copied(), self)
     }
@@ -153,7 +152,7 @@ impl SessionHeader {
         Self::read_in(EnvironmentFile::read(fields.required("environment")?)?, fields)
     }
 
-    /// Reads all fields of a session but its place.
+    /// Reads all fields of a session except its place.
     pub(crate) fn read_in(environment: EnvironmentFile, fields: &Object<'_>) -> Result<Self, FormatError> {
         let header = SessionHeader {
             id: fields.optional("id").map(|id| id.text()).transpose()?,
@@ -211,14 +210,14 @@ impl SessionHeader {
         Ok(header)
     }
 
-    /// What was meant, with its way, where the record says so; a [`TaskTextError`] where it is no task.
+    /// The intended task with its way, if the record has one; a [`TaskTextError`] if it is no task.
     pub fn meant(&self) -> Option<Result<GroundTaskText, TaskTextError>> {
         let list = |list: &Option<Vec<Vec<GroundAtomText>>>| list.clone().unwrap_or_default();
         let way = WayText { before: list(&self.before), through: list(&self.through), avoiding: self.avoiding.clone().unwrap_or_default() };
         Some(GroundTaskText::with_way(self.intended.clone()?, way))
     }
 
-    /// Sets what was meant, with its way.
+    /// Sets the intended task, with its way.
     pub fn set_meant(&mut self, task: Option<&GroundTaskText>) {
         fn filled<T>(list: &[T]) -> Option<Vec<T>>
         where
@@ -232,17 +231,17 @@ impl SessionHeader {
         self.avoiding = task.and_then(|task| filled(&task.way().avoiding));
     }
 
-    /// Whether what was meant has a way: earlier goals, or what is to hold, or not to hold, before the goal does.
+    /// Whether the intended task has a way.
     pub fn has_way(&self) -> bool {
         self.before.is_some() || self.through.is_some() || self.avoiding.is_some()
     }
 
-    /// Whether there can be answers in this session.
+    /// Refuses an answer in a session without feedback.
     pub(crate) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
         if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
     }
 
-    /// Whether a step can be one of this session's.
+    /// Refuses a step that this session cannot have.
     pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
         if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
             let found = step.action.clone();
@@ -252,7 +251,7 @@ impl SessionHeader {
         self.check_feedback(step, line)
     }
 
-    /// Whether a step of a session of this kind can have this feedback.
+    /// Refuses feedback that a session of this kind cannot have.
     pub(crate) fn check_feedback(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
         let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
         match (self.kind, step.feedback) {

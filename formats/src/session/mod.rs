@@ -1,40 +1,37 @@
-//! Session logs: commands, what was done, and how it was judged.
+//! Session logs: commands, steps, and their feedback.
 //!
-//! JSON Lines, any number of sessions one after the other, in the order in which they were
-//! trained. A session is a line of type `session`, a line of type `step` for each action, and a
-//! line of type `end`, which says whether the robot is to learn from it. Blank lines do not count.
+//! JSON Lines with any number of sessions, in the order in which they were trained. A session is a line of type `session`, a line of type
+//! `step` for each action, and a line of type `end`, which says whether the robot is to learn from it. Blank lines do not count.
 //!
-//! On the session line, `type`, `version` (1), `kind`, `environment` (an
-//! [environment](crate::environment)) and `command` must be there. `kind` is `feedback`, where each
-//! step has a `feedback` of `reward`, `punish` or `neutral`, `demonstration`, where none has, or `labelled`, where there is no step and
-//! `intended` is the lesson.
-//! May be absent:
+//! The session line must have `type`, `version` (1), `kind`, `environment` (an [environment](crate::environment)) and `command`. `kind` is
+//! `feedback`, `demonstration` or `labelled`. In a feedback session each step has a `feedback`: `reward`, `punish` or `neutral`. A
+//! demonstration has steps without feedback. A labelled session has no steps; its lesson is `intended`. Optional fields:
 //!
-//! | field | what |
+//! | field | contents |
 //! |---|---|
 //! | `id` | the session's name |
-//! | `intended` | what the trainer meant, as [propositions](crate::task_text), for evaluation only; in a labelled session the lesson |
-//! | `before` | the way of what was meant: earlier goals, one after the other, each a list of propositions |
-//! | `through` | the way of what was meant: what is to hold at some time before the end or at it, each a list of alternatives |
-//! | `avoiding` | the way of what was meant: what must not hold before the end |
-//! | `actions` | the domain's actions, where they are not the four moves; `noop` always is one |
-//! | `continues` | `true`: the command before, once more, in the same environment |
-//! | `prior` | from tasks to probabilities, instead of what the words would give |
-//! | `strategies` | the trainer strategies to consider, instead of the robot's own |
-//! | `utterance` | where the robot listened: what was said, from this command on |
-//! | `after` | where this is not the first command of what was said: the task of the command before |
-//! | `closed_words` | the table of closed words, where it is another than the one that is built in |
-//! | `conversation` | where the robot listened: the conversation's `id`, and what was said and done in it before, as texts by name |
+//! | `intended` | the intended task, as [propositions](crate::task_text), for evaluation only; in a labelled session the lesson |
+//! | `before` | the way of the intended task: earlier goals in order, each a list of propositions |
+//! | `through` | the way of the intended task: lists of alternatives, each to hold at some time up to the end |
+//! | `avoiding` | the way of the intended task: propositions that must not hold before the end |
+//! | `actions` | the actions, if they are not the four moves; `noop` is always possible |
+//! | `continues` | `true`: the command before is repeated in the same environment |
+//! | `prior` | from tasks to prior probabilities, in place of those from the words |
+//! | `strategies` | the trainer strategies to consider, in place of the robot's own |
+//! | `utterance` | the utterance from this command on, if the robot listened |
+//! | `after` | the task of the command before, if this is a later command of an utterance |
+//! | `closed_words` | the table of closed words, if it is not the built-in one |
+//! | `conversation` | if the robot listened: the conversation's `id`, last task, and objects that words can refer to, by name |
 //!
-//! In a session of feedback, a line of type `answer` is where the trainer answered a question of the robot's: `tasks` (the tasks that the
-//! answer is about), `yes` (whether what is meant is among them), `eta` (the probability that an answer is wrong, less than 0.5), and
-//! `others` (how many other answers there were; 1, as for yes and no, where it is absent). Where the trainer corrected the robot unasked,
-//! `words` are what was said: evidence beside the answer.
+//! A feedback session may have lines of type `answer`, for the trainer's answers to the robot's questions: `tasks` (the tasks of the
+//! question), `yes` (whether the intended task is among them), `eta` (the probability that an answer is wrong, less than 0.5), and `others`
+//! (how many other answers were possible; 1 by default, as for yes and no). If the trainer corrected the robot without a question, `words`
+//! has the words: evidence beside the answer.
 //!
-//! When things were done, in milliseconds since the session began, a step may say by `at_ms` (the robot acted) and `said_ms` (the trainer said the
-//! word), and an answer by `said_ms`. Nothing is learned from these.
+//! Times are optional, in milliseconds since the session began: a step may have `at_ms` (the robot acted) and `said_ms` (the trainer gave
+//! feedback), an answer `said_ms`. Nothing is learned from them.
 //!
-//! A session that `continues` has neither `prior` nor `strategies`; one with an `utterance` has no `prior`, and does not continue.
+//! A session with `continues` has neither `prior` nor `strategies`; one with `utterance` has neither `prior` nor `continues`.
 //!
 //! ```
 //! use goodbot_formats::session::{FeedbackWord, SessionReader};
@@ -67,7 +64,7 @@ use crate::error::FormatError;
 /// A whole session.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedSession {
-    /// What the session is about.
+    /// The session line.
     pub header: SessionHeader,
     /// The line on which it begins, counted from 1.
     pub header_line: usize,
@@ -81,7 +78,7 @@ pub struct RecordedSession {
     pub end_line: usize,
 }
 
-/// An answer, and its place.
+/// An answer, with its place in the log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordedAnswer {
     /// Its line.
@@ -98,15 +95,14 @@ impl RecordedSession {
         self.answers.iter().filter(move |recorded| recorded.after == steps)
     }
 
-    /// The session as lines without line ends. The line numbers in `self` play no part.
+    /// The session as lines without line ends. The line numbers in `self` are not used.
     ///
-    /// What could not be read again is not written: the error is the reader's, and its line counts
-    /// from the session line, which is 1.
+    /// A session that could not be read again is an error of the reader; its line counts from the session line, which is 1.
     pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
         self.to_lines_with(self.header.to_json_line()?, |step, line| self.header.check(step, line))
     }
 
-    /// The session as lines, `first` being the first. `check` tells whether a step can be one of this session's, given its line.
+    /// The session as lines, beginning with `first`. `check` refuses a step that this session cannot have, given the step's line.
     pub(crate) fn to_lines_with(
         &self,
         first: String,

@@ -1,4 +1,4 @@
-//! Whole sessions out of a log, one in memory at a time.
+//! Reads the sessions of a log, one in memory at a time.
 
 use std::io::BufRead;
 
@@ -9,14 +9,13 @@ use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, Problem};
 use crate::lines::Lines;
 
-/// Lines skipped, at most, to find the next session line. A file with more lines of something else is no log.
+/// The most lines that are skipped to find the next session line. A file with more other lines is no log.
 const MOST_PASSED_OVER: usize = 100_000;
 
-/// Reads sessions. An iterator: each item is a whole session or what is wrong with it.
+/// Reads sessions. An iterator: each item is a whole session, or its error.
 ///
-/// After an error one may stop, or go on: the next item is then the next session of the log, and
-/// what is left of the broken one is passed over. Each broken session is one error. A session that
-/// continues one that could not be read is itself an error.
+/// After an error, one may stop or continue. The next item is then the next session of the log; the rest of the broken session is skipped.
+/// Each broken session is one error. A session that continues one with an error is itself an error.
 ///
 /// ```
 /// use goodbot_formats::session::SessionReader;
@@ -35,25 +34,25 @@ const MOST_PASSED_OVER: usize = 100_000;
 pub struct SessionReader<R> {
     lines: Lines<R>,
     file: Option<String>,
-    /// A header that was met while its predecessor was not ended.
+    /// The next session's header, which came before the end of the last session.
     pending: Option<Result<(usize, Box<SessionHeader>), FormatError>>,
     last: Last,
 }
 
-/// What came before.
+/// The item before.
 enum Last {
     /// Nothing.
     Start,
-    /// A session, of this command in this environment.
+    /// A session, with its command and environment.
     Session(String, EnvironmentFile),
-    /// Something that could not be read.
+    /// A session that could not be read.
     Broken,
 }
 
-/// Why a line is no record.
+/// The reason why a line is no record.
 struct Failure {
     error: FormatError,
-    /// Whether the line looks as if it were to begin a session.
+    /// Whether the line may be the beginning of a session.
     session: bool,
 }
 
@@ -63,13 +62,13 @@ impl<R: BufRead> SessionReader<R> {
         SessionReader { lines: Lines::new(input), file: None, pending: None, last: Last::Start }
     }
 
-    /// The same reader, saying in its errors which file it reads.
+    /// The same reader, with the file's name in its errors.
     pub fn with_file(mut self, file: impl Into<String>) -> Self {
         self.file = Some(file.into());
         self
     }
 
-    /// The next line that is not blank.
+    /// The record on the next line that is not blank.
     fn record(&mut self) -> Option<Result<(usize, Record), Failure>> {
         loop {
             let line = self.lines.next()?;
@@ -87,7 +86,7 @@ impl<R: BufRead> SessionReader<R> {
         }
     }
 
-    /// The next session line. What is left of a broken session is passed over.
+    /// The next session line. The rest of a broken session is skipped.
     fn header(&mut self) -> Option<Result<(usize, Box<SessionHeader>), FormatError>> {
         if let Some(pending) = self.pending.take() {
             return Some(pending);
@@ -115,7 +114,7 @@ impl<R: BufRead> SessionReader<R> {
         Some(Err(self.lines.give_up(Problem::NoSession { lines: MOST_PASSED_OVER })))
     }
 
-    /// Whether the session continues what came before, if it says so.
+    /// Checks that a session with `continues` has the session before's command and environment.
     fn check_continues(&self, line: usize, header: &SessionHeader) -> Result<(), FormatError> {
         let problem = match &self.last {
             _ if !header.continues => return Ok(()),
@@ -136,7 +135,7 @@ impl<R: BufRead> SessionReader<R> {
         Some(self.rest(header_line, *header))
     }
 
-    /// What follows on a session line, up to the end.
+    /// The lines after a session line, up to the end.
     fn rest(&mut self, begin: usize, header: SessionHeader) -> Result<RecordedSession, FormatError> {
         self.check_continues(begin, &header)?;
         let (mut steps, mut answers) = (Vec::new(), Vec::new());
@@ -163,7 +162,7 @@ impl<R: BufRead> SessionReader<R> {
                 Some(Err(failure)) if failure.session => Err(failure.error),
                 Some(Err(failure)) => return Err(failure.error),
             };
-            // Two sessions are touched: this one is told of now, the next one after that.
+            // Two sessions are affected: this one is the error now, the next one follows.
             let next_session = Some(next.as_ref().map_or_else(|e| e.line, |(line, _)| *line));
             self.pending = Some(next);
             return Err(FormatError::new(begin, Problem::NoEnd { next_session }));
@@ -171,7 +170,7 @@ impl<R: BufRead> SessionReader<R> {
     }
 }
 
-/// Errors that are not to be passed over even within a broken session.
+/// Errors that are reported even inside a broken session.
 pub(crate) fn is_fatal(error: &FormatError) -> bool {
     matches!(error.problem, Problem::Read(_) | Problem::LineTooLong { .. })
 }

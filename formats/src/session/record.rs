@@ -1,4 +1,4 @@
-//! The lines of a log, each for itself.
+//! The lines of a log.
 
 use serde::Serialize;
 
@@ -7,19 +7,19 @@ use crate::error::{FormatError, Problem};
 use crate::json::{Object, Source};
 use crate::task_text::GroundTaskText;
 
-/// How a session teaches.
+/// How the trainer teaches in a session.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
-    /// The robot acts and its trainer judges each step.
+    /// The robot acts, and the trainer judges each step.
     Feedback,
-    /// The trainer shows what is to be done.
+    /// The trainer shows the task.
     Demonstration,
-    /// The meaning is told: there is nothing to judge or to show.
+    /// The session gives the task, without steps.
     Labelled,
 }
 
-/// What the trainer said to a step.
+/// The trainer's feedback to a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum FeedbackWord {
@@ -36,30 +36,30 @@ pub enum FeedbackWord {
 pub struct StepRecord {
     /// The name of the action.
     pub action: String,
-    /// What the trainer said to it; absent in a demonstration.
+    /// The feedback to it; absent in a demonstration.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub feedback: Option<FeedbackWord>,
     /// When the robot acted, in milliseconds since the session began. Nothing is learned from it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at_ms: Option<u64>,
-    /// When the trainer said it, in milliseconds since the session began. Nothing is learned from it.
+    /// When the trainer gave the feedback, in milliseconds since the session began. Nothing is learned from it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub said_ms: Option<u64>,
 }
 
-/// A line of type `answer`: what the trainer answered to a question of the robot's, before the step that follows it.
+/// A line of type `answer`: the trainer's answer to a question of the robot, before the next step.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnswerRecord {
-    /// The tasks that the answer is about, at least one.
+    /// The tasks of the question, at least one.
     pub tasks: Vec<GroundTaskText>,
-    /// Whether what is meant is among them.
+    /// Whether the intended task is among them.
     pub yes: bool,
     /// The probability that an answer is wrong.
     pub eta: f64,
-    /// How many other answers there were, each as probable where the answer is wrong: 1 for yes and no.
+    /// How many other answers were possible, each equally probable if the answer is wrong: 1 for yes and no.
     #[serde(skip_serializing_if = "is_one")]
     pub others: u8,
-    /// Where the trainer corrected the robot: what was said, which is evidence beside the answer.
+    /// The words of a correction: evidence beside the answer.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub words: Option<String>,
     /// When the trainer gave it, in milliseconds since the session began. Nothing is learned from it.
@@ -109,7 +109,7 @@ struct Typed<'a, T> {
     record: &'a T,
 }
 
-/// Writes a record, and reads it again to be sure that it can be.
+/// Writes a record, and checks that it can be read again.
 pub(super) fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
     let typed = Typed { kind, version, record };
     let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
@@ -129,19 +129,19 @@ impl FeedbackWord {
 }
 
 impl StepRecord {
-    /// An action and what was said to it, without times.
+    /// An action and its feedback, without times.
     pub fn new(action: String, feedback: Option<FeedbackWord>) -> Self {
         Self { action, feedback, at_ms: None, said_ms: None }
     }
 
-    /// The step on one line, without a line end; an error if it could not be read again.
+    /// The step on one line, without a line end. It is an error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("step", None, self)
     }
 }
 
 impl AnswerRecord {
-    /// The answer on one line, without a line end; an error if it could not be read again.
+    /// The answer on one line, without a line end. It is an error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         write("answer", None, self)
     }
@@ -184,8 +184,7 @@ impl EndRecord {
 impl Record {
     /// Reads a line; `line` is its number in the file, for errors.
     ///
-    /// Does not check whether the line may come here: a
-    /// [`SessionReader`](super::SessionReader) does.
+    /// The order of lines is not checked here; a [`SessionReader`](super::SessionReader) checks it.
     ///
     /// ```
     /// use goodbot_formats::session::Record;
@@ -224,7 +223,7 @@ impl Record {
         }
     }
 
-    /// The record on one line, without a line end; an error if it could not be read again.
+    /// The record on one line, without a line end. It is an error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         match self {
             Record::Session(header) => header.to_json_line(),

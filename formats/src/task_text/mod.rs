@@ -1,12 +1,10 @@
 //! Tasks as texts.
 //!
-//! A ground task names objects: `agentInRoom(agent0,room1)`, or several at once,
-//! `agentInRoom(agent0,room1) & blockInRoom(block0,room2)`. A lifted task has variables in their
-//! place: `agentInRoom(?a,?r1) & blockInRoom(?o,?r2)`. A reader accepts blanks around names, commas
-//! and `&`, and ` AND ` for ` & `; a writer puts no blank inside the parentheses and one on each
-//! side of `&`.
+//! A ground task names objects: `agentInRoom(agent0,room1)`, or a conjunction, `agentInRoom(agent0,room1) & blockInRoom(block0,room2)`. A
+//! lifted task has variables in their place: `agentInRoom(?a,?r1) & blockInRoom(?o,?r2)`. A reader accepts blanks around names, commas and
+//! `&`, and ` AND ` for ` & `. A writer puts one blank on each side of `&`, and none inside the parentheses.
 //!
-//! `!` before a ground proposition says that it is not to hold: `!agentInRoom(agent0,room1)`.
+//! `!` before a ground proposition means that it is not to hold: `!agentInRoom(agent0,room1)`.
 //!
 //! A task may have a [way](WayText) after it: `then` and the next goal, `through` a proposition `or` another, `avoiding` a
 //! proposition `or` another: `agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2)`.
@@ -80,7 +78,7 @@ impl GroundAtomText {
         GroundAtomText { negated: !self.negated, ..self }
     }
 
-    /// Whether it is not to hold.
+    /// Whether the proposition is not to hold.
     pub fn is_negated(&self) -> bool {
         self.negated
     }
@@ -97,7 +95,7 @@ impl GroundAtomText {
 }
 
 impl GroundTaskText {
-    /// The task with each proposition of its goal the other way round.
+    /// The task with each proposition of its goal negated.
     #[must_use]
     pub fn opposite(&self) -> Self {
         TaskText { atoms: self.atoms.iter().cloned().map(GroundAtomText::negated).collect(), way: self.way.clone() }
@@ -137,7 +135,8 @@ impl<A: Ord + Clone + fmt::Display> TaskText<A> {
     /// A task of at least one proposition, with a way.
     ///
     /// # Errors
-    /// [`TaskTextError::Empty`] for a task or a clause of no proposition, [`TaskTextError::AvoidsGoal`] for a way that avoids what is asked for.
+    /// [`TaskTextError::Empty`] for a task or a clause without propositions, [`TaskTextError::AvoidsGoal`] for a way that avoids a
+    /// proposition of the task.
     pub fn with_way(atoms: Vec<A>, way: WayText<A>) -> Result<Self, TaskTextError> {
         way.check(&atoms)?;
         Ok(TaskText { atoms, way })
@@ -155,7 +154,7 @@ impl<A> TaskText<A> {
         &self.atoms
     }
 
-    /// The way to the goal; empty where it has none.
+    /// The way to the goal; empty if it has none.
     pub fn way(&self) -> &WayText<A> {
         &self.way
     }

@@ -1,4 +1,4 @@
-//! Reading tasks, and what can go wrong there.
+//! Reads tasks, and lists the errors.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,44 +10,44 @@ use crate::error::quoted;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskTextError {
-    /// Something else is where this belongs.
+    /// Another character than the expected one.
     #[error("is no task, {what} belongs at its character {column}; write it like agentInRoom(agent0,room1) & blockInRoom(block0,room2)")]
     Expected {
-        /// What belongs there.
+        /// The expected part.
         what: &'static str,
-        /// Where.
+        /// Its place.
         column: usize,
     },
     /// A variable in a ground task.
     #[error("has a variable at its character {column}; name objects, like agentInRoom(agent0,room1)")]
     VariableInGround {
-        /// Where.
+        /// Its place.
         column: usize,
     },
     /// An argument without `?` in a lifted task.
     #[error("has no variable at its character {column}; begin each with ?, like agentInRoom(?a,?r)")]
     ObjectInLifted {
-        /// Where.
+        /// Its place.
         column: usize,
     },
-    /// A name with characters that a task text has a use for.
+    /// A name with characters that have a meaning in task texts.
     #[error("{} cannot be in a task; use a name without blanks and without ( ) , & ? and quotes", quoted(.name))]
     UnusableName {
         /// The name.
         name: String,
     },
-    /// A task of no proposition, or a proposition of no argument.
+    /// A task without propositions, or a proposition without arguments.
     #[error("is empty; write at least one proposition, and each with an argument, like agentInRoom(agent0,room1)")]
     Empty,
-    /// The way avoids what the task asks for.
+    /// A way that avoids a proposition of the task.
     #[error("avoids {atom}, which it asks for as well; remove the one or the other")]
     AvoidsGoal {
-        /// What is both avoided and asked for.
+        /// The proposition.
         atom: String,
     },
 }
 
-/// The rest of a text that is being read.
+/// The unread rest of a text.
 struct Rest<'a> {
     text: &'a str,
     at: usize,
@@ -104,7 +104,7 @@ impl<'a> Rest<'a> {
         Ok(LiftedAtomText { function, variables })
     }
 
-    /// A function and its arguments, each with `?` before it or each without.
+    /// A function and its arguments, all with `?` or all without.
     fn atom(&mut self, lifted: bool) -> Result<(String, Vec<String>), TaskTextError> {
         self.skip_blanks();
         if self.left().starts_with('!') {
@@ -148,7 +148,7 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// The part that the next proposition belongs to.
+/// The part of the task that the next proposition belongs to.
 #[derive(Clone, Copy, PartialEq)]
 enum Clause {
     Goal,

@@ -3,7 +3,7 @@
 use super::TaskTextError;
 use std::fmt;
 
-/// The way of a task; each list may be empty.
+/// The way of a task. Each list may be empty.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct WayText<A> {
     /// Earlier goals in order, each a conjunction: the parts before `then`.
@@ -40,7 +40,7 @@ impl<A: Ord + Clone + fmt::Display> WayText<A> {
         }
     }
 
-    /// Whether another way asks the same, in whatever order.
+    /// Whether another way is the same. The order counts for earlier goals only.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         let each = |lists: &[Vec<A>]| lists.iter().map(|list| sorted(list)).collect::<Vec<_>>();
         each(&self.before) == each(&other.before)
@@ -77,7 +77,7 @@ fn list<A: fmt::Display>(f: &mut fmt::Formatter<'_>, atoms: &[A], between: &str)
     Ok(())
 }
 
-/// The items of a list, without their order.
+/// The items of a list in order, each once, so that lists can be compared.
 pub(super) fn sorted<A: Ord + Clone>(list: &[A]) -> Vec<A> {
     let mut list = list.to_vec();
     list.sort();

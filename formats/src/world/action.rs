@@ -1,4 +1,4 @@
-//! What a robot can do in a world: actions with conditions, effects and a cost.
+//! The actions of a robot in a world, with conditions, effects and costs.
 
 use std::collections::BTreeMap;
 
@@ -12,11 +12,11 @@ use crate::task_text::GroundAtomText;
 pub struct ActionOfWorld {
     /// Its name.
     pub name: String,
-    /// Its parameters without their `?`, each with its class: each choice of objects for them is an action of the robot.
+    /// Its parameters without their `?`, each with its class. Each choice of objects for them is an action of the robot.
     pub parameters: Vec<(String, String)>,
-    /// What must hold, and what must not, before it.
+    /// Propositions that must hold, or must not hold, before it.
     pub conditions: Vec<Literal>,
-    /// What holds after it, and what does not.
+    /// Propositions that hold, or no longer hold, after it.
     pub effects: Vec<Literal>,
     /// Its cost, 1 to 16.
     pub cost: u8,
@@ -25,7 +25,7 @@ pub struct ActionOfWorld {
 /// A proposition of an action, or its opposite.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Literal {
-    /// Whether it is the opposite.
+    /// Whether the proposition is negated.
     pub negated: bool,
     /// The proposition.
     pub proposition: String,
@@ -36,13 +36,13 @@ pub struct Literal {
 /// An argument of a proposition of an action.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Term {
-    /// A variable, without its `?`: a parameter, or one that a condition gives its value.
+    /// A variable, without its `?`: a parameter, or a variable with a value from a condition.
     Variable(String),
     /// An object.
     Object(String),
 }
 
-/// Stands for `?` where a proposition is read: a character of Unicode's private area.
+/// Replaces `?` while a proposition is read: a character of Unicode's private area.
 const VARIABLE: &str = "\u{e000}";
 
 /// The costs that an action can have.
@@ -98,10 +98,10 @@ impl ActionOfWorld {
 }
 
 impl Known<'_> {
-    /// A proposition of an action. Conditions may name variables that are no parameters.
+    /// Reads a proposition of an action. Only in conditions may variables be new.
     fn literal(&self, node: &Node<'_>, classes: &mut BTreeMap<String, String>, may_be_new: bool) -> Result<Literal, FormatError> {
         let text = node.text()?;
-        // A variable is read as an object of a name that no file writes.
+        // A variable is read as an object whose name no file has.
         let atom: GroundAtomText = text.replace('?', VARIABLE).parse().map_err(|error| node.error(Problem::Task(error)))?;
         let parameters = self.world().parameters(node, atom.function(), atom.arguments().len())?.to_vec();
         let mut terms = Vec::new();

@@ -1,4 +1,4 @@
-//! A command in a world, and what was meant by it.
+//! Commands in worlds, with the intended propositions.
 
 use super::file::{Known, WorldFile};
 use crate::error::FormatError;
@@ -14,17 +14,17 @@ pub struct CommandRecord {
     pub world: String,
     /// Its name.
     pub id: Option<String>,
-    /// What must stay together when data are parted.
+    /// The group to keep on one side of a split between training and test data.
     pub group: Option<String>,
-    /// What was said.
+    /// The words.
     pub command: String,
-    /// What was meant: all of this is to hold. Nothing where something was only to end.
+    /// The propositions that are to hold. Empty if the command only ends something.
     pub intended: Vec<GroundAtomText>,
     /// The names of commands before it in the same conversation.
     pub before: Vec<String>,
-    /// What was to hold no more.
+    /// The propositions that are to hold no longer.
     pub ended: Vec<GroundAtomText>,
-    /// What held when it was said, where that is not what the world says.
+    /// The propositions that held at the time of the command, if they differ from the world's.
     pub facts: Option<Vec<GroundAtomText>>,
 }
 

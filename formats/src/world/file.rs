@@ -7,7 +7,7 @@ use crate::error::{FormatError, Problem};
 use crate::json::{Node, Object, Source};
 use crate::task_text::{GroundAtomText, LiftedTaskText, TaskTextError, is_usable_name};
 
-/// A world: what it speaks of, and what is in it.
+/// A world: its vocabulary and its objects.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct WorldFile {
     /// Its name.
@@ -20,13 +20,13 @@ pub struct WorldFile {
     pub propositions: Vec<(String, Vec<String>)>,
     /// The objects.
     pub objects: Vec<ObjectOfWorld>,
-    /// What holds.
+    /// The propositions that hold.
     pub facts: Vec<GroundAtomText>,
     /// The kinds of task that commands may mean.
     pub task_kinds: Vec<LiftedTaskText>,
-    /// The propositions that are variables: for each choice of the first arguments exactly one last argument holds at a time.
+    /// The propositions that are variables: for each choice of the first arguments, exactly one last argument holds at a time.
     pub variables: Vec<String>,
-    /// What a robot can do.
+    /// The actions of a robot.
     pub actions: Vec<ActionOfWorld>,
 }
 
@@ -57,10 +57,10 @@ const FIELDS: &[&str] = &[
 ];
 
 impl WorldFile {
-    /// Reads a world, be it on one line or on many.
+    /// Reads a world, on one line or on several.
     ///
     /// # Errors
-    /// What is wrong with it, and where.
+    /// The fault, and its place.
     pub fn parse(text: &str) -> Result<Self, FormatError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let source = Source::new(text, 1);
@@ -99,7 +99,7 @@ impl WorldFile {
         Ok(world)
     }
 
-    /// From names to lists of classes.
+    /// Reads an object from names to lists of classes.
     fn of_classes(&self, node: Node<'_>, filled: bool) -> Result<Vec<(String, Vec<String>)>, FormatError> {
         let mut all = Vec::new();
         for (name, node) in node.object()?.entries() {
@@ -182,7 +182,7 @@ impl WorldFile {
         Ok(())
     }
 
-    /// Whether the propositions of a kind of task are the world's, and each of its variables has one class.
+    /// Checks that a kind of task has propositions of the world, and one class for each variable.
     fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
         let way = kind.way();
         if !(way.before.is_empty() && way.through.is_empty() && way.avoiding.is_empty()) {
@@ -200,7 +200,7 @@ impl WorldFile {
         Ok(())
     }
 
-    /// The classes of a proposition's arguments, whose number must be right.
+    /// The classes of a proposition's arguments, if their number is right.
     pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
         match self.propositions.iter().find(|(name, _)| name == function) {
             None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
@@ -212,8 +212,8 @@ impl WorldFile {
     }
 }
 
-/// The line, counted from 1, of a field such as `objects[3]`, `propositions.at` or `actions` in the text of a world: what is found wrong with
-/// the world as a whole can be told in its place.
+/// The line, counted from 1, of a field such as `objects[3]`, `propositions.at` or `actions` in the text of a world, for errors of the
+/// world as a whole.
 pub fn field_line(text: &str, field: &str) -> Option<usize> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let source = Source::new(text, 1);
@@ -230,7 +230,7 @@ pub fn field_line(text: &str, field: &str) -> Option<usize> {
     }
 }
 
-/// A world with the classes of its objects at hand.
+/// A world with a table of its objects' classes.
 pub(super) struct Known<'w> {
     world: &'w WorldFile,
     classes: BTreeMap<&'w str, &'w str>,
@@ -273,7 +273,7 @@ impl<'w> Known<'w> {
     }
 }
 
-/// A list of usable names, each once.
+/// A list of usable names without repetition.
 fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
     let mut names = Vec::new();
     let mut seen = BTreeSet::new();

@@ -1,9 +1,9 @@
 //! Worlds of any kind, and commands in them.
 //!
-//! A world is one JSON object with `"type":"world"`. It says its classes, attributes, propositions and objects, and the kinds of task that
+//! A world is one JSON object with `"type":"world"`. It has classes, attributes, propositions and objects, and the kinds of task that
 //! commands may mean:
 //!
-//! | field | what |
+//! | field | contents |
 //! |---|---|
 //! | `name` | the world's name |
 //! | `classes` | a list of names |
@@ -12,27 +12,28 @@
 //! | `objects` | a list of objects with `name`, `class` and `attributes`: from attributes to values |
 //! | `facts` | propositions that hold, such as `"p(a,b)"`; may be absent |
 //! | `task_kinds` | a list of kinds of task, such as `"p(?x,?y)"` |
-//! | `license`, `source` | where it is from; may be absent |
+//! | `license`, `source` | licence and origin; may be absent |
 //! | `variables` | propositions of which exactly one last argument holds at a time, such as `at(robot,room)`; may be absent |
-//! | `actions` | what a robot can do there; may be absent |
+//! | `actions` | the actions of a robot; may be absent |
 //!
 //! An action has a `name`, `parameters` (from variables such as `?room` to classes), `conditions` and `effects` (lists of propositions with
-//! variables or objects, `!` before one that is not to hold, or holds no more) and a `cost` of 1 to 16; all but `name` and `effects` may be absent. A
-//! variable of its conditions that is no parameter takes the value with which they hold.
+//! variables or objects; `!` negates a proposition) and a `cost` of 1 to 16. Only `name` and `effects` are required. If a variable of its
+//! conditions is no parameter, it gets a value with which they hold.
 //!
-//! A log of worlds has worlds, and commands and sessions in worlds that were named before. A world holds for what follows, up to another of the
-//! same name. A session is as in a log of homes, but has `world`, the world's name, and `facts`, what holds when the command is said, in place
-//! of `environment`; its `kind`, `id`, `command`, `intended`, `strategies`, `utterance`, `after`, `conversation` and `closed_words` are as there. A command:
+//! A log of worlds has worlds, and commands and sessions in worlds on earlier lines. A world is valid until another of the same name. A
+//! session is as in a log of homes, but in place of `environment` it has `world`, the world's name, and `facts`, the propositions that hold
+//! at the time of the command. Its `kind`, `id`, `command`, `intended`, `strategies`, `utterance`, `after`, `conversation` and
+//! `closed_words` are as there. A command:
 //!
-//! | field of a command | what |
+//! | field of a command | contents |
 //! |---|---|
 //! | `world` | the name of its world |
-//! | `command` | what was said |
-//! | `intended` | what was meant: propositions that are to hold |
+//! | `command` | the words |
+//! | `intended` | the propositions that are to hold |
 //! | `id` | the command's name; may be absent |
-//! | `group` | what must stay together when data are parted, such as the speaker; may be absent |
-//! | `facts` | propositions that hold, where they are others than the world's; may be absent |
-//! | `ended` | propositions that were to hold no more; may be absent |
+//! | `group` | commands of one group, such as one speaker's, stay together in a split of the data; may be absent |
+//! | `facts` | propositions that hold, if they differ from the world's; may be absent |
+//! | `ended` | propositions that are to hold no longer; may be absent |
 //! | `before` | the ids of earlier commands of the same sequence; may be absent |
 //! | `language`, `part` | for people; may be absent |
 //!

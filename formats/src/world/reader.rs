@@ -1,4 +1,4 @@
-//! A log of worlds, line by line.
+//! Reads a log of worlds, line by line.
 
 use std::collections::HashMap;
 use std::io::BufRead;
@@ -10,27 +10,27 @@ use crate::json::{Object, Source};
 use crate::lines::{Line as RawLine, Lines};
 use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession, is_fatal};
 
-/// What a log of worlds holds.
+/// An item of a log of worlds.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Line {
-    /// A world. It holds for what follows, up to another of the same name.
+    /// A world. It is valid until another of the same name.
     World(Arc<WorldFile>),
-    /// A command in a world before it.
+    /// A command in a world on an earlier line.
     Command(CommandRecord),
-    /// A session in a world before it.
+    /// A session in a world on an earlier line.
     Session(Box<SessionInWorld>),
 }
 
 const TYPES: &[&str] = &["world", "command", "session", "step", "answer", "end"];
 
-/// Reads a log of worlds. An iterator: each item is a world, a command or a whole session, or what is wrong with it. After an error one may go
-/// on: the commands and sessions in a world that could not be read are errors too, and what is left of a broken session is passed over.
+/// Reads a log of worlds. An iterator: each item is a world, a command, a whole session, or an error. After an error, one may continue:
+/// commands and sessions in a world with an error are errors too, and the rest of a broken session is skipped.
 pub struct WorldReader<R> {
     lines: Lines<R>,
     worlds: HashMap<String, Arc<WorldFile>>,
-    /// A line that was met while a session was not ended.
+    /// A line that came before the end of a session.
     pending: Option<RawLine>,
-    /// Whether what was read last could not be read.
+    /// Whether the last item was an error.
     is_broken: bool,
     began: usize,
 }
@@ -41,7 +41,7 @@ impl<R: BufRead> WorldReader<R> {
         Self { lines: Lines::new(input), worlds: HashMap::new(), pending: None, is_broken: false, began: 0 }
     }
 
-    /// The line on which that began which was read last, counted from 1; 0 before anything was read.
+    /// The first line of the last item, counted from 1; 0 before the first item.
     pub const fn began(&self) -> usize {
         self.began
     }
@@ -56,7 +56,7 @@ impl<R: BufRead> WorldReader<R> {
         }
     }
 
-    /// What begins on a line.
+    /// The item that begins on this line.
     fn read(&mut self, text: &str, number: usize) -> Result<Line, FormatError> {
         let source = Source::new(text, number);
         let fields = source.root()?.object()?;
@@ -96,7 +96,7 @@ impl<R: BufRead> WorldReader<R> {
             }
             let source = Source::new(&line.text, number);
             if source.root()?.object()?.required("type")?.word(TYPES)? <= 2 {
-                // What begins before the end is read next.
+                // The item that begins before the end is read next.
                 self.pending = Some(line);
                 return Err(FormatError::new(begin, Problem::NoEnd { next_session: Some(number) }));
             }

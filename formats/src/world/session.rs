@@ -1,4 +1,4 @@
-//! A session in a world: a command, what was done, and how it was judged.
+//! Sessions in worlds: a command, steps, and their feedback.
 
 use std::sync::Arc;
 
@@ -32,9 +32,9 @@ use crate::task_text::{GroundAtomText, GroundTaskText};
 pub struct SessionInWorld {
     /// The world.
     pub world: Arc<WorldFile>,
-    /// What held when the command was said.
+    /// The propositions that held at the time of the command.
     pub facts: Vec<GroundAtomText>,
-    /// The session. It is in no home: its environment has no objects.
+    /// The session. Its environment has no objects: it is in no home.
     pub session: RecordedSession,
 }
 
@@ -54,7 +54,7 @@ const FIELDS: &[&str] = &[
     "closed_words",
 ];
 
-/// The first line, in the order in which it is written.
+/// The first line, with its fields in the order of the file.
 #[derive(Serialize)]
 struct Header<'a> {
     #[serde(rename = "type")]
@@ -82,7 +82,7 @@ struct Header<'a> {
 }
 
 impl SessionInWorld {
-    /// Reads the line with which a session in a world begins.
+    /// Reads the first line of a session in a world.
     pub(super) fn header(
         fields: &Object<'_>,
         world: Arc<WorldFile>,
@@ -102,10 +102,10 @@ impl SessionInWorld {
         Ok((world, facts, header))
     }
 
-    /// The session as lines without line ends. The line of its world comes before it, and the line numbers play no part.
+    /// The session as lines without line ends. Write the line of its world before it. The line numbers in `self` are not used.
     ///
     /// # Errors
-    /// What could not be read again; the line counts from the session line, which is 1.
+    /// An error if the session could not be read again; its line counts from the session line, which is 1.
     pub fn to_lines(&self) -> Result<Vec<String>, FormatError> {
         let header = &self.session.header;
         let first = Header {

@@ -1,4 +1,4 @@
-//! A world as a line of a log.
+//! Writes a world as a line of a log.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -92,10 +92,10 @@ impl Serialize for WorldFile {
 }
 
 impl WorldFile {
-    /// The world on one line, without a line end. Its licence and its source are not told.
+    /// The world on one line, without a line end. Licence and source are left out.
     ///
     /// # Errors
-    /// What could not be read again.
+    /// An error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
         let line = serde_json::to_string(self).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
         Self::read(&Source::new(&line, 1).root()?.object()?)?;

@@ -1,4 +1,4 @@
-//! Environments: what is read, what is refused and in which words.
+//! Environments: the reader, and the words of its errors.
 
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::{FormatError, Problem};
@@ -12,7 +12,7 @@ fn refused(text: &str) -> FormatError {
     }
 }
 
-/// What is said of an environment with this object on line 2.
+/// The error of an environment with this object on line 2.
 fn refused_object(object: &str) -> String {
     let error = refused(&format!("{{\"version\":1,\"objects\":[\n{object}]}}"));
     assert_eq!(error.line, 2, "{error}");

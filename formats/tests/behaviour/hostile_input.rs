@@ -1,4 +1,4 @@
-//! Input that wants to break the reader: it gets an error and nothing else.
+//! Hostile input gets an error, and does nothing else.
 
 use std::io::{self, BufRead, BufReader, Cursor, Read};
 
@@ -16,7 +16,7 @@ fn first_error(input: impl BufRead) -> FormatError {
     SessionReader::new(input).find_map(Result::err).expect("is refused")
 }
 
-/// Reads the text as everything that it could be.
+/// Reads the text in every format.
 fn read_as_all(bytes: &[u8]) {
     let errors: Vec<_> = SessionReader::new(bytes).filter_map(Result::err).collect();
     for error in errors {

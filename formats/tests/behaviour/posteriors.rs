@@ -1,4 +1,4 @@
-//! Posteriors: both precisions, order, and what is refused.
+//! Posteriors: both precisions, order, and errors.
 
 use goodbot_formats::Problem;
 use goodbot_formats::posterior::PosteriorLine;

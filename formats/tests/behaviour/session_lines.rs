@@ -1,4 +1,4 @@
-//! The lines of a log, each for itself.
+//! The single lines of a log.
 
 use goodbot_formats::session::{FeedbackWord, Kind, Record, SessionHeader, StepRecord};
 use goodbot_formats::{FormatError, Problem};
@@ -12,7 +12,7 @@ fn header() -> SessionHeader {
     }
 }
 
-/// What is said of the header after this replacement.
+/// The error of the header after this replacement.
 fn refused(from: &str, to: &str) -> FormatError {
     assert!(HEADER.contains(from), "{from}");
     match Record::parse(&HEADER.replacen(from, to, 1), 3) {
@@ -170,7 +170,7 @@ fn a_labelled_session_tells_its_meaning_and_may_tell_a_way() {
         "agentInRoom(agent0,room0) through agentInRoom(agent0,room1) or agentInRoom(agent0,room2) avoiding agentInRoom(agent0,room3)";
     assert_eq!(shown.meant().unwrap().unwrap().to_string(), text);
     let nowhere = without.replace("labelled", "demonstration");
-    assert_eq!(told(&nowhere), r#"line 1: field "through": is the way of what was meant, which is not told; remove it, or write intended"#);
+    assert_eq!(told(&nowhere), r#"line 1: field "through": belongs to an intended task; write "intended" too, or remove it"#);
     let torn = line.replace("room3", "room0");
     assert!(told(&torn).starts_with(r#"line 1: field "avoiding": avoids agentInRoom(agent0,room0), which it asks for as well"#));
 }

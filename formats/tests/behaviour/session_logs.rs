@@ -1,4 +1,4 @@
-//! Whole logs: the order of their lines, and going on after an error.
+//! Whole logs: the order of their lines, and the next session after an error.
 
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldReader};

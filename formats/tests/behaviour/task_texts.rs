@@ -1,4 +1,4 @@
-//! Tasks as texts: the canonical form, and what is refused.
+//! Tasks as texts: the canonical form, and errors.
 
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, LiftedAtomText, LiftedTaskText, TaskTextError};
 

@@ -1,4 +1,4 @@
-//! The home of a question, drawn as text; colours, where wanted, come beside the letters.
+//! Draws the home of a question as text, in colours if wanted.
 
 use goodbot::home::Map;
 use goodbot::memory::HomeMemory;
@@ -8,7 +8,7 @@ use std::io::{self, Write};
 /// Draws a home.
 ///
 /// # Errors
-/// What the output says.
+/// The error of the output.
 pub fn draw(out: &mut impl Write, map: &Map<'_, impl HomeMemory>) -> io::Result<()> {
     for line in map.to_string().lines() {
         write!(out, "  ")?;

@@ -1,4 +1,4 @@
-//! What an utterance of several parts leads to: a task for each, and one plan for all.
+//! Follows an utterance of several parts: a task for each part, and one plan for all.
 
 use super::plan::{Plan, plan};
 use goodbot::home::{Home, HomeState};
@@ -11,31 +11,31 @@ use goodbot_lesson::name::{in_words, task_name};
 /// The tasks of an utterance, one after another.
 #[derive(Clone, Debug)]
 pub struct Followed {
-    /// The tasks, as in files, with `then` between them.
+    /// The tasks, as in files, joined by `then`.
     pub name: String,
     /// The tasks in words.
     pub words: String,
-    /// How probable they are all together.
+    /// The probability of all together.
     pub probability: f32,
-    /// The result of the whole utterance.
+    /// The verdict on the whole utterance.
     pub verdict: Verdict,
-    /// The actions of all, if they are known.
+    /// The actions for all tasks, if they are known.
     pub plan: Option<Plan>,
-    /// What is done, step by step.
+    /// The steps of the plan, in order.
     pub steps: Vec<Step>,
-    /// Where all of it leads to.
+    /// The state at the end.
     pub end: HomeState,
 }
 
-/// A task, and the state that it is begun in.
+/// A task, and the state in which it begins.
 pub type Step = (GroundedTask, HomeState);
 
-/// Whether an utterance is followed in another way than a plain command.
+/// Whether an utterance of this kind is followed differently from a plain command.
 pub const fn is_followed(hypothesis: Hypothesis) -> bool {
     matches!(hypothesis, Hypothesis::Negated | Hypothesis::Several | Hypothesis::All | Hypothesis::Again)
 }
 
-/// Follows an utterance, of which the agent has heard the first part, each part in the state that the one before leads to.
+/// Follows an utterance whose first part the agent has heard. Each part begins in the state in which the part before ends.
 ///
 /// # Errors
 /// An [`AgentError`].

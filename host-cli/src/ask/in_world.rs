@@ -1,4 +1,4 @@
-//! Commands in a world from a file: what they mean there, and where a robot acts there, how it does that.
+//! Commands in a world from a file: their meanings, and the plan if a robot acts there.
 
 use super::{AskOptions, SURE, end, lines, tell_refused, unread_words};
 use goodbot::Capacities;
@@ -19,26 +19,26 @@ use std::io::{BufRead, BufWriter, Write};
 /// The most meanings that are printed.
 const TOLD: usize = 10;
 
-/// The commands, and the world where it is one with actions.
+/// The commands, and the world if it has actions.
 #[derive(Debug, Default)]
 pub struct Questions {
-    /// Each as it is asked, or the command and why it is refused.
+    /// Each question, or a refused command with the reason.
     lessons: Vec<Result<Lesson, (String, String)>>,
     world: Option<WorldFile>,
-    /// Whether a robot acts in each of the worlds.
+    /// Whether a robot acts in all worlds.
     act: bool,
 }
 
-/// The commands, where the options name a world or a log of worlds; nothing where they name something else.
+/// The commands, if the options name a world or a log of worlds; otherwise `None`.
 ///
 /// # Errors
-/// What is wrong with the file, or with the options.
+/// The fault of the file or of the options.
 pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
-    // Standard input is read once: it has a home.
+    // Standard input is read once, for a home.
     let Some(file) = options.log.as_ref().or(options.environment.as_ref()).filter(|file| *file != "-") else { return Ok(None) };
     let name = input::name(file);
     let mut opened = input::open(file)?;
-    // What cannot be read is refused where it is read.
+    // A file that cannot be read is refused later, when it is read.
     if opened.fill_buf().map(Content::of).ok() != Some(Content::Worlds) {
         return Ok(None);
     }
@@ -68,7 +68,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
         words => vec![words.join(" ")],
     };
     let question = |command: &String| match worlds::question(name, &world, command, agent) {
-        // The others are asked none the less.
+        // The other commands are still asked.
         Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
         question => Ok(Ok(question?)),
     };
@@ -76,7 +76,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
     Ok(Some(Questions { lessons, act: !world.actions.is_empty(), world: Some(world).filter(|world| !world.actions.is_empty()) }))
 }
 
-/// Asks them.
+/// Answers the questions.
 ///
 /// # Errors
 /// [`Failure`].
@@ -131,14 +131,15 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
             None => {}
         }
         if let Some(meant) = meant {
-            writeln!(out, "meant was {meant}")?;
+            writeln!(out, "intended: {meant}")?;
         }
     }
     out.flush()?;
     end(refused, questions.lessons.len())
 }
 
-/// The tasks that a command may mean, the most probable first, with their probabilities; and the plan for that one, where a robot acts.
+/// The tasks that a command may mean, the most probable first, with their probabilities; and the plan for the first one, if a robot acts
+/// there.
 type Answer = (Vec<(String, f32)>, Option<Vec<String>>);
 
 fn answer(

@@ -1,7 +1,7 @@
-//! What an utterance may mean here, with what is done already.
+//! The tasks that an utterance may mean, including tasks that are done already.
 //!
-//! A robot with some lessons [listens](goodbot::talk). A robot with few takes everything for a command. It hears each task that is done already
-//! from a state where it is not done yet: one thing is moved elsewhere.
+//! A robot with enough lessons [listens](goodbot::talk). A robot with few lessons takes every utterance for a command. To score a task that
+//! is done already, it hears the command in a state with one object elsewhere, in which the task is not done.
 
 use super::following::{self, Followed, Step};
 use goodbot::home::{Home, HomeState};
@@ -16,36 +16,37 @@ use goodbot::{Agent, AgentError, Capacities};
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::name::{in_words, task_name};
 
-/// What a command may mean.
+/// A task that a command may mean.
 #[derive(Clone, Debug)]
 pub struct Meaning {
     /// The task, as in files.
     pub name: String,
     /// The task in words.
     pub words: String,
-    /// How probable it is.
+    /// The probability of the task.
     pub probability: f32,
     /// Whether it is done already.
     pub done: bool,
 }
 
-/// What was made of an utterance.
+/// The reading of an utterance.
 #[derive(Debug)]
 pub struct Heard {
-    /// What it is taken for, where the robot has had enough lessons to tell.
+    /// The kind of utterance; `None` if the robot has too few lessons to tell.
     pub listened: Option<Listened>,
-    /// What it leads to, if it is no plain command.
+    /// The tasks and the plan, if it is no plain command.
     pub followed: Option<Followed>,
-    /// The tasks that it most likely asks for, each with the state that it is begun in.
+    /// The most likely tasks, each with the state in which it begins.
     pub steps: Vec<Step>,
-    /// All that it may mean, the most probable first.
+    /// All possible meanings, the most probable first.
     pub meanings: Vec<Meaning>,
 }
 
-/// What the utterance is taken for, and all that it may mean. Afterwards the agent has heard the utterance as a command in `start`, if there is anything to do there.
+/// The kind of the utterance, and its possible meanings. Afterwards the agent has heard the utterance as a command in `start`, if there is
+/// anything to do.
 ///
 /// # Errors
-/// An [`AgentError`] but that there is nothing to do.
+/// An [`AgentError`], but not the error that there is nothing to do.
 pub fn meanings(
     agent: &mut Agent<impl AgentMemory>,
     home: &Home<impl HomeMemory>,
@@ -82,7 +83,7 @@ pub fn meanings(
     }
 }
 
-/// What the agent's session may be about.
+/// The possible meanings in the agent's session.
 fn of_session(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>, listened: Listened) -> Vec<Meaning> {
     let done = agent.done(home);
     let of = |(position, task): (usize, &GroundedTask)| {
@@ -98,12 +99,11 @@ fn meaning(home: &Home<impl HomeMemory>, kind: &LiftedTask, task: &GroundedTask,
     Meaning { name, words: in_words(home, kind, task), probability, done }
 }
 
-/// All that the command may mean, the most probable first. A word that was never heard says nothing, and makes every meaning less sure: so
-/// much of the belief as there are such words among all stays what it was before any word. Afterwards the agent has heard the command in
-/// `start`, if there is anything to do there.
+/// The possible meanings of a command, the most probable first. An unknown word makes every meaning less sure: the share of unknown words
+/// falls back to the task prior. Afterwards the agent has heard the command in `start`, if there is anything to do.
 ///
 /// # Errors
-/// An [`AgentError`] but that there is nothing to do.
+/// An [`AgentError`], but not the error that there is nothing to do.
 fn of_command(
     agent: &mut Agent<impl AgentMemory>,
     home: &Home<impl HomeMemory>,
@@ -141,14 +141,14 @@ fn of_command(
     Ok(meanings)
 }
 
-/// The share of the command's words that were never heard in training.
+/// The share of the command's words that training never had.
 fn unheard_share(agent: &Agent<impl AgentMemory>) -> f32 {
     let (sentence, known) = (agent.sentence(), agent.language().tables().words());
     let unheard = sentence.iter().filter(|word| word.is_none_or(|word| word.index() >= known)).count();
     if known == 0 { 0.0 } else { unheard as f32 / sentence.len().max(1) as f32 }
 }
 
-/// How well each task of the agent's session explains the words.
+/// The likelihood of the words for each task of the agent's session.
 fn likelihoods(agent: &Agent<impl AgentMemory>) -> Vec<(GroundedTask, Scaled)> {
     let of = |(position, task): (usize, &GroundedTask)| (*task, agent.belief().weight(position).scaled_by(1.0 / task.prior));
     agent.tasks().iter().enumerate().map(of).collect()
@@ -161,7 +161,7 @@ fn is_same(a: &GroundedTask, b: &GroundedTask) -> bool {
 /// The tasks that hold in a state.
 fn done(home: &Home<impl HomeMemory>, state: &HomeState, lifted: &[LiftedTask]) -> Vec<GroundedTask> {
     let mut found = Vec::new();
-    // What has a way is done by going it.
+    // A task with a way is done by going that way, so it never holds in a single state.
     for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
         let task = GroundedTask { lifted: position as u8, prior: 1.0, ..GroundedTask::UNUSED };
         bind(home, state, kind, task, 0, &mut found);
@@ -169,7 +169,7 @@ fn done(home: &Home<impl HomeMemory>, state: &HomeState, lifted: &[LiftedTask]) 
     found
 }
 
-/// Binds the variables from `variable` on. What cannot hold any more is given up.
+/// Binds the variables from `variable` on, and drops bindings that cannot hold.
 fn bind(
     home: &Home<impl HomeMemory>,
     state: &HomeState,
@@ -201,13 +201,13 @@ fn bind(
     }
 }
 
-/// A state in which the task does not hold, with one thing elsewhere.
+/// A state in which the task does not hold, because one object is elsewhere.
 fn undone(home: &Home<impl HomeMemory>, start: &HomeState, lifted: &[LiftedTask], task: &GroundedTask) -> Option<HomeState> {
     let kind = lifted.get(usize::from(task.lifted))?;
     let bound = task.bindings.iter().take(kind.variables().len());
     let things = bound.filter(|&&object| object == home.agent() || home.blocks().contains(&object));
     let states = things.flat_map(|&thing| home.places().iter().filter_map(move |place| home.placed(start, &[(thing, place.cell())])));
-    // From a doorway, ways lead through one room more, and their tasks may find no room.
+    // From a doorway, tasks with ways have one more room to go through, and may be too many.
     let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
     let mut fits = |state: &HomeState| ground(home, lifted, state, &mut tasks).is_ok();
     states.into_iter().find(|state| task.propositions(kind).any(|part| !home.holds(&part, state)) && fits(state))

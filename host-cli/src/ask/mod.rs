@@ -1,11 +1,11 @@
-//! `goodbot ask`: what does a command mean here?
+//! `goodbot ask`: the meaning of a command in a home or world.
 //!
-//! - [`meanings`]: what it may mean, with what is done already;
-//! - [`following`]: several tasks, one after another, and what shall not be;
+//! - [`meanings`]: the possible meanings, including tasks that are done already;
+//! - [`following`]: several tasks in order, and prohibitions;
 //! - [`plan`]: the actions that lead to a goal;
-//! - [`why`]: word by word, what speaks for a task;
+//! - [`why`]: the evidence of each word for a task;
 //! - [`drawing`]: the home as text;
-//! - [`in_world`]: a command in a world from a file, which has no home to draw.
+//! - [`in_world`]: commands in a world from a file, which has no home to draw.
 
 mod drawing;
 mod following;
@@ -45,9 +45,9 @@ use std::io::{BufWriter, Write};
 use std::path::PathBuf;
 use why::Word;
 
-/// What a plain command is taken for.
+/// The name of a plain command among the kinds of utterance.
 const COMMAND: &str = "a command";
-/// A robot with few lessons is sure from here on.
+/// The belief from which on a robot with few lessons is sure.
 pub const SURE: f32 = 0.5;
 
 /// The options of `goodbot ask`.
@@ -72,7 +72,7 @@ pub struct AskOptions {
     /// Show word by word what supports the answer
     #[arg(long)]
     why: bool,
-    /// What was meant, such as "agentInRoom(agent0,room1)": shows word by word what supports it, and what supports the answer
+    /// The intended task, such as "agentInRoom(agent0,room1)": shows word by word what supports it, and what supports the answer
     #[arg(long, value_name = "TASK", value_parser = expected)]
     expected: Option<GroundTaskText>,
     /// Below this probability the answer is "unsure"; by default 0.5, and after 20 lessons by the number of lessons
@@ -102,7 +102,7 @@ Tasks that are done already are possible meanings too; the plan is for the most 
 tells the kind of sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. With fewer \
 lessons, each unknown word makes the answer less sure.
 
-A command that is refused is told on standard error, and the others are asked.
+Refused commands are reported on standard error; the others are asked.
 
 With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json. A \
 command that is refused has a line of the type \"error\".
@@ -124,9 +124,9 @@ fn probability(text: &str) -> Result<f32, String> {
     number.filter(|number| (0.0..=1.0).contains(number)).ok_or_else(|| "give a number from 0 to 1".to_owned())
 }
 
-/// A command, and where it is given.
+/// A command, and its place.
 struct Question {
-    /// The session that it is from, if it is from one.
+    /// The id of its session, if it has one.
     session: Option<String>,
     /// Its file and line, for messages.
     source: String,
@@ -136,24 +136,24 @@ struct Question {
     expected: Option<GroundTaskText>,
 }
 
-/// What is answered to a question.
+/// The answer to a question.
 struct Answer {
-    /// The command as the robot heard it, with synonyms that it knows in the place of words that it does not.
+    /// The command with unknown words replaced by known synonyms.
     heard: String,
-    /// The robot's beliefs of what is still to do, in order.
+    /// The robot's belief about tasks that are still to do, in order.
     tasks: Vec<(String, f32)>,
-    /// The most likely of these.
+    /// The position of the most likely one.
     best: usize,
     meanings: Vec<Meaning>,
-    /// What the robot takes the utterance for, if it has had enough lessons to tell.
+    /// The kind of utterance; `None` if the robot has too few lessons to tell.
     listened: Option<Listened>,
-    /// What it leads to, if it is no plain command.
+    /// The tasks and the plan, if it is no plain command.
     followed: Option<Followed>,
     words: Vec<Word>,
-    /// What was meant, in words, and how it explains the words.
+    /// The intended task, its words, and how it explains the command's words.
     expected: Option<(GroundTaskText, String, Vec<Word>)>,
     plan: Option<Plan>,
-    /// The tasks that it most likely asks for, each with the state that it is begun in, and where they lead to.
+    /// The most likely tasks, each with the state in which it begins, and the state in which they end.
     steps: Vec<Step>,
     end: HomeState,
     /// How many words were not read.
@@ -183,7 +183,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         })?;
         let start = state.unwrap_or(start);
         let answer = match answer(&mut agent, &home, &start, question, synonyms, closed) {
-            // The other commands are asked none the less.
+            // The other commands are still asked.
             Err(Failure::Input(message)) if questions.len() > 1 => {
                 refused += 1;
                 tell_refused(&mut out, options, &question.command, &message)?;
@@ -208,7 +208,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     end(refused, questions.len())
 }
 
-/// Tells why a command was refused.
+/// Reports why a command was refused.
 fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, message: &str) -> std::io::Result<()> {
     eprintln!("{}", printable(&format!("{command:?}: {message}")));
     if options.json {
@@ -217,12 +217,12 @@ fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, messa
     Ok(())
 }
 
-/// That not all words were read.
+/// The remark that only the first words were read.
 fn unread_words() -> String {
     format!("the words after the first {WORDS_PER_COMMAND} were not read: say it in parts")
 }
 
-/// How a run ends of whose commands some were refused.
+/// The end of a run: a failure if commands were refused.
 fn end(refused: usize, commands: usize) -> Result<(), Failure> {
     match refused {
         0 => Ok(()),
@@ -312,10 +312,10 @@ fn answer(
     closed: ClosedWords<'_>,
 ) -> Result<Answer, Failure> {
     let first = first_words(&question.command);
-    // The blank between is a part of the rest.
+    // The blank between belongs to the rest.
     let first = first.trim_end();
     let unheard = question.command.get(first.len()..).unwrap_or("");
-    // Commas part commands, and a question mark asks.
+    // Commas separate commands, and a question mark shows a question, so both are kept.
     let heard = said_in_known_words(synonyms, agent.language(), first)?.into_owned() + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
@@ -364,7 +364,7 @@ fn answer(
     Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan, steps, end, unread })
 }
 
-/// Whether a task is a prohibition, or one of several in a row.
+/// Whether a task is a prohibition, or several tasks in order.
 fn is_of_parts(task: &GroundTaskText) -> bool {
     !task.way().before.is_empty() || task.atoms().iter().any(GroundAtomText::is_negated)
 }
@@ -375,7 +375,7 @@ impl Answer {
         self.tasks.iter().filter(|&&(_, share)| share >= likeliest).count()
     }
 
-    /// What the plan is for, where it is not for the likeliest meaning because that is done already.
+    /// The purpose of the plan, if the likeliest meaning is done already and the plan is for another.
     fn purpose(&self) -> String {
         let planned = self.tasks.get(self.best).map(|(name, _)| name);
         match (self.meanings.first(), self.meanings.iter().find(|meaning| Some(&meaning.name) == planned)) {
@@ -384,12 +384,12 @@ impl Answer {
         }
     }
 
-    /// What the utterance is taken for.
+    /// The kind of utterance.
     fn taken_for(&self) -> String {
         self.listened.map_or_else(|| COMMAND.to_owned(), |listened| listened.hypothesis.to_string())
     }
 
-    /// The most likely task: one that is to do, unless the answer of a robot that listens is that it is done.
+    /// The most likely task. It is one that is still to do, unless a robot that listens answers that the task is done.
     fn task(&self) -> Option<&String> {
         match (&self.listened, self.meanings.first()) {
             (_, Some(first)) if self.followed.is_some() => Some(&first.name),
@@ -508,7 +508,7 @@ fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std
     }
 }
 
-/// Word by word: what speaks for the answer, and for what was expected.
+/// Prints the evidence of each word for the answer and for the expected task.
 fn words(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
     let expected = answer.expected.as_ref().map(|(_, _, words)| words.as_slice()).filter(|words| !words.is_empty());
     let width = |texts: &mut dyn Iterator<Item = &String>| texts.map(|text| text.chars().count()).max().unwrap_or(0).max(14);

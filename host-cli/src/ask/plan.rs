@@ -14,7 +14,7 @@ const LONGEST: usize = 1_000;
 pub struct Plan {
     /// The actions.
     pub actions: Vec<String>,
-    /// Whether there is no shorter way.
+    /// Whether it is known that no plan is shorter.
     pub is_exact: bool,
 }
 
@@ -25,7 +25,7 @@ impl Default for Plan {
 }
 
 impl Plan {
-    /// This one and then another.
+    /// This plan and then another.
     #[must_use]
     pub fn and(self, mut other: Self) -> Self {
         let mut actions = self.actions;
@@ -34,7 +34,7 @@ impl Plan {
     }
 }
 
-/// The plan for a task of the agent's session from a state on, and the state at its end; nothing where it is not known or there is none.
+/// The plan for a task of the agent's session from a state on, and the state at its end; `None` if no plan is known.
 ///
 /// # Errors
 /// An [`AgentError`].
@@ -50,8 +50,8 @@ pub fn plan<D: Domain>(
     }
 }
 
-/// A robot that was told this task and no other, and its number there: it plans for no others at each step. Nothing where the task is no command's,
-/// such as that something shall not be.
+/// A robot with this task alone, and the task's position there: it does not plan for other tasks at each step. `None` if no command asks
+/// for the task, such as a prohibition.
 fn alone<D: Domain>(
     agent: &Agent<impl AgentMemory>,
     home: &D,

@@ -1,6 +1,6 @@
-//! Word by word: what speaks for a task.
+//! The evidence of each word for a task.
 //!
-//! All that is said of single words comes from [`words`]: another language model needs another function here and nothing else.
+//! All data about single words come from [`words`]. Another language model needs only another function here.
 
 use goodbot::language::{Meaning, Model};
 use goodbot::memory::AgentMemory;
@@ -11,24 +11,24 @@ use goodbot::{Agent, AgentError};
 use goodbot_console::training_data::{MachineCommand, evidence, training};
 use goodbot_lesson::first_words::heard;
 
-/// How a word was explained.
+/// The explanation of a word.
 #[derive(Clone, Debug)]
 pub struct Word {
-    /// The word as it was said.
+    /// The word as in the command.
     pub word: String,
     /// The machine token that explains it best, `NULL` for none.
     pub token: String,
-    /// How much of the word's probability that token has.
+    /// That token's share of the word's probability.
     pub share: f32,
-    /// The word's probability given the task; nothing for a word never heard.
+    /// The word's probability given the task; `None` for a word never heard.
     pub probability: Option<f32>,
 }
 
-/// The words of the command that the agent heard last in `start`, each with what explains it best where the task is meant: a role and its
-/// value, or a machine token of the task's most likely machine command.
+/// The words of the agent's last command in `start`, each with its best explanation if the task is meant: a role and its value, or a
+/// machine token of the task's most likely machine command.
 ///
 /// # Errors
-/// An [`AgentError`] where the task has no room.
+/// An [`AgentError`] if the task does not fit.
 pub fn words<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,
@@ -61,7 +61,7 @@ pub fn words<D: Domain>(
     Ok(training::explained(language, sentence, &best).into_iter().enumerate().map(word).collect())
 }
 
-/// What the role model takes each word for.
+/// The role model's explanation of each word.
 fn words_by_roles<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,

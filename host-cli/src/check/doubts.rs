@@ -1,4 +1,4 @@
-//! What is allowed and hardly meant: it is warned of, and no fault.
+//! Warnings: entries that are allowed, but hardly intended.
 
 use goodbot::home::{Cell, Home, HomeState, Moves};
 use goodbot::memory::HomeMemory;
@@ -10,10 +10,10 @@ use goodbot_lesson::home;
 use goodbot_lesson::world::robot::Robot;
 use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
-/// A doubt: the object's position in the environment, where it is one of them, and what is doubtful.
+/// A warning: the object's position in the environment, if it is about one object, and the message.
 pub type Doubt = (Option<usize>, String);
 
-/// What is doubtful in a home without fault.
+/// The warnings for a home without faults.
 pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
     let mut doubts = unnamed(environment);
     doubts.extend(overlaps(environment));
@@ -64,7 +64,7 @@ fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
     doubts
 }
 
-/// Rooms that the agent cannot come to, and doors that lead nowhere.
+/// Rooms that the agent cannot reach, and doors that lead nowhere.
 fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Doubt> {
     let free: BTreeSet<(i32, i32)> = home.places().iter().map(|place| (place.cell().x, place.cell().y)).collect();
     let around = |(x, y): (i32, i32)| [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)].into_iter().filter(|cell| free.contains(cell));
@@ -99,7 +99,7 @@ fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &Hom
     doubts
 }
 
-/// What is doubtful in a session line: its field, and why.
+/// The warnings for a session line: the field and the message.
 pub fn of_header(header: &SessionHeader) -> Vec<(&'static str, String)> {
     let sum = |values: &mut dyn Iterator<Item = f64>| values.sum::<f64>();
     let sums = [
@@ -113,14 +113,14 @@ pub fn of_header(header: &SessionHeader) -> Vec<(&'static str, String)> {
     sums.into_iter().filter_map(odd).collect()
 }
 
-/// What is doubtful in the actions of a world's robot: the field, and why. `all` says that its states are few enough to look at all of them.
+/// The warnings for the actions of a world's robot: the field and the message. `all` says that all its states can be visited.
 pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, String)> {
     let mut doubts = Vec::new();
     let seen = if all { seen(robot, start) } else { BTreeMap::new() };
     for (position, action) in robot.file().actions.iter().enumerate() {
         let name = &action.name;
         if let Some(literal) = contradicted(&action.effects) {
-            let message = format!("{literal} holds after {name} and does not, and what is written last counts; leave one of the two out");
+            let message = format!("{literal} both holds and does not hold after {name}; the last one counts, so leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
         }
         if let Some(literal) = contradicted(&action.conditions) {
@@ -129,9 +129,9 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
         } else if all {
             let message = match seen.get(name.as_str()) {
                 None => format!(
-                    "{name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+                    "{name} is possible in no state that the robot reaches from these facts; correct its conditions, or leave it out"
                 ),
-                Some(false) => format!("{name} changes nothing, in whatever state it is done; correct its effects, or leave it out"),
+                Some(false) => format!("{name} changes nothing in any state; correct its effects, or leave it out"),
                 Some(true) => continue,
             };
             doubts.push((format!("actions[{position}]"), message));
@@ -140,13 +140,13 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
     doubts
 }
 
-/// The first proposition that is there with its opposite.
+/// The first proposition whose negation is in the list too.
 fn contradicted(literals: &[Literal]) -> Option<&Literal> {
     let is_opposite = |one: &Literal, other: &Literal| other.negated && other.proposition == one.proposition && other.terms == one.terms;
     literals.iter().find(|one| !one.negated && literals.iter().any(|other| is_opposite(one, other)))
 }
 
-/// The actions that can be done, by their names without objects, and whether one ever changes something. Ends as soon as each does.
+/// The names of the actions that are ever possible, without their objects, and whether each ever changes something. Stops when all do.
 fn seen<'r>(robot: &'r Robot<'_>, start: u64) -> BTreeMap<&'r str, bool> {
     let name = |kind: &'r str| kind.split('(').next().unwrap_or(kind);
     let (mut seen, mut known, mut open) = (BTreeMap::new(), HashSet::from([start]), VecDeque::from([start]));

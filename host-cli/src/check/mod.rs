@@ -1,7 +1,7 @@
-//! `goodbot check`: every fault of an environment, a session log, recorded beliefs or a table of closed words, with its line and field, and what is
-//! doubtful.
+//! `goodbot check`: every fault of an environment, a session log, recorded beliefs or a table of closed words, with its line and field, and
+//! warnings.
 //!
-//! - [`doubts`]: what is allowed and hardly meant.
+//! - [`doubts`]: warnings about entries that are allowed, but hardly intended.
 
 mod doubts;
 
@@ -30,9 +30,9 @@ use serde_json::json;
 use std::collections::{HashMap, HashSet};
 use std::io::{BufRead, Read, Write};
 
-/// The most different faults that are told of one file.
+/// The most different faults to report for one file.
 const MOST_FAULTS: usize = 100;
-/// The most faults that are told of one file, whatever they say.
+/// The most faults to report for one file in total.
 const MOST_IN_ALL: usize = 10_000;
 
 /// Check homes, session logs, beliefs and tables of closed words: name every fault and every doubtful entry
@@ -61,14 +61,14 @@ pub struct CheckArgs {
     json: bool,
 }
 
-/// What was found in a file.
+/// The faults and warnings of a file.
 #[derive(Debug, Default)]
 struct Findings {
-    /// What the file is.
+    /// The kind and size of the file.
     what: String,
     faults: Vec<Fault>,
     warnings: Vec<Fault>,
-    /// What the faults say, each once.
+    /// The distinct faults.
     said: HashSet<Mended>,
 }
 
@@ -78,12 +78,12 @@ impl Findings {
         self.faults.push(fault);
     }
 
-    /// Whether there are too many faults to go on.
+    /// Whether there are too many faults to continue.
     fn is_full(&self) -> bool {
         self.said.len() >= MOST_FAULTS || self.faults.len() >= MOST_IN_ALL
     }
 
-    /// Says that the rest was not looked at.
+    /// Adds the fault that the rest was not checked.
     fn cut(&mut self, file: &str) {
         let most =
             if self.faults.len() >= MOST_IN_ALL { format!("{MOST_IN_ALL} faults") } else { format!("{MOST_FAULTS} different faults") };
@@ -102,7 +102,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
         let found = check(file, &lifted, args.limit).unwrap_or_else(|fault| Findings { faults: vec![fault], ..Findings::default() });
         sound &= found.faults.is_empty();
         let told = if args.json { tell_json(input::name(file), &found) } else { tell(input::name(file), &found) };
-        // The exit code says the same, should no one read the output to its end.
+        // If the reader stops early, the exit code still counts.
         if let Err(error) = told
             && error.kind() != std::io::ErrorKind::BrokenPipe
         {
@@ -112,10 +112,10 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     if sound { Ok(()) } else { Err(Failure::Told) }
 }
 
-/// What a file is, where nothing is wrong with it.
+/// The kind and size of a file without faults.
 ///
 /// # Errors
-/// The first fault, and how many there are.
+/// The first fault, and the number of the others.
 pub fn summary(file: &str) -> Result<String, String> {
     let lifted = paper_tasks().map_err(|error| error.to_string())?;
     let found = check(file, &lifted, Limit::default()).map_err(|fault| fault.to_string())?;
@@ -146,7 +146,7 @@ fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
     writeln!(std::io::stdout(), "{}: {}, no fault{warnings}", printable(file), found.what)
 }
 
-/// Faults that are mended together: of one line, field and message; of those that an option mends, on any line.
+/// The key of faults that one change mends: line, field and message. If an option mends the fault, the line does not count.
 type Mended = (Option<usize>, Option<String>, String);
 
 fn mended(fault: &Fault) -> Mended {
@@ -163,10 +163,10 @@ fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
     writeln!(out, "{line}")
 }
 
-/// What a file is, and what was found in it.
+/// The kind and size of a file, and its faults and warnings.
 ///
 /// # Errors
-/// Why it cannot be read.
+/// The fault of a file that cannot be read.
 fn check(file: &str, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
     let name = input::name(file);
     let mut opened = input::open(file)?;
@@ -215,7 +215,7 @@ fn check_map(file: &str, text: &str) -> Findings {
     found
 }
 
-/// Each line by itself, and then all together: what is wrong between two lines.
+/// Checks each line alone, and then the whole table for conflicts between two lines.
 fn check_closed_words(file: &str, text: &str) -> Findings {
     let in_line = |(line, number): (&str, usize)| Some(Fault::on_line(file, number, without_line(ClosedWords::new(line).err()?)));
     let mut faults: Vec<Fault> = text.lines().zip(1..).filter_map(in_line).take(MOST_FAULTS).collect();
@@ -228,7 +228,7 @@ fn check_closed_words(file: &str, text: &str) -> Findings {
     Findings { what: format!("a table of {}", counted(count, "closed word")), faults, ..Findings::default() }
 }
 
-/// What is wrong in a text of one line, without the line's number.
+/// The error of a text of one line, without the line's number.
 fn without_line(error: ClosedWordsError<'_>) -> String {
     let text = error.to_string();
     text.split_once(": ").filter(|(line, _)| line.starts_with("line ")).map_or_else(|| text.clone(), |(_, said)| said.to_owned())
@@ -246,7 +246,7 @@ fn check_environment(file: &str, text: &str) -> Findings {
     found
 }
 
-/// The faults of a home, or what is doubtful in it where it has none. `line` gives the line of an object, or of the whole.
+/// Finds the faults of a home or, without faults, its warnings. `line` gives the line of an object or of the whole.
 fn look_at(file: &str, environment: &EnvironmentFile, line: impl Fn(Option<usize>) -> Option<usize>, found: &mut Findings) {
     let fault = |flaw: home::Flaw| Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field());
     found.faults.extend(home::flaws(environment).into_iter().map(fault));
@@ -256,7 +256,7 @@ fn look_at(file: &str, environment: &EnvironmentFile, line: impl Fn(Option<usize
     }
 }
 
-/// A doubt about an object of a home.
+/// A warning about an object of a home.
 fn warned(file: &str, environment: &EnvironmentFile, line: Option<usize>, way: &str, object: Option<usize>, message: &str) -> Fault {
     let named = object.and_then(|object| environment.objects.get(object)).map_or("", |object| object.name());
     let field = object.map_or_else(|| format!("{way}objects"), |object| format!("{way}objects[{object}]"));
@@ -267,7 +267,7 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask], limit: Limit)
     let mut found = Findings::default();
     let (mut sessions, mut steps) = (0_usize, 0_usize);
     let mut ids: HashMap<String, usize> = HashMap::new();
-    // Most sessions of a log are in a home that was there before.
+    // Most sessions of a log share a home.
     let mut homes: Vec<EnvironmentFile> = Vec::new();
     let progress = counting("sessions checked");
     let mut left = limit.count();
@@ -296,15 +296,15 @@ fn check_log(file: &str, log: impl BufRead, lifted: &[LiftedTask], limit: Limit)
     found
 }
 
-/// Says of a log that the limit was reached.
+/// The remark that the limit of a log was reached.
 const fn as_far(left: usize) -> &'static str {
     if left == 0 { ", as far as --limit" } else { "" }
 }
 
-/// The most states of a robot that are visited.
+/// The most states of a robot to visit.
 const MOST_STATES: usize = 1_000_000;
 
-/// The robot of a world: what it can come to.
+/// Checks the robot of a world and its reachable states.
 fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Flaw> {
     let world = &read.world;
     robot::with(world, |robot, start| {
@@ -316,7 +316,7 @@ fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Fl
                 found.what.push_str(&format!(", with a robot of {actions} and {}{and_more}", counted(checked.states, "state")));
                 if let Some(never) = checked.never_held.filter(|_| checked.all) {
                     let name = robot.world().schema.proposition_name(never);
-                    let warning = "holds of no objects, whatever the robot does; leave it out, or correct the facts and effects";
+                    let warning = "never holds, whatever the robot does; leave it out, or correct the facts and effects";
                     found.warnings.push(read.fault(&format!("propositions.{name}"), warning));
                 }
                 let doubts = doubts::of_actions(robot, start, checked.all);
@@ -328,7 +328,7 @@ fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Fl
     })?
 }
 
-/// A world, be it on one line or on many, or a log of worlds.
+/// Checks a world, on one line or on several, or a log of worlds.
 fn check_worlds(file: &str, mut opened: impl BufRead, limit: Limit) -> Result<Findings, Fault> {
     let (head, is_more) = first_line(file, &mut opened)?;
     if is_world(&head, is_more) {
@@ -337,7 +337,7 @@ fn check_worlds(file: &str, mut opened: impl BufRead, limit: Limit) -> Result<Fi
     Ok(check_log_of_worlds(file, head.chain(opened), limit))
 }
 
-/// All up to the end of the first line that is not blank, and whether more follows.
+/// Everything up to the end of the first line that is not blank, and whether more follows.
 fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), Fault> {
     let unreadable = |error: std::io::Error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"));
     let mut head = Vec::new();
@@ -350,7 +350,7 @@ fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), 
         if !rest.trim_ascii().is_empty() {
             break;
         }
-        // Blank lines count where a fault's line is told.
+        // Blank lines count in the line numbers of faults.
         head.extend_from_slice(rest);
         let length = rest.len();
         opened.consume(length);
@@ -358,14 +358,14 @@ fn first_line(file: &str, opened: &mut impl BufRead) -> Result<(Vec<u8>, bool), 
     Ok((head, true))
 }
 
-/// Whether a file that begins so is one world, and no log.
+/// Whether a file that begins like this is a single world, and no log.
 fn is_world(head: &[u8], is_more: bool) -> bool {
     let first = head.trim_ascii();
     if is_more {
-        // A world on many lines begins with a line that is not complete, and a short one.
+        // A world on several lines begins with a short, incomplete line.
         return !first.ends_with(b"}") && first.len() <= 1_000;
     }
-    // A command alone is a log that lacks its world.
+    // A single command is a log without its world.
     let kind = serde_json::from_slice::<serde_json::Value>(first.strip_prefix(b"\xef\xbb\xbf").unwrap_or(first));
     kind.map_or(true, |it| it.get("type").is_none_or(|kind| kind == "world"))
 }
@@ -440,7 +440,7 @@ fn check_session(file: &str, recorded: &RecordedSession, lifted: &[LiftedTask], 
     vec![]
 }
 
-/// What is doubtful in a session without fault.
+/// The warnings for a session without faults.
 fn doubtful(file: &str, recorded: &RecordedSession, ids: &mut HashMap<String, usize>, homes: &mut Vec<EnvironmentFile>) -> Vec<Fault> {
     const MOST_HOMES: usize = 1_000;
     let header = &recorded.header;

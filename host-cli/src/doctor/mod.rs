@@ -1,6 +1,6 @@
-//! `goodbot doctor`: what is there, what is wrong with it, and what to do.
+//! `goodbot doctor`: finds faults of the terminal, robots, files and programs, and says how to mend them.
 //!
-//! - [`robots`]: the robots that are kept by name; [`programs`]: what tests use.
+//! - [`robots`]: the robots that are kept by name; [`programs`]: the programs that tests use.
 
 mod programs;
 mod robots;
@@ -13,10 +13,10 @@ use goodbot_console::output;
 use serde_json::json;
 use std::io::{IsTerminal, Write, stdin, stdout};
 
-/// The least columns and rows that `goodbot teach` draws on.
+/// The smallest screen for `goodbot teach`: columns and rows.
 const LEAST_SCREEN: (u16, u16) = (24, 8);
 
-/// Find what is missing or wrong, and how to mend it
+/// Find faults of the terminal, your robots, files and programs, and how to mend them
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 It looks at the terminal, at the robots that goodbot teach keeps by name, at the files that are named, and for the programs that \
@@ -29,16 +29,16 @@ pub struct DoctorArgs {
     /// Files to look at too: models, homes, session logs
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
-    /// Print a line of JSON for each thing
+    /// Print a line of JSON for each finding
     #[arg(long)]
     json: bool,
 }
 
-/// How something is.
+/// The state of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum State {
     Fine,
-    /// Not there, and only some need it.
+    /// Missing, but needed by few.
     Missing,
     Wrong,
 }
@@ -53,7 +53,7 @@ impl State {
     }
 }
 
-/// Something that was looked at.
+/// The result of one check.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Finding {
     state: State,
@@ -69,7 +69,7 @@ impl Finding {
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure::Result`] where something is wrong.
+/// [`Failure::Result`] if anything is wrong.
 pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     let mut sections =
         vec![("This program", vec![program()]), ("The terminal", terminal()), ("Robots that are kept by name", robots::kept())];
@@ -101,7 +101,7 @@ fn program() -> Finding {
     Finding::new(State::Fine, format!("goodbot {version} on {system}, {machine}, {}", counted(cores, "core")))
 }
 
-/// Whether `goodbot teach` can draw its screen here.
+/// Checks whether `goodbot teach` can draw its screen here.
 fn terminal() -> Vec<Finding> {
     if !stdin().is_terminal() || !stdout().is_terminal() {
         let text = "no terminal here: goodbot teach reads requests line by line (docs/teach.md)";
@@ -127,7 +127,7 @@ fn terminal() -> Vec<Finding> {
     findings
 }
 
-/// A file that was named.
+/// Checks a named file.
 fn look_at(file: &str) -> Finding {
     match robots::is_model(file) {
         true => robots::model(std::path::Path::new(file)),

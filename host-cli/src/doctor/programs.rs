@@ -1,9 +1,9 @@
-//! Programs that the project's tests use, looked for on the path.
+//! Looks on the path for the programs that the project's tests use.
 
 use super::{Finding, State};
 use std::path::Path;
 
-/// Each program, and what uses it.
+/// Each program, and its use.
 const PROGRAMS: [(&str, &str); 11] = [
     ("git", "style checks"),
     ("gcc", "the C interface"),
@@ -18,7 +18,7 @@ const PROGRAMS: [(&str, &str); 11] = [
     ("firefox-esr", "the page"),
 ];
 
-/// Where each is.
+/// The place of each program.
 pub fn found() -> Vec<Finding> {
     let folders: Vec<_> = std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
     let mut findings: Vec<Finding> = PROGRAMS.iter().map(|(name, why)| look_for(name, why, &folders)).collect();

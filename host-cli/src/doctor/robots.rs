@@ -11,7 +11,7 @@ use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 
-/// All robots that are kept.
+/// Checks all robots that are kept.
 pub fn kept() -> Vec<Finding> {
     let folder = match Places::folder() {
         Ok(folder) => folder,
@@ -38,13 +38,13 @@ pub fn kept() -> Vec<Finding> {
     findings
 }
 
-/// Whether a file begins as a model does.
+/// Whether a file begins like a model.
 pub fn is_model(file: &str) -> bool {
     let mut head = Vec::new();
     File::open(file).and_then(|file| file.take(64).read_to_end(&mut head)).is_ok() && Content::of(&head) == Content::Model
 }
 
-/// A model by itself.
+/// Checks a single model.
 pub fn model(path: &Path) -> Finding {
     match sessions(path) {
         Ok(sessions) => Finding::new(State::Fine, format!("{}: a model of {}", path.display(), counted(sessions, "session"))),
@@ -52,7 +52,7 @@ pub fn model(path: &Path) -> Finding {
     }
 }
 
-/// How many sessions a model has, or what is wrong with it.
+/// The number of sessions of a model, or its fault.
 fn sessions(path: &Path) -> Result<usize, String> {
     let bytes = read_model(path).map_err(|failure| failure.to_string())?;
     let contents =
@@ -60,7 +60,7 @@ fn sessions(path: &Path) -> Result<usize, String> {
     Ok(contents.sessions.len())
 }
 
-/// A model and the log beside it.
+/// Checks a model and the log beside it.
 fn robot(path: &Path) -> Finding {
     let known = match sessions(path) {
         Ok(known) => known,
@@ -76,7 +76,7 @@ fn robot(path: &Path) -> Finding {
             Ok(session) => taught += usize::from(session.learn),
             Err(_) => {
                 let text =
-                    format!("{}: is no whole log, so goodbot teach refuses the robot; goodbot check names what to mend", log.display());
+                    format!("{}: is no complete log, so goodbot teach refuses the robot; goodbot check names the faults", log.display());
                 return Finding::new(State::Wrong, text);
             }
         }

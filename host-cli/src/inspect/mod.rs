@@ -1,4 +1,4 @@
-//! `goodbot inspect`: which words a model knows, and what they mean to it.
+//! `goodbot inspect`: the words of a model, and their meanings.
 
 pub mod sessions;
 
@@ -65,7 +65,7 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let full = FullWords::new(agent.language().settings().letters_kept());
     lexicon.words.iter_mut().for_each(|word| *word = full.of(word));
     let mut out = output::text(&[target.as_ref()])?;
-    // Before anything is printed: a reader who leaves must not cost the picture.
+    // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(target) = &target {
         target.draw(plot::learned_words(&telling(&lexicon)))?;
     }
@@ -107,16 +107,16 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-/// Which words count as one.
+/// The remark on words that count as one.
 fn alike(settings: &Settings) -> String {
     match (settings.word_letters, settings.letters_kept()) {
         (0, _) => String::new(),
-        (letters, 0) => format!("; words that begin with the same {letters} letters count as one, the first that was heard"),
-        (letters, _) => format!("; of a word the first {letters} letters are known"),
+        (letters, 0) => format!("; words with the same first {letters} letters count as one, shown as the first of them"),
+        (letters, _) => format!("; words are known by their first {letters} letters"),
     }
 }
 
-/// The most probable words of the tokens alone: a picture of hundreds of words shows none.
+/// The words with the highest probabilities: a picture of hundreds of words shows none.
 fn telling(lexicon: &Lexicon) -> Lexicon {
     const MOST: usize = 40;
     let largest = |column: usize| lexicon.rows.iter().filter_map(|(_, row)| row.get(column).copied()).fold(0.0, f32::max);

@@ -1,4 +1,4 @@
-//! The sessions of a model, as far as a model has them: their commands, oldest first.
+//! The sessions of a model: it keeps their commands, oldest first.
 
 use crate::teach::full_words::FullWords;
 use goodbot::Agent;

@@ -1,4 +1,4 @@
-//! `goodbot learn`: a model from recorded sessions.
+//! `goodbot learn`: trains a model on recorded sessions.
 
 use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
@@ -28,12 +28,12 @@ pub struct LearnOptions {
     /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
-    /// Where the model goes; - is standard output
+    /// The model file to write; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// What learns
+    /// The settings of the language model
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
     #[command(flatten)]
@@ -85,14 +85,14 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     progress.finish_and_clear();
     let model = model?;
     let words = model.saved()?;
-    // The robot's whole mind: the same training data, with its options, its trainer strategies and the vocabulary of its tasks.
-    // What was learned in worlds from files is of no domain of the core's.
+    // The saved file is the whole robot: the same training data, with its options, trainer strategies and kinds of task. Lessons from world
+    // files have no vocabulary of the core's.
     let of_worlds = lessons.iter().any(|lesson| lesson.world.is_some());
     let tasks = if of_worlds { &[][..] } else { &lifted };
     let mut agent = Agent::new(room(), tasks, options.learner.options())?;
     let _ = agent.join(&words)?;
     let file = agent.saved()?;
-    // A world names its kinds of task itself.
+    // A world names its own kinds of task.
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());

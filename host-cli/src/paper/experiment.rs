@@ -1,4 +1,4 @@
-//! One run for each seed, as many at a time as the machine has cores.
+//! Runs the course once for each seed, in parallel on all cores.
 
 use super::lexicon::Lexicon;
 use super::options::{Layouts, PaperOptions};
@@ -17,13 +17,13 @@ use rayon::prelude::*;
 pub struct Run {
     /// The seed.
     pub seed: u64,
-    /// Lessons and tests.
+    /// The results of lessons and tests.
     pub results: Results,
     /// The translations that the paper reports.
     pub reported: [f32; REPORTED.len()],
 }
 
-/// The whole course fits a controller's memory.
+/// The whole course fits into a controller's memory.
 const CAPACITIES: Capacities = Capacities::SMALL;
 
 /// One run.
@@ -61,7 +61,7 @@ fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> R
 /// All runs, in the order of their seeds.
 ///
 /// # Errors
-/// [`Failure::Result`] where a run failed.
+/// [`Failure::Result`] if a run failed.
 pub fn run_all(options: &PaperOptions) -> Result<Vec<Run>, Failure> {
     let count = options.runs;
     let bar = if count > 1 { bar(count as usize, "training agents") } else { ProgressBar::hidden() };

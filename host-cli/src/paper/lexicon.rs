@@ -1,4 +1,4 @@
-//! What an agent has learned: for each machine token, how probable each English word is.
+//! The learned words of an agent: for each machine token, the probability of each English word.
 
 use goodbot::language::LanguageRef;
 
@@ -7,12 +7,12 @@ use goodbot::language::LanguageRef;
 pub struct Lexicon {
     /// The English words.
     pub words: Vec<String>,
-    /// The machine tokens with their row of probabilities, one a word.
+    /// The machine tokens, each with its row of probabilities, one for each word.
     pub rows: Vec<(String, Vec<f32>)>,
 }
 
 impl Lexicon {
-    /// What a language model has learned.
+    /// The translation table of a language model.
     pub fn of(language: LanguageRef<'_>) -> Self {
         let tables = language.tables();
         let words = || language.words().iter().take(tables.words());
@@ -23,8 +23,8 @@ impl Lexicon {
         }
     }
 
-    /// The same, with each cut word written out as in these commands: `chair` for `chai`. Several that are one to the agent are written
-    /// side by side.
+    /// The same, with each cut word written in full as in these commands: `chair` for `chai`. If the agent merges several words, they are
+    /// written side by side.
     pub fn written_out<'c>(mut self, commands: impl Iterator<Item = &'c str> + Clone, letters: usize) -> Self {
         if letters > 0 {
             for word in &mut self.words {
@@ -40,7 +40,7 @@ impl Lexicon {
         self
     }
 
-    /// t(word | token); 0 where either was never seen.
+    /// t(word | token); 0 if either is unknown.
     pub fn translation(&self, token: &str, word: &str) -> f32 {
         let column = self.words.iter().position(|known| known == word);
         let row = self.rows.iter().find(|(known, _)| known == token);

@@ -1,13 +1,13 @@
 //! `goodbot paper`: the paper's experiment.
 //!
-//! - [`options`]: what can be typed;
+//! - [`options`]: the options;
 //! - [`experiment`]: the runs;
-//! - [`trainer`]: trainers as they are typed, and what the agent thinks of them;
-//! - [`sweep`]: a number taken through a range;
-//! - [`lexicon`]: what an agent learned;
+//! - [`trainer`]: trainers by name or numbers, and the agent's belief about them;
+//! - [`sweep`]: a range of values for a number of the trainer;
+//! - [`lexicon`]: the learned words of an agent;
 //! - [`story`]: one run as it happens;
 //! - [`table`]: results as tables;
-//! - [`summary`]: all runs together, and JSON;
+//! - [`summary`]: the summary of all runs, and JSON;
 //! - [`plot`][]: pictures.
 
 mod experiment;
@@ -30,13 +30,13 @@ use std::path::Path;
 use summary::{Summary, run_to_json};
 use sweep::Setting;
 
-/// Runs the experiment and shows it as the options say.
+/// Runs the experiment, and prints it in the form that the options choose.
 ///
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &PaperOptions) -> Result<(), Failure> {
     let target = Output::picture(&options.plot, [] as [&Path; 0], options.force)?;
-    // Not written line by line: two hundred runs make two hundred lines.
+    // Buffered, because two hundred runs print two hundred lines.
     let mut out = output::text(&[target.as_ref()])?;
     if options.is_story() {
         one_run(options, target.as_ref(), &mut out)?
@@ -50,7 +50,7 @@ fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write
     let ((run, lexicon), told) = story::tell(options, out)?;
     let commands = LESSONS.iter().chain(&TESTS).map(|exercise| exercise.command);
     let lexicon = lexicon.written_out(commands, options.learner.options().language.letters_kept());
-    // Before the rest is told: a reader who leaves must not cost the picture.
+    // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(target) = target {
         picture(target, plot::learned_words(&lexicon))?;
     }

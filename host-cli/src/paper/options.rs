@@ -1,4 +1,4 @@
-//! What can be typed after `goodbot paper`.
+//! The options of `goodbot paper`.
 
 use super::sweep::Sweep;
 use super::trainer::TrainerChoice;
@@ -8,23 +8,23 @@ use goodbot_console::learner::Learner;
 use goodbot_console::numbers;
 use std::path::PathBuf;
 
-/// What the help says at its end.
+/// The end of the help.
 pub const EXAMPLES: &str = "\
 Trainers: each is three probabilities, MU_PLUS,MU_MINUS,EPSILON: of silence after a right action, \
 of silence after a wrong one, and of taking one for the other.
   balanced     0.7,0.7,0.1    silent seven times out of ten
   punish-only  0.7,0.05,0.1   punishes nearly every wrong action, and never rewards
   reward-only  0.05,0.7,0.1   rewards nearly every right action, and never punishes
-What the agent thinks of its trainer is another thing: --believes, by default the same three numbers, \
-as in the paper. It then thinks that the second trainer may reward, too.
+--believes sets the trainer that the agent expects: by default the same three numbers, \
+as in the paper. The agent then expects rewards from the second trainer, too.
 
 With --json there is one line for each run, and a last line for all together:
   train_right     shares of runs in which a lesson's command was understood before any feedback
   test_right      shares of runs in which the most likely task was the one meant, for each test
   test_all_right  share of runs in which all tests were right
   translations    mean probability of a word given a machine token
-  feedback        how often the trainers said what, all runs together
-  paper           what the paper reports of its one agent
+  feedback        how often the trainers rewarded, punished or were silent, all runs together
+  paper           the paper's results for its one agent
 With --csv there is a line for each setting; --sweep makes many.
 
 What you see: the robot hears a command in words that it may not know. For every task that is \
@@ -80,7 +80,7 @@ pub struct PaperOptions {
     pub force: bool,
 }
 
-/// Which homes.
+/// The homes of the experiment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Layouts {
     /// The same drawn homes in every run
@@ -90,7 +90,7 @@ pub enum Layouts {
 }
 
 impl Layouts {
-    /// Its name in output.
+    /// The name in output.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Fixed => "fixed",
@@ -99,7 +99,7 @@ impl Layouts {
     }
 }
 
-/// How machine commands are weighted.
+/// The weights of machine commands in learning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum WeightsChoice {
     /// By their own explanation of the command too (the paper's Algorithm 1)
@@ -118,18 +118,18 @@ impl From<WeightsChoice> for Weights {
 }
 
 impl PaperOptions {
-    /// Whether one run is told as a story.
+    /// Whether a single run is told as a story.
     pub fn is_story(&self) -> bool {
         self.runs == 1 && !self.json && !self.csv && self.sweep.is_empty()
     }
 
-    /// Which homes, where that was not said. How results are shown plays no part.
+    /// The homes; by default fixed for a single run, random for several, however results are shown.
     pub fn homes(&self) -> Layouts {
         self.layouts.unwrap_or(if self.runs == 1 { Layouts::Fixed } else { Layouts::Random })
     }
 
-    /// Whom the agent takes its trainer for; where nothing else is said, the trainer itself. Its strategy is believed, and never that it
-    /// withholds something.
+    /// The trainer that the agent expects; by default the trainer itself. Only its strategy counts: the agent does not expect that it never
+    /// rewards or never punishes.
     pub fn believed(&self) -> &TrainerChoice {
         self.believes.as_ref().unwrap_or(&self.trainer)
     }

@@ -9,7 +9,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::HPos;
 use std::error::Error;
 
-/// A heat map: a row for each machine token, a column for each word, darker where the word is more probable.
+/// A heat map: a row for each machine token, a column for each word, and darker cells for more probable words.
 pub fn learned_words(lexicon: &Lexicon) -> Result<String, Box<dyn Error>> {
     let (left, top, wide, high) = (150, 90, 56, 26);
     let (columns, rows) = (lexicon.words.len() as i32, lexicon.rows.len() as i32);
@@ -36,7 +36,7 @@ pub fn learned_words(lexicon: &Lexicon) -> Result<String, Box<dyn Error>> {
     })
 }
 
-/// From pale at 0 to the darkest at 0.6 and more.
+/// From pale at 0 to the darkest colour at 0.6 and above.
 fn shade(probability: f32) -> RGBColor {
     let depth = (probability / 0.6).clamp(0.0, 1.0);
     let mix = |pale: u8, dark: u8| (f32::from(pale) + (f32::from(dark) - f32::from(pale)) * depth).round() as u8;

@@ -1,4 +1,4 @@
-//! One run as it happens: the home, the command, what the agent believes and does, what the trainer says.
+//! Tells one run as it happens: the home, the command, the agent's belief and actions, and the trainer's feedback.
 
 use super::experiment::{Run, run_seed};
 use super::lexicon::Lexicon;
@@ -15,17 +15,17 @@ use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Sce
 use goodbot_lesson::name::in_words;
 use std::io::{self, Write};
 
-/// The beginning of a line that says more of a step.
+/// The beginning of a line with a remark on a step.
 const NOTE: &str = "               ";
 
 /// Cells of a belief's bar.
 const BAR: usize = 18;
 
-/// Runs one seed and tells it as it happens. A reader who leaves does not end the run: its result comes first, then whether it could
-/// be told.
+/// Runs one seed and tells it as it happens. If the reader stops early, the run goes on. Returns the run's result, then the result of
+/// writing.
 ///
 /// # Errors
-/// [`Failure`] where the run itself failed.
+/// [`Failure`] if the run itself failed.
 pub fn tell(options: &PaperOptions, out: &mut impl Write) -> Result<((Run, Lexicon), io::Result<()>), Failure> {
     let begun = begin(options, out);
     let mut story = Story { out, failed: begun.err(), shown: false };
@@ -60,7 +60,7 @@ fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
 
 struct Story<'w, W> {
     out: &'w mut W,
-    /// The first fault in writing; nothing is written after it.
+    /// The first write error; nothing is written after it.
     failed: Option<io::Error>,
     /// Whether the home of the tests has been shown.
     shown: bool,
@@ -143,7 +143,7 @@ fn home(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemor
     Ok(())
 }
 
-/// Each task with its probability as a bar, the intended one marked.
+/// Prints each task with its probability as a bar, and marks the intended one.
 fn beliefs(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) -> io::Result<()> {
     for task in 0..scene.agent.tasks().len() {
         let probability = scene.agent.belief().probability(task);
@@ -155,7 +155,7 @@ fn beliefs(out: &mut impl Write, scene: &Scene<'_, impl HomeMemory, impl AgentMe
     Ok(())
 }
 
-/// A task in a person's words.
+/// A task in everyday words.
 fn task_in_words(scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, task: usize) -> String {
     let agent = scene.agent;
     let Some(task) = agent.tasks().get(task) else { return String::new() };

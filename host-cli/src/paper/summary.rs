@@ -1,4 +1,4 @@
-//! All runs together, and the JSON lines.
+//! The summary of all runs, and the JSON lines.
 
 use super::experiment::Run;
 use super::options::PaperOptions;
@@ -8,8 +8,8 @@ use goodbot_lab::mean::Mean;
 use goodbot_lab::mean::wilson;
 use serde_json::{Map, Value, json};
 
-/// The translations that the paper reports, and one that tells go from take: the machine token of Model 2, the value of the role model, the
-/// word.
+/// The translations that the paper reports, and one that separates go from take: the machine token of Model 2, the value of the role model,
+/// the word.
 pub const REPORTED: [(&str, &str, &str); 4] = [
     ("agentInRoom", "agentInRoom", "go"),
     ("shapeBag", "shapeBag", "bag"),
@@ -17,7 +17,7 @@ pub const REPORTED: [(&str, &str, &str); 4] = [
     ("blockInRoom", "blockInRoom", "take"),
 ];
 
-/// What the paper reports of its agent, which one trainer taught (section 5).
+/// The paper's results for its agent, which one trainer taught (section 5).
 #[derive(Clone, Copy, Debug)]
 pub struct Reported {
     /// How many of the five tests were right.
@@ -28,13 +28,13 @@ pub struct Reported {
     pub translations: Option<[f64; REPORTED.len()]>,
 }
 
-/// Of the first trainer.
+/// The results with the first trainer.
 pub const PAPER_BALANCED: Reported =
     Reported { tests: 5, lessons: Some([false, true, false, false, true, true, true]), translations: Some([0.51, 0.32, 0.33, 0.33]) };
-/// Of the second, who was only allowed to punish.
+/// The results with the second trainer, who was only allowed to punish.
 pub const PAPER_PUNISH_ONLY: Reported = Reported { tests: 4, lessons: None, translations: None };
 
-/// All runs together.
+/// The summary of all runs.
 #[derive(Debug)]
 pub struct Summary {
     /// How many runs.
@@ -43,11 +43,11 @@ pub struct Summary {
     pub train_right: [usize; LESSONS.len()],
     /// For each test: in how many runs the most likely task was the intended one.
     pub test_right: [usize; TESTS.len()],
-    /// In how many runs all tests were right.
+    /// How many runs had all tests right.
     pub test_all_right: usize,
-    /// The mean of each of [`REPORTED`].
+    /// The mean of each translation of [`REPORTED`].
     pub translations: [Mean; REPORTED.len()],
-    /// What the trainers said, all runs together.
+    /// The feedback of the trainers in all runs.
     pub feedback: FeedbackCounts,
 }
 
@@ -99,7 +99,7 @@ impl Summary {
 }
 
 impl PaperOptions {
-    /// What the paper reports of this trainer, whose agent thinks of it as the paper's did.
+    /// The paper's results for this trainer, if the agent expects the same strategy, as in the paper.
     pub fn reported_by_paper(&self) -> Option<Reported> {
         let as_in_paper = self.believed().trainer.strategy == self.trainer.trainer.strategy;
         let known = [(CourseTrainer::BALANCED, PAPER_BALANCED), (CourseTrainer::PUNISH_ONLY, PAPER_PUNISH_ONLY)];
@@ -124,7 +124,7 @@ pub fn run_to_json(run: &Run) -> Value {
     })
 }
 
-/// As many digits as single precision has, and no others.
+/// The digits of single precision, without those that conversion adds.
 fn rounded(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(0.0)
 }

@@ -1,4 +1,4 @@
-//! A number of the trainer, or of what the agent thinks of it, taken through a range.
+//! Sweeps: a number of the trainer, or of the trainer that the agent expects, taken through a range.
 
 use super::options::PaperOptions;
 use super::trainer::{TrainerChoice, name};
@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// The most settings of all sweeps together.
 const MOST: usize = 1_000;
 
-/// What is taken through a range.
+/// The swept number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Parameter {
     MuPlus,
@@ -20,10 +20,10 @@ enum Parameter {
 /// A number and its range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sweep {
-    /// As it is typed: `mu-plus`, or `believed-mu-plus`.
+    /// The name as it is typed: `mu-plus`, or `believed-mu-plus`.
     pub name: String,
     parameter: Parameter,
-    /// Whether what the agent thinks is meant, and not what the trainer does.
+    /// Whether the number is of the expected trainer, and not of the trainer itself.
     believed: bool,
     /// The values, in order.
     pub values: Vec<f32>,
@@ -58,26 +58,26 @@ impl FromStr for Sweep {
         if count > MOST as f64 {
             return Err(refused(&format!("more than {MOST} values")));
         }
-        // Rounded to what was typed: 0.1 + 2 * 0.1 is 0.3.
+        // Rounded, so that 0.1 + 2 * 0.1 is 0.3, as typed.
         let value = |position: usize| ((from + step * position as f64) * 1e6).round() / 1e6;
         let values = (0..count as usize).map(|position| value(position) as f32).collect();
         Ok(Self { name: name.to_owned(), parameter, believed: name.starts_with("believed-"), values })
     }
 }
 
-/// One setting of all sweeps: the options, and the value of each sweep.
+/// One setting of all sweeps: the options, and each sweep's value.
 #[derive(Clone, Debug)]
 pub struct Setting {
-    /// The options as if they had been typed.
+    /// The options, as if they had been typed.
     pub options: PaperOptions,
     /// The sweeps' values, in their order.
     pub values: Vec<f32>,
 }
 
-/// Every combination of the sweeps' values; the options alone where there is none.
+/// All combinations of the sweeps' values; without sweeps, the options alone.
 ///
 /// # Errors
-/// Where there are too many.
+/// A message if there are too many.
 pub fn settings(options: &PaperOptions) -> Result<Vec<Setting>, String> {
     let count = options.sweep.iter().try_fold(1_usize, |product, sweep| product.checked_mul(sweep.values.len()));
     if count.is_none_or(|count| count > MOST) {
@@ -94,7 +94,7 @@ pub fn settings(options: &PaperOptions) -> Result<Vec<Setting>, String> {
     Ok(settings)
 }
 
-/// The options with one number changed. What the agent thinks goes with the trainer, unless it was said or is swept itself.
+/// The options with one number changed. The expected trainer changes with the trainer, unless it was given or is swept itself.
 fn moved(options: &PaperOptions, sweep: &Sweep, value: f32) -> PaperOptions {
     let mut options = options.clone();
     if sweep.believed {

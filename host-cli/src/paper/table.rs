@@ -10,10 +10,10 @@ use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::mean::wilson;
 use std::io::{self, Write};
 
-/// Words shown for each machine token.
+/// The most words for each machine token.
 const WORDS: usize = 4;
 
-/// One run: which commands were understood, and what was learned.
+/// One run: the results of lessons and tests, and the learned words.
 pub fn one_run(out: &mut impl Write, run: &Run, lexicon: &Lexicon) -> io::Result<()> {
     writeln!(out, "\nLessons                                      on hearing  steps  good  bad  ended")?;
     for (exercise, lesson) in LESSONS.iter().zip(&run.results.lessons) {
@@ -41,7 +41,7 @@ fn share(right: usize, all: usize) -> String {
     format!("{:>6.1} %  ({:.1} to {:.1})", 100.0 * right as f64 / all.max(1) as f64, 100.0 * low, 100.0 * high)
 }
 
-/// Many runs: shares of right answers, with what the paper reports of its one agent.
+/// Many runs: shares of right answers, beside the paper's results for its one agent.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
     let (homes, learner) = (options.homes().name(), options.learner.name());
     let last = options.seed.wrapping_add(u64::from(options.runs) - 1);

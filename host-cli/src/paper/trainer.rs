@@ -1,4 +1,4 @@
-//! A trainer as it is typed: what it does, and what the agent thinks that it does.
+//! A trainer, by name or numbers.
 
 use goodbot::feedback::Strategy;
 use goodbot_course::CourseTrainer;
@@ -9,7 +9,7 @@ use std::str::FromStr;
 pub struct TrainerChoice {
     /// Its name in output.
     pub name: String,
-    /// How it gives feedback.
+    /// Its strategy, and whether it rewards and punishes.
     pub trainer: CourseTrainer,
 }
 
@@ -27,12 +27,12 @@ impl FromStr for TrainerChoice {
 }
 
 impl TrainerChoice {
-    /// A trainer who withholds nothing, named by its numbers.
+    /// A trainer who both rewards and punishes, named by its numbers.
     pub fn of(strategy: Strategy) -> Self {
         Self { name: name(strategy), trainer: CourseTrainer::of(strategy) }
     }
 
-    /// What it never does, as the rest of a sentence.
+    /// The feedback that it never gives, as the end of a sentence.
     pub fn withheld(&self) -> &'static str {
         match (self.trainer.rewards, self.trainer.punishes) {
             (false, _) => " (never rewards)",

@@ -1,4 +1,4 @@
-//! The agent that replays recorded sessions, one after the other.
+//! The agent that replays recorded sessions, one after another.
 
 use goodbot::feedback::Feedback;
 use goodbot::language::Synonyms;
@@ -25,10 +25,10 @@ use goodbot_lesson::{Fault, home, world};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// The name of the paper's trainer strategy, which is considered where no session names others.
+/// The name of the paper's trainer strategy, the default of sessions without strategies.
 const BALANCED: &str = "balanced";
 
-/// What the agent has room for: recorded histories are longer than what one learns at a time.
+/// The agent's capacities: recorded histories are longer than a robot's own.
 const CAPACITIES: Capacities = Capacities {
     sessions: 4_096,
     sentence_words: 131_072,
@@ -38,78 +38,78 @@ const CAPACITIES: Capacities = Capacities {
     ..Capacities::STANDARD
 };
 
-/// Training runs again when the sessions have grown by one part in this many: under a hundred sessions, after each. A training takes time
-/// for all sessions so far. All trainings together then take time for this many times the sessions, and not for the square of their number.
+/// Training runs again when the number of sessions has grown by one in this many; below a hundred sessions, after each. A training takes
+/// time in proportion to all sessions so far. The total time thus grows with the number of sessions times this, and not with its square.
 const PART: usize = 50;
 
-/// When words are learned anew.
+/// When the words are trained again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Learning {
-    /// When enough sessions have come.
+    /// After enough new sessions.
     InParts,
     /// After every session: the paper's Algorithm 1.
     EverySession,
 }
 
-/// An agent and what it went through.
+/// An agent and its training history.
 pub struct History {
     agent: Agent<AgentHeap>,
     learning: Learning,
-    /// How many sessions were learned from, and how many are to be.
+    /// How many sessions the words were trained on, and how many wait for training.
     learned: usize,
     kept: usize,
-    /// What commands may mean in homes.
+    /// The kinds of task in homes.
     lifted: Vec<LiftedTask>,
-    /// The worlds of the logs so far, each with its robot and what commands may mean there.
+    /// The worlds of the logs so far, each with its robot and its kinds of task.
     worlds: Vec<(Arc<WorldFile>, Robot<'static>, Vec<LiftedTask>)>,
     strategies: Vec<String>,
-    /// What is expected of trainers, where that is not what the sessions say.
+    /// The expected trainers, in place of the sessions' own.
     believes: Option<Believes>,
-    /// Words that the agent hears as words that it knows.
+    /// The synonyms that replace unknown words.
     synonyms: Synonyms<'static>,
-    /// Who trained last.
+    /// The last trainer.
     trainer: Option<String>,
     last: Last,
 }
 
-/// What came before.
+/// The session before.
 enum Last {
     Nothing,
     Broken,
     Session(String, EnvironmentFile),
 }
 
-/// What became of one session.
+/// The result of one session.
 pub struct Outcome {
-    /// Its name.
+    /// The session's name.
     pub id: String,
-    /// What was said.
+    /// The command.
     pub command: String,
-    /// How it taught.
+    /// The kind of session.
     pub kind: Kind,
-    /// Whether it continued the one before.
+    /// Whether it continued the session before.
     pub continues: bool,
-    /// What was meant.
+    /// The intended task.
     pub intended: Option<GroundTaskText>,
-    /// The belief before the first step and after each; where the end of a session is evidence, also after it.
+    /// The belief before the first step and after each. If the end of a session is evidence, also after the end.
     pub beliefs: Vec<PosteriorLine<f32>>,
-    /// How many steps.
+    /// The number of steps.
     pub steps: usize,
     /// How often each feedback was given: reward, punishment, silence.
     pub feedback: [usize; 3],
     /// Whether it was learned from.
     pub learned: bool,
-    /// Whether all words were learned anew after it.
+    /// Whether all words were trained again after it.
     pub trained: bool,
-    /// What is worth knowing, and no fault.
+    /// Remarks that are no faults.
     pub remarks: Vec<Fault>,
-    /// That not all words of the command are read, where it is so.
+    /// The command's length, if only its first words are read.
     pub long: Option<Fault>,
 }
 
 impl History {
-    /// An agent that has learned nothing yet. `lifted` are the tasks that commands may mean, and `believes` is what it expects of trainers,
-    /// in place of what the sessions say. Unknown words are heard as known ones of their line of `synonyms`.
+    /// An agent without training. `lifted` are the kinds of task that commands may mean. `believes` replaces the trainer strategies that
+    /// the sessions name. `synonyms` replace unknown words.
     pub fn new(
         lifted: &[LiftedTask],
         options: Options,
@@ -133,7 +133,7 @@ impl History {
         })
     }
 
-    /// A session could not be read.
+    /// Notes that a session could not be read.
     pub fn broken(&mut self) {
         self.last = Last::Broken;
     }
@@ -141,7 +141,7 @@ impl History {
     /// Replays a session.
     ///
     /// # Errors
-    /// What is wrong with it. Nothing is then learned from it.
+    /// The faults of the session. Nothing is learned from it then.
     pub fn replay(&mut self, file: &str, recorded: &RecordedSession) -> Result<Outcome, Vec<Fault>> {
         let replayed = self.try_replay(file, recorded);
         self.last = match &replayed {
@@ -154,9 +154,9 @@ impl History {
     /// Replays a session in a world.
     ///
     /// # Errors
-    /// What is wrong with it, or with its world. Nothing is then learned from it.
+    /// The faults of the session or its world. Nothing is learned from it then.
     pub fn replay_in(&mut self, file: &str, recorded: &SessionInWorld) -> Result<Outcome, Vec<Fault>> {
-        // No session in a home goes on from one in another world.
+        // No session in a home continues one in another world.
         self.last = Last::Nothing;
         let at = |message: &dyn std::fmt::Display| vec![Fault::on_line(file, recorded.session.header_line, message).in_field("world")];
         let known = self.worlds.iter().position(|(known, ..)| *known == recorded.world);
@@ -176,7 +176,7 @@ impl History {
         self.go_through(file, &recorded.session, &mut session, "this step of the demonstration changes nothing")
     }
 
-    /// Makes the agent one whose commands may mean these tasks. What the words mean is taken along.
+    /// Replaces the agent by one with these kinds of task. The learned words are kept.
     fn expect_tasks(&mut self, lifted: &[LiftedTask]) -> Result<(), Failure> {
         if self.agent.lifted() == lifted {
             return Ok(());
@@ -189,7 +189,7 @@ impl History {
             agent.learn_fully();
         }
         self.agent = agent;
-        // The trainer is met anew.
+        // The new agent has not met the trainer.
         self.trainer = None;
         Ok(())
     }
@@ -202,7 +202,7 @@ impl History {
         self.go_through(file, recorded, &mut session, "the demonstration walks into a wall or a held block, and nothing moves")
     }
 
-    /// Replays a session. `bump` says of a demonstration's step that it changes nothing.
+    /// Replays a session. `bump` is the remark on a demonstrated step that changes nothing.
     fn go_through<D: Domain>(
         &mut self,
         file: &str,
@@ -279,7 +279,7 @@ impl History {
         }
     }
 
-    /// Remarks on a step that was just taken.
+    /// Adds remarks on the step that was taken last.
     fn remark<S>(&self, file: &str, kind: Kind, (step, bump): (&Step<S>, &str), evidence: Evidence, remarks: &mut Vec<Fault>) {
         let mut remark = |message: &str| remarks.push(Fault::on_line(file, step.line, message));
         if let Some(message) = evidence::remark(evidence) {
@@ -294,16 +294,16 @@ impl History {
         }
     }
 
-    /// Whether it expects of trainers what it was told, and not what the sessions say.
+    /// Whether the agent expects the trainers of `believes`, and not those of the sessions.
     fn expects(&self) -> bool {
         self.believes.as_ref().and_then(Believes::strategies).is_some()
     }
 
-    /// Ends a session that is learned from. Gives whether the words were learned anew.
+    /// Ends a session that is learned from. Returns `true` if the words were trained again.
     fn learn<D: Domain>(&mut self, home: &D) -> Result<bool, AgentError> {
         self.kept += 1;
         let enough = ((self.learned + self.kept) / PART).max(1);
-        // What has no room beside the others makes room for itself, and all is learned anew.
+        // A session that does not fit makes room for itself, and everything is trained again.
         if self.learning == Learning::InParts && self.kept < enough && self.agent.finish_for_later(home).is_ok() {
             return Ok(false);
         }
@@ -325,7 +325,7 @@ impl History {
         Err(vec![Fault::on_line(file, recorded.header_line, message).in_field("continues")])
     }
 
-    /// Expects what it expects of a trainer whom it has not met yet.
+    /// Sets the expected strategies for a trainer whom the agent has not met.
     fn meet(&mut self, file: &str, recorded: &RecordedSession) -> Result<(), AgentError> {
         let Some(strategies) = self.believes.as_ref().and_then(Believes::strategies) else { return Ok(()) };
         let trainer = trainer_of(recorded.header.id.as_deref(), file);

@@ -1,6 +1,6 @@
-//! `goodbot replay`: Algorithm 1 over recorded sessions, exactly as they were walked.
+//! `goodbot replay`: Algorithm 1 on recorded sessions, with exactly the recorded steps.
 //!
-//! - [`history`]: the agent that replays them, one after the other;
+//! - [`history`]: the agent that replays them, one after another;
 //! - [`report`]: the report of each, for people.
 
 mod history;
@@ -33,11 +33,10 @@ use std::path::PathBuf;
 
 /// Replay recorded sessions, and print the robot's belief after each step
 ///
-/// The robot begins without words. Each session gives it the command, the recorded steps and the
-/// trainer's feedback; then it learns, unless the session is marked otherwise. Several files are
-/// one history, in the given order. As in the paper, all words are learned anew after each session;
-/// from the hundredth session on, only when the number of sessions has grown by a fiftieth (`goodbot
-/// learn` learns once, from all sessions).
+/// The robot begins without words. Each session gives it the command, the recorded steps and the trainer's feedback; then it learns, unless
+/// the session is marked otherwise. Several files are one history, in the given order. As in the paper, all words are learned anew after
+/// each session; from the hundredth session on, only when the number of sessions has grown by a fiftieth (`goodbot learn` learns once, from
+/// all sessions).
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 all sessions were replayed, 2 a file is at fault (nothing after the fault is replayed, unless --keep-going is given).
@@ -118,7 +117,7 @@ struct Replay {
     progress: ProgressBar,
     output: BufWriter<Box<dyn Write>>,
     plot: Option<Output>,
-    /// Commands with more words than are read.
+    /// Commands that are read by their first words only.
     long: Vec<Fault>,
 }
 
@@ -164,10 +163,7 @@ impl Replay {
         }
         tell_long(&self.long.iter().collect::<Vec<_>>());
         if commands > 0 {
-            say!(
-                "{} left out: nothing was done, so there is nothing to replay; learn from them with goodbot learn",
-                counted(commands, "command")
-            );
+            say!("{} left out: commands have no steps to replay; learn from them with goodbot learn", counted(commands, "command"));
         }
         if self.totals.sessions == 0 && self.totals.skipped == 0 {
             let message = "the files have no session; name a session log, with one JSON object on each line";
@@ -198,7 +194,7 @@ impl Replay {
         if self.totals.sessions == 0 { Err(Failure::Told) } else { Ok(()) }
     }
 
-    /// Takes in what became of a session. One with faults ends the replay, unless it is to be skipped.
+    /// Adds the result of a session. A session with faults ends the replay, unless it is to be skipped.
     fn take_or_tell(&mut self, args: &ReplayArgs, replayed: Result<Outcome, Vec<Fault>>) -> Result<(), Failure> {
         self.progress.inc(1);
         match replayed {

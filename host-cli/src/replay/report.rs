@@ -13,7 +13,7 @@ use std::fmt;
 struct MostLikely<'a> {
     task: &'a GroundTaskText,
     probability: f32,
-    /// How many tasks are as likely as this one, itself included.
+    /// How many tasks have this probability, this one included.
     tied: usize,
 }
 
@@ -24,7 +24,7 @@ fn most_likely(belief: &PosteriorLine<f32>) -> Option<MostLikely<'_>> {
     Some(MostLikely { task, probability: *probability, tied: 1 + tied.count() })
 }
 
-/// Whether a belief takes the intended task, and it alone, for the most likely one.
+/// Whether the intended task alone is the most likely one.
 fn is_right(belief: Option<&PosteriorLine<f32>>, intended: &GroundTaskText) -> bool {
     belief.and_then(most_likely).is_some_and(|likely| likely.tied == 1 && likely.task.is_same(intended))
 }
@@ -61,7 +61,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// All sessions together.
+/// The totals of all sessions.
 #[derive(Debug, Default)]
 pub struct Totals {
     /// Sessions replayed.
@@ -107,7 +107,7 @@ impl Totals {
         &self.rightness
     }
 
-    /// Whether some session was learned from later than at its end.
+    /// Whether some sessions waited for a later training.
     pub const fn learned_later(&self) -> bool {
         self.trained < self.learned
     }
@@ -137,7 +137,7 @@ impl fmt::Display for Totals {
         let it = &self.rightness;
         if it.sessions() > 0 {
             let (top, loss, low) = (it.on_top(), it.log_loss(), 100.0 * it.given_up());
-            writeln!(f, "where something was said, at the end of {}:", counted(it.sessions(), "session"))?;
+            writeln!(f, "in {} with feedback, at the end:", counted(it.sessions(), "session"))?;
             writeln!(f, "  intended task alone on top {top:.3}, mean log loss {loss:.3}, intended below 5 % in {low:.1} %")?;
         }
         Ok(())

@@ -1,6 +1,6 @@
-//! `goodbot size`: the memory that a robot needs, as source for a controller.
+//! `goodbot size`: the memory that a robot needs, as source code for a controller.
 //!
-//! - [`needs`]: from homes and lessons to capacities, and what they take;
+//! - [`needs`]: capacities for homes and lessons, and their memory;
 //! - [`source`]: the same as Rust and as C.
 
 pub mod needs;

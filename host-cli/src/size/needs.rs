@@ -1,4 +1,4 @@
-//! From homes and lessons to capacities, and what they take.
+//! Computes capacities for homes and lessons, and their memory.
 
 use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
@@ -20,39 +20,39 @@ use goodbot_lesson::home;
 use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use std::collections::BTreeSet;
 
-/// States that a home is given at most: exact plans in larger ones cost more memory than they are worth on a controller.
+/// The most states for a home: on a controller, exact plans in larger homes cost more memory than they are worth.
 const MOST_STATES: usize = Capacities::SMALL.states;
-/// What a controller can tell apart: there a set of tasks is one word.
+/// The limits of a controller: a set of tasks is a single machine word there.
 const OF_CONTROLLERS: Capacities = Capacities { tasks: TaskSet::MOST_OF_ONE_WORD, ..Capacities::STANDARD };
-/// What a home on a controller has at most.
+/// The most objects and blocks of a home on a controller.
 const MOST_OBJECTS: usize = 32;
 const MOST_BLOCKS: usize = 8;
 /// The deepest stack of the course, in `docs/footprint.md`, rounded up.
 pub const STACK: usize = 5_632;
-/// What flash is erased by is most often a power of two from here on.
+/// Flash is usually erased in units of a power of two from this one on.
 const LEAST_SLOT: usize = 1_024;
-/// The header of a slot, and what is written at once.
+/// The header of a slot, and the bytes that are written at once.
 const SLOT_HEADER: usize = 256;
-/// Sessions and words where nothing tells how many.
+/// The default numbers of sessions and of words in a command.
 const SESSIONS: usize = 16;
 const WORDS: usize = 8;
 
-/// What a robot needs.
+/// The memory that a robot needs.
 #[derive(Debug)]
 pub struct Needs {
-    /// How many different homes there are.
+    /// How many different homes it has.
     pub homes: usize,
-    /// The name of its world, where it lives in no home.
+    /// The name of its world, if it lives in no home.
     pub world: Option<String>,
-    /// What it keeps.
+    /// The lessons to keep.
     pub lessons: Lessons,
-    /// How large its tables are.
+    /// The sizes of its tables.
     pub capacities: Capacities,
-    /// The states with which every plan is exact; nothing where they cannot be counted.
+    /// The number of states with which every plan is exact; `None` if they cannot be counted.
     pub exact_states: Option<usize>,
-    /// How many sessions of the log there are to learn from.
+    /// How many sessions of the log are to be learned from.
     pub taught: usize,
-    /// How many of them a robot kept that was trained in this memory.
+    /// How many of them a robot kept that was trained in this memory; `None` without a trial.
     pub kept: Option<usize>,
 }
 
@@ -60,7 +60,7 @@ impl Needs {
     /// Reads homes or a world, and logs.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// The faults of the files.
     pub fn find(options: &SizeOptions) -> Result<Self, Failure> {
         let lifted = options.kinds.lifted()?;
         let learner = options.learner.options();
@@ -107,7 +107,7 @@ impl Needs {
         Ok(needs)
     }
 
-    /// Makes room for the machine commands of the log, and in proportion for those of more sessions, in place of all that there could be.
+    /// Replaces the worst case by the machine commands that the log needs, in proportion to the sessions to keep.
     fn count_commands(&mut self, log: &[Lesson], learner: &Options) -> Result<(), Failure> {
         let (_, used) = train(&self.capacities, log, learner)?;
         let all = |used: usize| used.saturating_mul(self.lessons.sessions).div_ceil(log.len());
@@ -118,17 +118,17 @@ impl Needs {
         Ok(())
     }
 
-    /// Bytes of RAM on a controller with pointers of four bytes, the stack not counted.
+    /// Bytes of RAM on a controller with pointers of four bytes, without the stack.
     pub fn ram(&self) -> usize {
         bytes_32(&self.capacities, self.world.is_some())
     }
 
-    /// Bytes that a model takes at most.
+    /// The most bytes of a model.
     pub fn model_bytes(&self) -> usize {
         most_bytes(&self.capacities)
     }
 
-    /// Bytes of each of two slots that keep it.
+    /// Bytes of each of the two slots for the model.
     pub fn slot_bytes(&self) -> usize {
         self.model_bytes().saturating_add(SLOT_HEADER).next_multiple_of(LEAST_SLOT)
     }
@@ -137,7 +137,7 @@ impl Needs {
 /// The least capacities of the robot of a world.
 ///
 /// # Errors
-/// What is wrong with the world.
+/// The fault of the world.
 pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, Flaw> {
     let lifted = robot::tasks(robot.file(), robot)?;
     let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner);
@@ -148,7 +148,7 @@ pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) ->
     })
 }
 
-/// Trains a robot on the log in this memory. Returns how many sessions it kept, and the machine commands that it has of them.
+/// Trains a robot on the log in this memory. Returns how many sessions it kept, and the sizes of their machine commands.
 fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(usize, Capacities), Failure> {
     let mut memory = goodbot_console::learner::memory(capacities, &learner.language, training::tasks(log));
     let model = training::train(&mut memory, log.iter(), learner.language)?;
@@ -160,7 +160,7 @@ fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(
 /// Homes, with the names of their files or sessions.
 type Named<'l> = Vec<(&'l str, EnvironmentFile)>;
 
-/// The homes of the files, and the world, where one of them is a world.
+/// The homes of the files, and the world, if one of the files is a world.
 fn places(files: &[String]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Failure> {
     let (mut homes, mut world) = (Vec::new(), None);
     for file in files {
@@ -175,7 +175,7 @@ fn places(files: &[String]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Fai
     Ok((homes, world))
 }
 
-/// The different homes of files and sessions, built.
+/// Builds the different homes of files and sessions.
 fn build<'l>(mut environments: Named<'l>, log: &'l [Lesson]) -> Result<Vec<(Home<HomeHeap>, HomeState)>, Failure> {
     for lesson in log {
         if environments.iter().all(|(_, known)| *known != lesson.header.environment) {
@@ -198,7 +198,7 @@ fn build<'l>(mut environments: Named<'l>, log: &'l [Lesson]) -> Result<Vec<(Home
     }
 }
 
-/// What it is to keep: what the log has, unless more is asked for.
+/// The lessons to keep: those of the log, unless the options ask for more.
 fn to_keep(options: &SizeOptions, log: &[Lesson], model: Model) -> Result<Lessons, Failure> {
     if log.is_empty() {
         return Ok(Lessons::new(options.sessions.unwrap_or(SESSIONS), options.words.unwrap_or(WORDS)));

@@ -1,15 +1,15 @@
-//! Capacities as source for a controller.
+//! Capacities as source code for a controller.
 
 use goodbot::Capacities;
 use goodbot::capacity::Capacity;
 
-/// As Rust.
+/// The capacities in Rust.
 pub fn rust(capacities: &Capacities) -> String {
     let fields = rust_fields(capacities);
     format!("goodbot::memory! {{\n    struct RobotMemory = goodbot::Capacities {{\n{fields}    }};\n}}\n")
 }
 
-/// As C, with `bytes` bytes for a robot in homes, or for one of a table.
+/// The capacities in C, with a buffer of `bytes` bytes for a robot in homes, or for one with a table.
 pub fn c(capacities: &Capacities, bytes: usize, is_table: bool) -> String {
     let (table, size) = (c_table("capacities", capacities), if is_table { "goodbot_table_size" } else { "goodbot_size" });
     format!(
@@ -23,7 +23,7 @@ pub fn rust_fields(capacities: &Capacities) -> String {
     Capacity::ALL.iter().map(|&capacity| format!("        {}: {},\n", capacity.name(), capacities.get(capacity))).collect()
 }
 
-/// Capacities of this name in C, which are C++ too: it has no names for the entries of an array.
+/// Capacities of this name in C that also compile as C++, which has no designated array entries.
 pub fn c_table(name: &str, capacities: &Capacities) -> String {
     let entries: String =
         Capacity::ALL.iter().map(|&capacity| format!("    {}, /* {} */\n", capacities.get(capacity), capacity.name())).collect();

@@ -7,11 +7,11 @@ use goodbot_capi::capacities::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, Flaw};
 use std::fmt::Write;
 
-/// The most of each that the library's tables hold.
+/// The limits of the library's tables.
 const MOST: [(&str, usize); 3] = [("classes", 8), ("propositions", 8), ("task_kinds", 8)];
 const MOST_CARRIERS: usize = 16;
 
-/// A text as C writes it: all but plain letters as octal numbers, of three digits so that nothing runs into what follows.
+/// A text as a C literal. All but plain letters are octal numbers of three digits, so that nothing runs into the next character.
 fn quoted(text: &str) -> String {
     let plain = |byte: &u8| byte.is_ascii_graphic() && !matches!(byte, b'"' | b'\\' | b'?') || *byte == b' ';
     let letter = |byte: u8| if plain(&byte) { char::from(byte).to_string() } else { format!("\\{byte:03o}") };
@@ -29,7 +29,7 @@ fn digit(DigitAt { digit, value }: DigitAt) -> String {
 /// The header.
 ///
 /// # Errors
-/// What the library's tables have no room for.
+/// A [`Flaw`] for a limit of the library's tables.
 pub fn text(source: &Source<'_>) -> Result<String, Flaw> {
     let schema = &source.schema;
     let carriers: usize = schema.attributes.iter().map(|attribute| attribute.carriers.len()).sum();
@@ -45,7 +45,7 @@ pub fn text(source: &Source<'_>) -> Result<String, Flaw> {
     Ok(written(source).unwrap_or_default())
 }
 
-/// Writing to a text does not fail.
+/// The text of the header. Writing to a text does not fail.
 fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     let (schema, word, name) = (&source.schema, source.word(), source.name);
     let (mut out, guard) = (String::new(), source.word().to_uppercase());
@@ -83,11 +83,11 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     let actions = list(source.actions.iter().map(|action| format!("{{{}, {}}}", quoted(action.name), action.cost)));
     writeln!(out, "}};\nstatic const goodbot_action {word}_actions[] = {{{actions}}};")?;
     writeln!(out, "static const char *const {word}_tasks[] = {{{}}};", list(source.tasks.iter().map(|task| quoted(task))))?;
-    // A task with a way is a text alone.
+    // A task with a way is stored as a text alone.
     let kinds = if source.kinds.iter().any(LiftedTask::has_way) {
         "NULL".to_owned()
     } else {
-        writeln!(out, "/* The same, as they were read: their variables' classes, their propositions, and the variables of each. */")?;
+        writeln!(out, "/* The kinds of task, parsed: their variables' classes, their propositions, and the variables of each. */")?;
         writeln!(out, "static const goodbot_kind {word}_kinds[] = {{")?;
         for kind in &source.kinds {
             let classes = list(kind.variables().iter().map(|class| class.index().to_string()));
@@ -101,7 +101,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     };
     writeln!(out)?;
 
-    writeln!(out, "/* What can hold: a proposition of objects, where state / unit % values == value. */")?;
+    writeln!(out, "/* Facts: a proposition of these objects holds where state / unit % values == value. */")?;
     writeln!(
         out,
         "static const struct {{\n    uint8_t proposition, arguments[GOODBOT_MOST_ARGUMENTS];\n    uint32_t unit, values, value;\n}} {word}_facts[] = {{"
@@ -112,7 +112,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     }
     writeln!(
         out,
-        "}};\n\n/* What actions need and do: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it takes. */"
+        "}};\n\n/* Rules of actions: 0 begins a rule; 1 is a value that a digit must have, 2 one that it must not have, 3 one that it gets. */"
     )?;
     writeln!(out, "static const struct {{\n    uint8_t action, kind;\n    uint32_t unit, values, value;\n}} {word}_parts[] = {{")?;
     for (action, part) in source.parts() {
@@ -149,7 +149,7 @@ static bool {word}_step(void *context, uint32_t state, uint8_t action, uint32_t 
         uint32_t unit = {word}_parts[at].unit, values = {word}_parts[at].values, value = {word}_parts[at].value;
         if ({word}_parts[at].action != action) continue;
         if ({word}_parts[at].kind == 0) {{
-            if (fits) break; /* the first rule that fits is what happens */
+            if (fits) break; /* the first rule that fits applies */
             fits = true;
             after = state;
         }} else if ({word}_parts[at].kind == 3) after = after - after / unit % values * unit + value * unit;

@@ -1,6 +1,6 @@
-//! `goodbot table`: the robot of a world from a file as source for a controller.
+//! `goodbot table`: prints the robot of a world file as source code for a controller.
 //!
-//! - [`source`]: what both languages have; [`c`], [`rust`]: the text.
+//! - [`source`]: the parts that both languages share; [`c`], [`rust`]: the text.
 
 mod c;
 mod rust;
@@ -19,17 +19,17 @@ use goodbot_lesson::world::robot::{self, Flaw, Robot};
 use source::Source;
 use std::io::Write;
 
-/// The most states that are tried: with more, no plan on a controller is exact.
+/// The most states to check: with more, no plan on a controller is exact.
 const MOST_STATES: usize = 1_000_000;
 
 /// Print the robot of a world as source for a controller
 ///
-/// The description is checked here, in every state that the robot can come to; the capacities are the least with which every lesson is kept and every
-/// plan is exact.
+/// The description is checked in every state that the robot can reach. The capacities are the smallest with which every lesson is kept and
+/// every plan is exact.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 In C it is a goodbot_table for the library's feature table, which has at most 8 classes, 8 propositions and 8 kinds of task. In Rust it is a module with \
-a robot for Agent and memory for both. A state is a number: a comment says which digit tells what.
+a robot for Agent and memory for both. A state is a number: a comment gives the meaning of each digit.
 
 Examples:
   goodbot table lift.json --c > lift.h
@@ -55,7 +55,7 @@ pub struct TableOptions {
 /// Runs the command.
 ///
 /// # Errors
-/// [`Failure`]: what is wrong with the file, or with the output.
+/// [`Failure`]: the fault of the file or of the output.
 pub fn run(options: &TableOptions) -> Result<(), Failure> {
     let name = input::name(&options.world);
     let file = input::world(&options.world)?;
@@ -69,7 +69,7 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
 
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
     let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
-    // Before the states, which take longer.
+    // The kinds of task are checked before the states, which take longer.
     let kinds = robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
     if !checked.all || robot.state_count() > MOST_STATES as u64 {

@@ -1,4 +1,4 @@
-//! A robot as Rust.
+//! A robot in Rust.
 
 use super::source::{Part, Source};
 use crate::size::source::rust_fields;
@@ -34,7 +34,7 @@ use goodbot::oomdp::{{
 use goodbot::task::{{LiftedTask, TaskTextError}};
 
 goodbot::memory! {{
-    /// Memory for the robot and its mind: every lesson is kept, and every plan is exact.
+    /// Memory for the robot and its agent: every lesson is kept, and every plan is exact.
     pub struct RobotMemory = goodbot::Capacities {{
 {}    }};
 }}
@@ -65,7 +65,7 @@ goodbot::memory! {{
     rows.iter().try_for_each(|(class, name, values)| writeln!(out, "    ({class}, {name:?}, {values:?}),"))?;
     writeln!(
         out,
-        "];\n\n/// What can hold: a proposition of objects, where `state / unit % values == value`, given as `[unit, values, value]`."
+        "];\n\n/// Facts: a proposition of these objects holds where `state / unit % values == value`, given as `[unit, values, value]`."
     )?;
     writeln!(out, "const FACTS: [(u8, [u8; 3], [u32; 3]); {}] = [", source.facts.len())?;
     for fact in &source.facts {
@@ -73,12 +73,12 @@ goodbot::memory! {{
         writeln!(out, "    ({}, [{arguments}], {}),", fact.proposition.index(), digit(fact.at))?;
     }
     let parts = source.parts();
-    writeln!(out, "];\n\n/// A part of a rule that says what an action needs and does; digits as in `FACTS`.")?;
+    writeln!(out, "];\n\n/// A part of an action's rule: a condition or an effect; digits as in `FACTS`.")?;
     writeln!(
         out,
         "enum Part {{\n    /// A rule begins.\n    Begin,\n    /// A digit must have a value.\n    Has([u32; 3]),\n    /// A digit must have another value.\n    #[allow(dead_code)]\n    HasNot([u32; 3]),\n    /// A digit takes a value.\n    Takes([u32; 3]),\n}}\n"
     )?;
-    writeln!(out, "/// The rules of all actions, by the action's number: of each action the first that fits is what happens.")?;
+    writeln!(out, "/// The rules of all actions, by the action's number: the first rule of an action that fits applies.")?;
     writeln!(out, "const PARTS: [(usize, Part); {}] = [", parts.len())?;
     for (action, part) in parts {
         let part = match part {
@@ -93,9 +93,9 @@ goodbot::memory! {{
         out,
         "];
 
-/// The state that the world begins in.
+/// The initial state.
 pub const START: u32 = {};
-/// How many states there are.
+/// The number of states.
 pub const STATES: u32 = {};
 
 /// The robot. Its objects are in memory that the caller lends: `memory.home.lend().objects`.
@@ -107,7 +107,7 @@ impl<'m> Robot<'m> {{
     /// The robot and its world.
     ///
     /// # Errors
-    /// Where the memory is smaller than `RobotMemory`.
+    /// An error if the memory is smaller than `RobotMemory`.
     pub fn new(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {{
         let mut objects = ObjectSet::new(memory);
         for (class, name, values) in OBJECTS {{
@@ -116,7 +116,7 @@ impl<'m> Robot<'m> {{
         Ok(Self {{ objects: objects.into_objects() }})
     }}
 
-    /// What commands may mean.
+    /// The kinds of task that commands may mean.
     ///
     /// # Errors
     /// None: the texts were checked.

@@ -1,11 +1,11 @@
-//! What the source of a robot has in any language.
+//! The parts of a robot's source that all languages share.
 
 use goodbot::Capacities;
 use goodbot::oomdp::{ActionKind, Domain, Objects, Schema, World};
 use goodbot::task::LiftedTask;
 use goodbot_lesson::world::robot::{DigitAt, FactAt, Robot, Rule};
 
-/// A robot, as it is written down.
+/// The parts of a robot's source.
 pub struct Source<'w> {
     /// The world's name in its file.
     pub name: &'w str,
@@ -17,17 +17,17 @@ pub struct Source<'w> {
     pub actions: &'w [ActionKind<'w>],
     /// The kinds of task.
     pub tasks: Vec<String>,
-    /// The same, read.
+    /// The kinds of task, parsed.
     pub kinds: Vec<LiftedTask>,
-    /// How many states there are, and the first.
+    /// How many states there are.
     pub states: u64,
-    /// The state that it starts in.
+    /// The initial state.
     pub start: u64,
-    /// What holds where.
+    /// The facts, with the digits' values with which they hold.
     pub facts: Vec<FactAt>,
-    /// What each action needs and does.
+    /// The rules of each action.
     pub rules: Vec<Vec<Rule>>,
-    /// How large its tables must be.
+    /// The sizes of its tables.
     pub capacities: Capacities,
 }
 
@@ -63,7 +63,7 @@ impl<'w> Source<'w> {
         }
     }
 
-    /// The world's name as a word of a program: letters, digits and `_`, small.
+    /// The world's name as an identifier: lower-case letters, digits and `_`.
     pub fn word(&self) -> String {
         let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' };
         let word: String = self.name.chars().map(letter).collect();
@@ -83,7 +83,7 @@ impl<'w> Source<'w> {
         parts
     }
 
-    /// For each fact that can change, a line: what it says, and when it holds.
+    /// A line for each fact that can change: the fact, and the condition under which it holds.
     pub fn legend(&self) -> Vec<String> {
         let told = |fact: &FactAt| {
             let count = self.schema.parameters(fact.proposition).len();
@@ -95,7 +95,7 @@ impl<'w> Source<'w> {
         self.facts.iter().filter(|fact| fact.at.digit.values > 1).map(told).collect()
     }
 
-    /// For each object its class, its name, and the value of each attribute.
+    /// The class, the name and the values of each object.
     pub fn rows(&self) -> Vec<(usize, &str, Vec<&str>)> {
         let row = |(id, object): (goodbot::oomdp::ObjectId, &goodbot::oomdp::Object)| {
             let values = (0..self.schema.attributes.len()).map(|attribute| self.objects.value(id, attribute)).collect();

@@ -1,4 +1,4 @@
-//! A robot, what is kept of it, and the tour: what one visit is about, whether it is seen on a screen or told in lines.
+//! One visit to a robot, on a screen or in lines: the robot, its files and the tour.
 
 use super::full_words::FullWords;
 use super::kept::{Kept, Past};
@@ -11,35 +11,35 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::live::Lesson;
 
-/// A robot, what is kept of it, and the tour.
+/// The robot, its files and the tour.
 pub struct Classroom {
     /// The robot in its home.
     pub pupil: Pupil,
     /// The tour, if it is one.
     pub tour: Option<Tour>,
-    /// The words that were said.
+    /// The full forms of the words in commands.
     pub words: FullWords,
-    /// What it is to understand in the end; where nothing is given, what was said so far.
+    /// The commands that the robot is to understand; if empty, the commands so far count.
     pub wanted: Vec<String>,
-    /// The commands that were said, each once.
+    /// The commands so far, each once.
     said: Vec<String>,
-    /// What was said last, as a command.
+    /// The last command.
     last: Option<String>,
     kept: Option<Kept>,
-    /// What the robot knew before each session of a visit, if nothing is kept.
+    /// The model before each session of this visit, if the robot has no files.
     before: Vec<Vec<u8>>,
     learning: Option<(Recorded, Vec<u8>)>,
-    /// The names of the sessions that were learned from in this visit.
+    /// The ids of the sessions of this visit that were learned from.
     learned: Vec<Option<String>>,
     sessions: usize,
 }
 
-/// What the robot takes the command of a test to mean.
+/// The result of a test.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tested {
     /// The likeliest task.
     pub heard: Meaning,
-    /// Whether that is what was meant.
+    /// Whether it is the intended task.
     pub right: bool,
 }
 
@@ -50,7 +50,7 @@ fn add_once(said: &mut Vec<String>, command: &str) {
 }
 
 impl Classroom {
-    /// A robot as its files have it. With a tour, it is in the tour's home.
+    /// Opens a robot with its files. With a tour, it is in the tour's home.
     pub fn new(mut pupil: Pupil, kept: Option<(Kept, Past)>, tour: Option<Tour>) -> Result<Self, Failure> {
         let mut words = FullWords::new(pupil.word_letters());
         let (mut sessions, mut said) = (0, Vec::new());
@@ -78,12 +78,12 @@ impl Classroom {
         self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.pupil.enter(&home))
     }
 
-    /// Where the robot is kept.
+    /// The robot's files.
     pub fn kept(&self) -> Option<&Kept> {
         self.kept.as_ref()
     }
 
-    /// Says a command. In the tour everything is put back before, and what is meant is known.
+    /// Gives a command. In the tour, everything is first put back, and the intended task is known.
     pub fn say(&mut self, command: &str) -> Result<Heard, Failure> {
         self.forget()?;
         let stop = self.tour.as_ref().and_then(Tour::stop);
@@ -101,7 +101,7 @@ impl Classroom {
         Ok(heard)
     }
 
-    /// Notes what the trainer means by the command under way: a task as logs write it or in words, or else the likeliest. The log tells it;
+    /// Records the intended task of the command under way: a task as in logs or in words, or the likeliest one. It goes to the log only;
     /// nothing is learned from it.
     pub fn mean(&mut self, task: Option<&str>) -> Result<Meaning, Failure> {
         if self.tour.as_ref().and_then(Tour::stop).is_some() {
@@ -122,22 +122,22 @@ impl Classroom {
         Ok(meant)
     }
 
-    /// Hears the rest of the utterance, once a part is over and learned from; `None` if there is no rest.
+    /// Hears the rest of the utterance after a session was learned from; `None` if there is no rest.
     pub fn hear_rest(&mut self) -> Result<Option<Heard>, Failure> {
         self.pupil.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }
 
-    /// What was said last, as a command.
+    /// The last command.
     pub fn last(&self) -> Option<&str> {
         self.last.as_deref()
     }
 
-    /// What to teach next.
+    /// The next lesson to teach.
     pub fn next_lesson(&self) -> Result<Next, Failure> {
         propose(&self.pupil, if self.wanted.is_empty() { &self.said } else { &self.wanted })
     }
 
-    /// The result of a test whose command has just been heard.
+    /// The result of the test whose command was heard last.
     pub fn tested(&self) -> Option<Tested> {
         self.tour.as_ref().and_then(Tour::stop).filter(|stop| stop.test)?;
         let heard = self.pupil.meanings().into_iter().next()?;
@@ -145,7 +145,7 @@ impl Classroom {
         Some(Tested { heard, right })
     }
 
-    /// A test is over: on to the next.
+    /// Ends a test, and goes to the next.
     pub fn pass_test(&mut self, right: bool) -> Result<(), Failure> {
         self.pupil.forget();
         if let Some(tour) = &mut self.tour {
@@ -154,7 +154,7 @@ impl Classroom {
         self.enter_tour()
     }
 
-    /// Ends the session and begins to learn from it: [`learn`](Self::learn) until that is done. Gives how many older sessions gave way
+    /// Ends the session and begins to learn from it. Call [`learn`](Self::learn) until it is done. Returns how many older sessions gave way
     /// because memory was full.
     pub fn finish(&mut self) -> Result<usize, Failure> {
         let before = self.pupil.save()?;
@@ -163,7 +163,7 @@ impl Classroom {
         Ok(finished.gave_way.count())
     }
 
-    /// Goes on learning. Gives whether it is done; what was learned is then kept, and the tour goes on.
+    /// Continues to learn. Returns `true` when learning is done. The model is then saved, and the tour continues.
     pub fn learn(&mut self, budget: u32) -> Result<bool, Failure> {
         if !self.pupil.learn(budget) {
             return Ok(false);
@@ -189,7 +189,7 @@ impl Classroom {
         kept.map(|()| true)
     }
 
-    /// Ends the session under way without learning from it; it is written to the log all the same. Gives whether there was one.
+    /// Ends the session under way without learning from it. The log still gets it. Returns whether there was one.
     pub fn forget(&mut self) -> Result<bool, Failure> {
         let under_way = self.pupil.lesson().is_under_way();
         let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
@@ -200,7 +200,7 @@ impl Classroom {
         Ok(under_way)
     }
 
-    /// The visit is over: what was being learned is learned to its end, and a session under way is written down.
+    /// Ends the visit: learning is completed, and a session under way goes to the log.
     pub fn leave(&mut self) -> Result<(), Failure> {
         let learned = loop {
             match self.learn(u32::MAX) {
@@ -209,18 +209,18 @@ impl Classroom {
             }
         };
         let forgotten = self.forget();
-        // What could not be written is tried once more: perhaps there is room again.
+        // A failed write is tried again: perhaps the disk has room now.
         let written = self.kept.as_mut().map_or(Ok(0), Kept::write_what_is_left);
         learned.and(forgotten)?;
         written.map(drop)
     }
 
-    /// Whether a session of this visit taught something that can be taken back.
+    /// Whether a session of this visit can be unlearned.
     pub fn has_taught(&self) -> bool {
         !self.learned.is_empty()
     }
 
-    /// Takes back what the last session of this visit taught. Gives `false` where there is none.
+    /// Unlearns the last session of this visit. Returns `false` if there is none.
     pub fn unlearn(&mut self) -> Result<bool, Failure> {
         self.forget()?;
         let before = match &mut self.kept {
@@ -240,7 +240,7 @@ impl Classroom {
         Ok(true)
     }
 
-    /// Begins another conversation, or goes on with one, by its name. A session under way ends unlearned.
+    /// Begins another conversation, or continues one by its name. A session under way ends unlearned.
     pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         self.forget()?;
         self.pupil.converse(id)

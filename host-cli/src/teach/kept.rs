@@ -1,7 +1,7 @@
-//! What is kept where: what the robot learned, as a model file, and the sessions, as a log.
+//! The files of a robot: its model, and its sessions as a log.
 //!
-//! Both are written as soon as a session is over, so that nothing is left to lose. The log is appended to, the model replaced as a whole. A
-//! file that is something else is never written to. While a robot is being taught its log is locked, so that two do not teach it at once.
+//! Both are written as soon as a session is over. The log is appended to; the model is replaced as a whole. A foreign file is never written
+//! to. While a robot is taught, its log is locked, so that two programs do not teach it at once.
 
 use super::site::{self, Recorded};
 use etcetera::BaseStrategy;
@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Where a robot's files are.
+/// The paths of a robot's files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Places {
     /// The model.
@@ -31,10 +31,10 @@ pub struct Places {
 }
 
 impl Places {
-    /// In the platform's folder for a program's data, by the robot's name.
+    /// The files of a named robot, in the platform's folder for a program's data.
     ///
     /// # Errors
-    /// A [`Failure`] where the platform has no such folder, or the name cannot be a file's.
+    /// A [`Failure`] if the platform has no such folder, or the name cannot be a file's.
     pub fn of_robot(name: &str) -> Result<Self, Failure> {
         let plain = |letter: char| letter.is_alphanumeric() || matches!(letter, '-' | '_');
         if name.is_empty() || name.len() > 64 || !name.chars().all(plain) {
@@ -46,30 +46,30 @@ impl Places {
         Ok(Self { model: folder.join(format!("{name}.goodbot")), log: folder.join(format!("{name}.jsonl")) })
     }
 
-    /// Where robots are kept by name.
+    /// The folder of robots that are kept by name.
     ///
     /// # Errors
-    /// A [`Failure`] where the platform has no such folder.
+    /// A [`Failure`] if the platform has no such folder.
     pub fn folder() -> Result<PathBuf, Failure> {
         let folders = etcetera::base_strategy::choose_native_strategy()
             .map_err(|_| Failure::Input("there is no home folder to keep the robot in; name a file with --model".to_owned()))?;
         Ok(folders.data_dir().join("goodbot"))
     }
 
-    /// A model file, and its log beside it unless that is named too.
+    /// A model file, with the log beside it unless another is named.
     pub fn beside(model: &Path, log: Option<&Path>) -> Self {
         Self { model: model.to_owned(), log: log.map_or_else(|| model.with_extension("jsonl"), Path::to_owned) }
     }
 }
 
-/// What a robot's files held when they were opened.
+/// The contents of a robot's files when they were opened.
 #[derive(Debug, Default)]
 pub struct Past {
     /// The model; `None` for a robot that has learned nothing.
     pub model: Option<Vec<u8>>,
     /// The commands of the log.
     pub commands: Vec<String>,
-    /// The names of the sessions that were learned from.
+    /// The ids of the sessions that were learned from.
     pub learned: Vec<String>,
     /// How many sessions the log has.
     pub sessions: usize,
@@ -86,14 +86,14 @@ impl Past {
     }
 }
 
-/// A session that was written, and can be taken out again.
+/// A session in the log that can be taken out again.
 #[derive(Debug)]
 struct Written {
     start: u64,
     text: String,
-    /// What the text begins with before the session.
+    /// The part of the text before the session.
     introduction: Option<String>,
-    /// The model of before.
+    /// The model before the session.
     model: Option<Vec<u8>>,
 }
 
@@ -102,17 +102,17 @@ struct Written {
 pub struct Kept {
     places: Places,
     log: File,
-    /// The model as the file has it.
+    /// The model in the file.
     model: Option<Vec<u8>>,
     written: Vec<Written>,
-    /// Sessions that the log had no room for, and the model that its file had none for.
+    /// Sessions that are still to be written to the log, because a write failed; and the model likewise.
     unwritten: String,
     newest: Option<Vec<u8>>,
-    /// What the log lacks before its next session: the end of its last line, the line of the world.
+    /// Text that the log needs before its next session: the end of its last line, the line of the world.
     introduction: Option<String>,
 }
 
-/// An empty log is removed.
+/// Removes the log if it is empty.
 impl Drop for Kept {
     fn drop(&mut self) {
         if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
@@ -125,7 +125,7 @@ fn cannot(path: &Path, what: &str, error: impl std::fmt::Display) -> Failure {
     Failure::Input(format!("{}: cannot be {what} ({error}); name other files with --model and --log", path.display()))
 }
 
-/// The log, to append to, and nobody else's while it is open.
+/// Opens the log for appending, and locks it.
 fn open_log(path: &Path) -> Result<File, Failure> {
     let log = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(|error| cannot(path, "written to", error))?;
     match log.try_lock() {
@@ -133,12 +133,12 @@ fn open_log(path: &Path) -> Result<File, Failure> {
             "{}: this robot is being taught in another window; leave that one first, or teach another robot with --robot NAME",
             path.display()
         ))),
-        // Some file systems cannot lock; then nobody is kept out.
+        // Some file systems cannot lock. Other programs are not kept out there.
         Ok(()) | Err(TryLockError::Error(_)) => Ok(log),
     }
 }
 
-/// The end of a log's last line, where it has none: another program may have left it so.
+/// The line end that a log lacks if another program left its last line incomplete.
 fn missing_line_end(mut log: &File) -> std::io::Result<&'static str> {
     let mut last = *b"\n";
     if log.seek(SeekFrom::End(0))? > 0 {
@@ -150,17 +150,18 @@ fn missing_line_end(mut log: &File) -> std::io::Result<&'static str> {
 }
 
 impl Kept {
-    /// Opens a robot's files; the log is made where it is missing. `world` is the world from a file in which it is taught, where that is no home.
+    /// Opens a robot's files, and creates the log if it is missing. `world` is the world from a file in which the robot is taught; `None`
+    /// in a home.
     ///
     /// # Errors
-    /// A [`Failure`] where one of them is something else, or cannot be written to.
+    /// A [`Failure`] if one of the files is foreign, or cannot be written to.
     pub fn open(places: Places, world: Option<&Arc<WorldFile>>) -> Result<(Self, Past), Failure> {
         let mut past = Past::default();
         if places.model.exists() {
             past.model = Some(read_model(&places.model)?);
         }
         let log = open_log(&places.log)?;
-        // Nobody else writes these files now.
+        // The lock ensures that nobody else writes these files now.
         let torn = [&places.model, &places.log].map(|path| remove_torn(path, Duration::ZERO)).iter().sum();
         if torn > 0 {
             say!("{}: the program was stopped while it wrote; {} removed", places.model.display(), counted(torn, "unfinished file"));
@@ -175,7 +176,7 @@ impl Kept {
             introduction: None,
         };
         let name = kept.places.log.display().to_string();
-        // Both are there now, whatever they are called.
+        // Both files exist now, so this finds two names of one file.
         if are_one(&kept.places.model, &kept.places.log) {
             return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
         }
@@ -204,20 +205,20 @@ impl Kept {
         Ok((kept, past))
     }
 
-    /// Where the files are.
+    /// The paths of the files.
     pub fn places(&self) -> &Places {
         &self.places
     }
 
-    /// How many sessions the model's file has.
+    /// The number of sessions in the model's file.
     pub fn sessions(&self) -> usize {
         self.model.as_deref().and_then(|model| Contents::read(model).ok()).map_or(0, |contents| contents.sessions.len())
     }
 
-    /// Writes a session to the log and, where it was learned from, what the robot knows now.
+    /// Writes a session to the log, and the new model if it was learned from.
     ///
     /// # Errors
-    /// A [`Failure`] that names the file. What was not written is tried again with the next session, and by
+    /// A [`Failure`] that names the file. A failed write is tried again with the next session, and by
     /// [`write_what_is_left`](Self::write_what_is_left).
     pub fn keep(&mut self, session: &Recorded, model: Option<Vec<u8>>) -> Result<(), Failure> {
         let lines = site::lines(session).map_err(|error| cannot(&self.places.log, "written to", error))?;
@@ -225,7 +226,7 @@ impl Kept {
         let text = format!("{}{}\n", introduction.as_deref().unwrap_or_default(), lines.join("\n"));
         let was_behind = self.is_behind();
         if was_behind {
-            // What is written now is more than one session: it cannot be taken back one by one.
+            // This write covers several sessions, so they cannot be taken back one by one.
             self.written.clear();
         }
         self.unwritten.push_str(&text);
@@ -239,12 +240,12 @@ impl Kept {
         Ok(())
     }
 
-    /// Whether something could not be written yet.
+    /// Whether a write failed and is still to be repeated.
     const fn is_behind(&self) -> bool {
         !self.unwritten.is_empty() || self.newest.is_some()
     }
 
-    /// Writes what could not be written before. Gives where the log ends.
+    /// Repeats failed writes. Returns the length of the log.
     ///
     /// # Errors
     /// A [`Failure`] that names the file.
@@ -254,7 +255,7 @@ impl Kept {
         if !self.unwritten.is_empty() {
             let appended = self.log.write_all(self.unwritten.as_bytes()).and_then(|()| self.log.sync_data());
             appended.map_err(|error| {
-                // Half a session would make the log unreadable.
+                // A partial session would make the log unreadable, so it is cut off.
                 let _ = self.log.set_len(start);
                 cannot(log_path, "written to", error)
             })?;
@@ -268,11 +269,11 @@ impl Kept {
         Ok(end)
     }
 
-    /// Takes the last session that was learned from, since the files were opened, out of both files. Gives the model of before, `None`
-    /// inside for a robot that had learned nothing; `None` outside where there is nothing to take back.
+    /// Takes the last session that was learned from, since the files were opened, out of both files. Returns the model before it:
+    /// `Some(None)` if the robot had not learned anything before, and `None` if there is nothing to take back.
     ///
     /// # Errors
-    /// A [`Failure`] that names the file; what was written then stays.
+    /// A [`Failure`] that names the file. A file that was written before the error stays written.
     pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
         let Places { model: model_path, log: log_path } = &self.places;
         if self.is_behind() {
@@ -368,7 +369,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
-        // A folder in the place of the model cannot be written over.
+        // A folder in place of the model cannot be overwritten.
         std::fs::remove_file(&kept.places.model).unwrap();
         std::fs::create_dir_all(kept.places.model.join("full")).unwrap();
         assert!(kept.keep(&session(), Some(b"second".to_vec())).is_err());

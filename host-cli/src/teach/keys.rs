@@ -1,37 +1,37 @@
-//! What a key means.
+//! The meaning of keys.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-/// Where keys go.
+/// The part of the screen that gets the keys.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Focus {
-    /// Letters make up a command.
+    /// Letters are written into a command.
     #[default]
     Command,
-    /// Letters are keys.
+    /// Letters are keys with a meaning.
     Keys,
-    /// A page lies over everything.
+    /// A page covers the screen.
     Page,
 }
 
-/// What the person wants.
+/// The intents of the trainer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Intent {
     /// Leave the program.
     Leave,
-    /// Stop the program for a while, as ctrl-Z does.
+    /// Suspend the program, as ctrl-Z does.
     Suspend,
     /// Draw everything anew.
     Redraw,
-    /// Write a letter.
+    /// Write this letter.
     Write(char),
-    /// Change or move in what is written.
+    /// Edit the command that is being written.
     Edit(Edit),
-    /// Say what is written.
+    /// Say the command that was written.
     Say,
-    /// Write a command.
+    /// Begin to write a command.
     ToCommand,
-    /// Use keys.
+    /// Stop writing; use keys.
     ToKeys,
     /// "Good bot."
     Good,
@@ -43,13 +43,13 @@ pub enum Intent {
     Yes,
     /// No, to a question.
     No,
-    /// This one, to a question, by number from 1 on.
+    /// This choice of a question, by number from 1 on.
     Choose(u8),
     /// Wait, or go on.
     Pause,
     /// One step.
     Step,
-    /// Note in the log that the likeliest guess is what is meant.
+    /// Record in the log that the likeliest guess is the intended task.
     Meant,
     /// End the session and learn from it.
     Finish,
@@ -61,21 +61,21 @@ pub enum Intent {
     Explain,
     /// Show the words.
     Words,
-    /// Another speed.
+    /// Change the speed.
     Pace,
     /// Let a simulated trainer judge.
     Auto,
-    /// What to teach next.
+    /// Propose the next lesson.
     NextLesson,
-    /// Another home.
+    /// Go to another home.
     AnotherHome,
     /// Put everything back.
     PutBack,
-    /// Move in a page by this many lines.
+    /// Scroll a page by this many lines.
     Scroll(i16),
 }
 
-/// A change of the text.
+/// An edit of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edit {
     /// Erase the letter before.
@@ -86,21 +86,21 @@ pub enum Edit {
     Word,
     /// Erase everything.
     All,
-    /// Move one letter.
+    /// Move one letter to the left.
     Left,
-    /// Move one letter.
+    /// Move one letter to the right.
     Right,
     /// Move to the beginning.
     Home,
     /// Move to the end.
     End,
-    /// The command said before.
+    /// Recall the command before.
     Older,
-    /// The command said after.
+    /// Recall the command after.
     Newer,
 }
 
-/// What a key means. `empty` tells whether no command is written.
+/// The meaning of a key. `empty` says that no text is written.
 pub fn intent(key: KeyEvent, focus: Focus, empty: bool) -> Option<Intent> {
     if key.kind == KeyEventKind::Release {
         return None;
@@ -201,7 +201,7 @@ mod tests {
         assert_eq!(pressed(KeyCode::Char('g'), Focus::Keys, true), Some(Intent::Good));
         assert_eq!(pressed(KeyCode::Right, Focus::Command, true), Some(Intent::Edit(Edit::Right)));
         assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
-        // No word has a question mark, and in the tour a command is there already.
+        // No word has a question mark, and in the tour a command is written already.
         assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Explain));
     }
 

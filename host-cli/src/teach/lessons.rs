@@ -1,4 +1,4 @@
-//! The tour: the paper's seven lessons and five tests, one after the other; and homes to teach in.
+//! The tour: the paper's seven lessons and five tests in order; and homes to teach in.
 
 use super::scene::scene;
 use goodbot_course::{Exercise, HomeName, Homes, LESSONS, Layout, TESTS, generator};
@@ -6,7 +6,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home as homes;
 use rand_core::Rng;
 
-/// What to look out for in each lesson.
+/// A hint for each lesson.
 const HINTS: [&str; LESSONS.len()] = [
     "It knows no word yet, so it just tries something. Say good when it goes the right way, bad when it does not.",
     "Another room of the same house. Does it already know what \"go to the\" means?",
@@ -18,15 +18,15 @@ const HINTS: [&str; LESSONS.len()] = [
 ];
 const TEST_HINT: &str = "A test: it has never heard this command, and hears no good and no bad now. Does it understand?";
 
-/// The beginning of a lesson's name in logs: `lesson-3`.
+/// The beginning of a lesson's id in logs: `lesson-3`.
 const LESSON_ID: &str = "lesson-";
 
 /// A lesson or a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
-    /// Which lesson or which test, from 1.
+    /// The number of the lesson or test, from 1.
     pub number: usize,
-    /// How many of its kind there are.
+    /// How many lessons or tests there are.
     pub of: usize,
     /// Whether it is a test.
     pub test: bool,
@@ -35,7 +35,7 @@ pub struct Stop {
 }
 
 impl Stop {
-    /// What to look out for.
+    /// The hint for the trainer.
     pub fn hint(&self) -> &'static str {
         if self.test { TEST_HINT } else { HINTS.get(self.number - 1).copied().unwrap_or("") }
     }
@@ -45,13 +45,13 @@ impl Stop {
         format!("{} {} of {}", if self.test { "Test" } else { "Lesson" }, self.number, self.of)
     }
 
-    /// A lesson's name in logs.
+    /// A lesson's id in logs.
     pub fn id(&self) -> Option<String> {
         (!self.test).then(|| format!("{LESSON_ID}{}", self.number))
     }
 }
 
-/// Whether a session of this name was a lesson of the tour.
+/// Whether a session with this id was a lesson of the tour.
 pub fn is_lesson(id: &str) -> bool {
     id.starts_with(LESSON_ID)
 }
@@ -65,7 +65,7 @@ pub struct Tour {
 }
 
 impl Tour {
-    /// The tour in the homes as drawn, or in homes at random; it goes on after the lessons of these names.
+    /// The tour in the drawn homes, or in random homes. It continues after the lessons with these ids.
     pub fn new<'a>(seed: Option<u64>, learned: impl Iterator<Item = &'a str>) -> Self {
         let homes = seed.map_or(Homes::FIXED, random_homes);
         let number = |id: &str| id.strip_prefix(LESSON_ID)?.parse::<usize>().ok();
@@ -87,7 +87,7 @@ impl Tour {
         environment(self.homes.layout(self.stop().map_or(HomeName::Test, |stop| stop.exercise.home)))
     }
 
-    /// Goes on, after a lesson or after a test that was understood or not.
+    /// Goes to the next lesson or test. `right` says whether a test was understood.
     pub fn pass(&mut self, right: bool) {
         if self.stop().is_some_and(|stop| stop.test) {
             self.right.push(right);
@@ -116,22 +116,22 @@ fn environment(layout: &Layout) -> Option<EnvironmentFile> {
     Some(scene(&home, &state).environment)
 }
 
-/// All that can be taught in the tour's homes as drawn, the simplest home first: the home, and the command.
+/// Everything that can be taught in the tour's drawn homes, the simplest home first: the home and the command.
 pub fn course_lessons() -> impl Iterator<Item = (HomeName, String)> {
     Homes::FIXED.teachable().map(|(home, meant)| (home, meant.to_string()))
 }
 
-/// A home of the tour as drawn.
+/// A drawn home of the tour.
 pub fn home_named(name: HomeName) -> Option<EnvironmentFile> {
     environment(Homes::FIXED.layout(name))
 }
 
-/// The home to begin with where none is named: four rooms, a chair and a bag.
+/// The default home: four rooms, a chair and a bag.
 pub fn first_home() -> Option<EnvironmentFile> {
     environment(&Homes::FIXED.test)
 }
 
-/// A home at random, with something to push.
+/// A random home with something to push.
 pub fn random_home(seed: u64) -> Option<EnvironmentFile> {
     let homes = random_homes(seed);
     let [_, _, _, with_blocks @ ..] = &homes.lessons;

@@ -1,9 +1,9 @@
 //! `goodbot teach`: train the robot, on a screen or in lines.
 //!
-//! - [`pupil`]: one robot, its home and the session under way; all that is asked of the core, in its [`site`], seen as a [`scene`] or a [`table`];
-//! - [`kept`]: what is kept where; [`lessons`]: the tour; [`next_lesson`]: what to teach next; [`classroom`]: these together;
+//! - [`pupil`]: a robot in its [`site`], and the session under way: all calls to the core. A [`scene`] or a [`table`] shows the site;
+//! - [`kept`]: the robot's files; [`lessons`]: the tour; [`next_lesson`]: the next lesson to teach; [`classroom`]: all of these together;
 //! - [`protocol`]: lines in, JSON out;
-//! - [`visit`]: what keys do and what happens by itself; [`keys`], [`prompt`], [`pace`]; drawn by [`screen`] in the colours of [`palette`],
+//! - [`visit`]: the effects of keys and of time, with [`keys`], [`prompt`] and [`pace`]. [`screen`] draws it in the colours of [`palette`],
 //!   on a [`terminal`] or as a [`picture`].
 
 mod classroom;
@@ -56,7 +56,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use visit::{Phase, Visit};
 
-/// The robot's name where none is given, and that of the tour.
+/// The default names of the robot, and of the tour's robot.
 const ROBOT: &str = "robot";
 const TOUR_ROBOT: &str = "tour";
 
@@ -76,7 +76,7 @@ Examples:
   goodbot teach lift.json              any robot, in a world from a file (goodbot example world prints one)
   goodbot teach --random --seed 7      a home at random
   goodbot teach --starter en           a robot that knows everyday English
-  goodbot teach --wanted commands.txt  what it is to understand in the end; tab proposes the next lesson
+  goodbot teach --wanted commands.txt  the commands that it is to understand; tab proposes the next lesson
   printf 'command go to the red room\\nstep\\ngood\\nfinish\\n' | goodbot teach --seed 1")]
 pub struct TeachOptions {
     /// A home: an environment (JSON), or a drawing; or a world with a robot (JSON) [default: four rooms, a chair and a bag]
@@ -155,11 +155,11 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     let palette = if is_colored() { Palette::of(|name| std::env::var(name).ok()) } else { Palette::None };
     let mut visit = Visit::new(classroom, pace, seed);
     let shown = terminal::show(&mut visit, palette);
-    // What was being learned is learned to its end, and a session under way is written down.
+    // Learning is completed, and a session under way goes to the log.
     let written = visit.classroom.leave();
     let learned = visit.classroom.pupil.lessons_learned();
     if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
-        // Where the window was closed nobody reads this.
+        // If the window was closed, nobody reads this.
         let all = counted(learned, "session");
         let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
         let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
@@ -195,7 +195,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     }
 }
 
-/// The robot with its files, in its home.
+/// Opens the robot with its files, in its home.
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let home = setting(options)?;
     let world = if let Setting::Other(world) = &home { Some(world) } else { None };
@@ -231,16 +231,16 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     Ok(classroom)
 }
 
-/// Where the robot's files are; `None` for one that is not kept.
+/// The paths of the robot's files; `None` for a robot that is not kept.
 fn places(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -> Result<Option<Places>, Failure> {
     Ok(match (&options.model, &options.robot) {
         (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
         (None, Some(robot)) => Some(Places::of_robot(robot)?),
         (None, None) if lines => None,
         (None, None) => Some(match world {
-            // A robot knows the tasks of one world.
+            // A robot keeps the tasks of one world, so each world has its own robot.
             Some(world) => Places::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
-                let message = format!("the world {:?} has a name that is none for a file; name the robot with --robot", world.name);
+                let message = format!("the world {:?} has a name that no file can have; name the robot with --robot", world.name);
                 Failure::Input(message)
             })?,
             None => Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
@@ -248,7 +248,7 @@ fn places(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -
     })
 }
 
-/// The robot with the kinds of task that its file keeps.
+/// The robot, with the kinds of task that its file keeps.
 fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, model: &Path) -> Result<Pupil, Failure> {
     let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(pupil) };
     let asked = options.routes.then(|| pupil.lesson().agent.lifted().to_vec());
@@ -256,7 +256,7 @@ fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, model: &Path) -> Result<P
     pupil.with_kinds(&kinds)
 }
 
-/// What is expected of the trainer. There is no log whose sessions could say so.
+/// Parses the expected trainer. Without a log, `logged` is impossible.
 fn of_trainer(text: &str) -> Result<Believes, String> {
     match text.parse()? {
         Believes::Logged => Err("there is no log to take strategies from; give population, paper or probabilities".to_owned()),
@@ -285,7 +285,7 @@ fn first_home() -> Result<EnvironmentFile, Failure> {
     lessons::first_home().ok_or_else(no_home)
 }
 
-/// The home, or the other world.
+/// The home, or the world.
 fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     let Some(file) = &options.home else {
         let home = if options.random { lessons::random_home(options.seed.unwrap_or(1)).ok_or_else(no_home) } else { first_home() };
@@ -296,7 +296,7 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
     }
     match input::world(file)? {
         Some(read) => {
-            // What is wrong with the robot is told in its place.
+            // A fault of the robot is reported in the world's file.
             let robot = Tables::of(Arc::new(read.world.clone())).and_then(|tables| tables.lend(|robot| robot::tasks(&read.world, robot)));
             robot.map_err(|flaw| read.fault(&flaw.field, &flaw.message))?;
             Ok(Setting::Other(Arc::new(read.world)))

@@ -1,4 +1,4 @@
-//! What to teach next, and why.
+//! Proposes the next lesson, with the reason.
 
 use super::lessons::{course_lessons, home_named};
 use super::pupil::Pupil;
@@ -6,14 +6,14 @@ use goodbot_console::outcome::Failure;
 use goodbot_course::next_lesson::next_lesson;
 use goodbot_formats::environment::EnvironmentFile;
 
-/// A lesson that is proposed.
+/// A proposed lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
-    /// What to say.
+    /// The command.
     pub command: String,
-    /// Where; `None` where the robot is now.
+    /// The home; `None` for the present one.
     pub home: Option<EnvironmentFile>,
-    /// The word that it teaches most of.
+    /// The word that it mainly teaches.
     pub word: String,
     /// How many of the wanted commands have that word.
     pub needed: u32,
@@ -22,7 +22,7 @@ pub struct Proposal {
 }
 
 impl Proposal {
-    /// Why.
+    /// The reason, in words.
     pub fn reason(&self) -> String {
         let Self { word, needed, heard, .. } = self;
         let heard = match heard {
@@ -34,23 +34,24 @@ impl Proposal {
     }
 }
 
-/// The result of looking for a lesson.
+/// The result of the search for a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Next {
-    /// This one.
+    /// The proposal.
     Lesson(Proposal),
-    /// Every wanted word was heard often.
+    /// Every word of the wanted commands was heard often.
     LittleLeft,
-    /// Nothing is wanted yet.
+    /// There are no wanted commands yet.
     NothingWanted,
 }
 
-/// The lesson that teaches most of what is wanted, of all that can be taught in the course's homes, and of the wanted commands themselves.
+/// The lesson that teaches most of the wanted words. It is chosen from all lessons in the course's homes and from the wanted commands
+/// themselves.
 pub fn propose(pupil: &Pupil, wanted: &[String]) -> Result<Next, Failure> {
     if wanted.is_empty() {
         return Ok(Next::NothingWanted);
     }
-    // The course's lessons are of homes.
+    // The course's lessons are for homes only.
     let is_home = pupil.lesson().home().as_floor().is_some();
     let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();

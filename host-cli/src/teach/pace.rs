@@ -1,4 +1,4 @@
-//! How long the robot waits for a word after each step.
+//! How long the robot waits for feedback after each step.
 
 use clap::ValueEnum;
 use std::time::Duration;
@@ -34,7 +34,7 @@ impl Pace {
         }
     }
 
-    /// How long to wait after a step of this confidence; `None` for as long as it takes.
+    /// The wait after a step with this confidence; `None` for no limit.
     pub fn wait(self, confidence: f32) -> Option<Duration> {
         let milliseconds = match self {
             Self::Step => return None,
@@ -47,7 +47,7 @@ impl Pace {
         Some(Duration::from_millis(milliseconds))
     }
 
-    /// The next one, round and round.
+    /// The next pace; the first one follows the last.
     #[must_use]
     pub fn next(self) -> Self {
         let all = Self::value_variants();

@@ -1,15 +1,15 @@
-//! Colours. Nothing is told by a colour alone: each comes with a letter or a word.
+//! Colours. No meaning is shown by a colour alone: a letter or a word repeats it.
 
 use ratatui::style::{Color, Modifier, Style};
 
-/// How many colours the terminal has.
+/// The number of colours in the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Palette {
-    /// None: they are not wanted, or the terminal knows none.
+    /// No colours: they are unwanted, or the terminal has none.
     None,
-    /// The sixteen that every terminal has.
+    /// The sixteen colours of every terminal.
     Sixteen,
-    /// 256.
+    /// 256 colours.
     Many,
 }
 
@@ -27,7 +27,7 @@ const SHADES: [(&str, u8, u8, Color); 9] = [
 ];
 
 impl Palette {
-    /// The terminal's, by what the environment says of it, where colours are wanted.
+    /// The terminal's palette, by its environment variables.
     pub fn of(variable: impl Fn(&str) -> Option<String>) -> Self {
         let term = variable("TERM").unwrap_or_default();
         match () {
@@ -75,7 +75,7 @@ impl Palette {
         self.ink(Color::Indexed(244), Color::Gray)
     }
 
-    /// What is beside the point.
+    /// Text of little importance.
     pub fn quiet(self) -> Style {
         match self {
             Self::Many => Style::new().fg(Color::Indexed(246)),
@@ -84,22 +84,22 @@ impl Palette {
         }
     }
 
-    /// What to look at first.
+    /// Text to look at first.
     pub fn strong(self) -> Style {
         self.ink(Color::Indexed(222), Color::Yellow).add_modifier(Modifier::BOLD)
     }
 
-    /// What spoke for something, or a good word.
+    /// Support, and praise.
     pub fn good(self) -> Style {
         self.ink(Color::Indexed(114), Color::Green)
     }
 
-    /// What spoke against something, or a bad word.
+    /// Counter-evidence, and blame.
     pub fn bad(self) -> Style {
         self.ink(Color::Indexed(210), Color::Red)
     }
 
-    /// The line above everything.
+    /// The title line.
     pub fn title(self) -> Style {
         match self {
             Self::Many => Style::new().bg(Color::Indexed(237)).fg(Color::Indexed(255)),

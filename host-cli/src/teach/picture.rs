@@ -1,4 +1,4 @@
-//! A picture of the screen, as SVG: for the README, and for those who want to show theirs.
+//! A picture of the screen as SVG, for the README and for users.
 
 use super::palette::Palette;
 use super::screen;
@@ -9,7 +9,7 @@ use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 use std::fmt::Write;
 
-/// A column and a row, in units of the picture.
+/// The width of a column and the height of a row, in units of the picture.
 const CELL: (usize, usize) = (9, 18);
 const MARGIN: usize = 12;
 const PAPER: &str = "#16161c";
@@ -73,7 +73,7 @@ fn draw(svg: &mut String, column: usize, row: usize, look: &Look, text: &str) {
     let mut word = String::new();
     for (at, letter) in text.chars().chain([' ']).enumerate() {
         let left = x + at * CELL.0;
-        // Blocks as areas and lines as lines: letters would leave gaps between them.
+        // Blocks are drawn as areas and lines as lines, because letters would leave gaps.
         let eighths = ['▏', '▎', '▍', '▌', '▋', '▊', '▉', '█'].iter().position(|block| *block == letter);
         if let Some(eighths) = eighths {
             let width = (CELL.0 * (eighths + 1)) as f32 / 8.0 + 0.3;
@@ -87,7 +87,7 @@ fn draw(svg: &mut String, column: usize, row: usize, look: &Look, text: &str) {
             word.push(letter);
             continue;
         }
-        // Each word at its own place: not every program that shows pictures keeps blanks.
+        // Each word has its own position, because some viewers drop blanks.
         let length = word.chars().count();
         if length > 0 {
             let _ = writeln!(

@@ -1,12 +1,12 @@
-//! Tasks, objects and ideas as a person calls them.
+//! Tasks, objects and machine tokens in everyday words.
 
 use super::site::Site;
 use goodbot::oomdp::{Domain, GroundProposition, ObjectId, World};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot_lesson::name::{in_words, object_in_words, way_in_words};
 
-/// A task as a person says it: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`. In a world from a
-/// file it is told by the names there: `lamp on: red kitchen lamp`.
+/// A task in everyday words: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`. In a world
+/// from a file, the names of the file are used: `lamp on: red kitchen lamp`.
 pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> String {
     match site {
         Site::Floor(home) => in_words(home, lifted, task),
@@ -23,7 +23,7 @@ pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> Stri
     }
 }
 
-/// An object as a person calls it.
+/// An object in everyday words.
 pub fn object_words(site: &Site, id: ObjectId) -> String {
     match site {
         Site::Floor(home) => object_in_words(home, id),
@@ -31,8 +31,8 @@ pub fn object_words(site: &Site, id: ObjectId) -> String {
     }
 }
 
-/// An object of any world by its values and its class, `red kitchen lamp`; where another is alike, by its name too, and by its name alone where
-/// it has no values.
+/// An object of any world by its values and its class, `red kitchen lamp`. If another looks alike, its name follows. An object without
+/// values has its name alone.
 pub fn looks<D: Domain>(domain: &D, id: ObjectId) -> String {
     let World { schema, objects } = domain.world();
     let values = |id: ObjectId| (0..schema.attributes.len()).map(move |at| objects.value(id, at)).filter(|value| !value.is_empty());
@@ -43,7 +43,7 @@ pub fn looks<D: Domain>(domain: &D, id: ObjectId) -> String {
     if alike > 1 { format!("{told} ({})", objects.name(id)) } else { told }
 }
 
-/// A machine token in plain words: `roomIsGreen` is `room is green`, and a kind of task is what a person would ask for.
+/// A machine token in plain words: `roomIsGreen` is `room is green`. A kind of task is worded as a request.
 pub fn token_words(token: &str) -> String {
     match token {
         "agentInRoom" => "go to a room".to_owned(),
@@ -52,7 +52,7 @@ pub fn token_words(token: &str) -> String {
     }
 }
 
-/// A name of a file in words: `lampOn` is `lamp on`.
+/// A name from a file in words: `lampOn` is `lamp on`.
 pub fn in_plain_words(name: &str) -> String {
     let mut words = String::new();
     for letter in name.chars() {
@@ -64,7 +64,7 @@ pub fn in_plain_words(name: &str) -> String {
     words
 }
 
-/// What the robot did: `went north`.
+/// An action in the past tense: `went north`.
 pub fn action_words(action: &str) -> String {
     match action {
         "noop" => "stayed where it is".to_owned(),
@@ -73,7 +73,7 @@ pub fn action_words(action: &str) -> String {
     }
 }
 
-/// A probability as a person reads it: never 0 % or 100 % where it is neither.
+/// A probability in percent. It is 0 % or 100 % only if it is exactly that.
 pub fn percent(probability: f32) -> String {
     match probability * 100.0 {
         none if none <= 0.0 => "0 %".to_owned(),

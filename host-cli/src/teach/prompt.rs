@@ -2,36 +2,36 @@
 
 use super::keys::Edit;
 
-/// The longest command that can be written.
+/// The longest command, in letters.
 const MOST_LETTERS: usize = 400;
 
-/// The command that is being written, and those that were said before.
+/// The command that is being written, and the commands before it.
 #[derive(Clone, Debug, Default)]
 pub struct Prompt {
     letters: Vec<char>,
     cursor: usize,
     said: Vec<String>,
-    /// How far back in what was said.
+    /// How many commands back the recalled one is; 0 for none.
     back: usize,
 }
 
 impl Prompt {
-    /// What is written.
+    /// The text.
     pub fn text(&self) -> String {
         self.letters.iter().collect()
     }
 
-    /// What is written before the cursor.
+    /// The text before the cursor.
     pub fn before(&self) -> String {
         self.letters.iter().take(self.cursor).collect()
     }
 
-    /// Whether nothing is written.
+    /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
         self.letters.is_empty()
     }
 
-    /// Writes something else instead.
+    /// Replaces the text.
     pub fn set(&mut self, text: &str) {
         self.letters = text.chars().filter(|letter| !letter.is_control()).take(MOST_LETTERS).collect();
         self.cursor = self.letters.len();
@@ -46,7 +46,7 @@ impl Prompt {
         }
     }
 
-    /// What is written has been said.
+    /// Moves the text to the commands before.
     pub fn said(&mut self) {
         let text = self.text();
         if self.said.last() != Some(&text) {
@@ -55,7 +55,7 @@ impl Prompt {
         self.set("");
     }
 
-    /// Changes what is written, or moves in it.
+    /// Edits the text, or moves the cursor.
     pub fn edit(&mut self, edit: Edit) {
         match edit {
             Edit::Back if self.cursor > 0 => {

@@ -1,4 +1,4 @@
-//! The home as it is now, for those who look on.
+//! The home in its present state, to be shown.
 
 use goodbot::home::Map;
 use goodbot::home::{COLOR, Cell, Home, HomeState, ROOM};
@@ -20,10 +20,10 @@ pub enum Ground {
     Floor(String),
 }
 
-/// The home as it is now.
+/// The home in its present state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Its objects where they are now, in their order.
+    /// Its objects at their present places, in order.
     pub environment: EnvironmentFile,
     /// Its cells, row by row; the first row is the northernmost.
     pub ground: Vec<Vec<Ground>>,
@@ -63,7 +63,7 @@ impl Scene {
     }
 }
 
-/// The home as it is in a state.
+/// The home in a state.
 pub fn scene(home: &Home<impl HomeMemory>, state: &HomeState) -> Scene {
     let map = Map::new(home, state);
     let bounds = map.bounds();

@@ -1,4 +1,4 @@
-//! Where a robot is taught: a home (`Floor`), or another world from a file (`Other`).
+//! The place of a robot: a home (`Floor`), or another world from a file (`Other`).
 
 use goodbot::home::Home;
 use goodbot::memory::HomeHeap;
@@ -16,13 +16,13 @@ pub type Setting = Either<EnvironmentFile, Arc<WorldFile>>;
 /// The place.
 pub type Site = Either<Home<HomeHeap>, Robot<'static>>;
 
-/// Where everything is: in a world from a file, the number of its state.
+/// The state of the place; in a world from a file, a number.
 pub type SiteState = <Site as Domain>::State;
 
 /// A session as a log has it.
 pub type Recorded = Either<RecordedSession, SessionInWorld>;
 
-/// What was said and done.
+/// The session in a record.
 pub const fn session(recorded: &Recorded) -> &RecordedSession {
     match recorded {
         Recorded::Floor(session) => session,
@@ -30,7 +30,7 @@ pub const fn session(recorded: &Recorded) -> &RecordedSession {
     }
 }
 
-/// What was said and done, to be changed.
+/// The session in a record, to be changed.
 pub const fn session_mut(recorded: &mut Recorded) -> &mut RecordedSession {
     match recorded {
         Recorded::Floor(session) => session,
@@ -41,7 +41,7 @@ pub const fn session_mut(recorded: &mut Recorded) -> &mut RecordedSession {
 /// The lines of a log.
 ///
 /// # Errors
-/// What could not be read again.
+/// An error if the session could not be read again.
 pub fn lines(recorded: &Recorded) -> Result<Vec<String>, FormatError> {
     match recorded {
         Recorded::Floor(session) => session.to_lines(),

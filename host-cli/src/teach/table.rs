@@ -1,4 +1,4 @@
-//! A world from a file as it is now, for those who look on: its objects, and what holds of them.
+//! A world from a file in its present state, to be shown: its objects, and the facts about each.
 
 use super::plain_names::{in_plain_words, looks};
 use goodbot::oomdp::{Domain, ObjectId, World};
@@ -10,27 +10,27 @@ use goodbot_lesson::world::robot::Robot;
 pub struct Row {
     /// Its name in the file.
     pub name: String,
-    /// What can be said of it at any time: `red kitchen lamp`; empty where that is its name.
+    /// Its attributes and class, `red kitchen lamp`; empty if they are its name.
     pub looks: String,
-    /// What holds of it now, and the actions can change: `lift at floor: office floor`.
+    /// The present facts about it that actions can change: `lift at floor: office floor`.
     pub holds: Vec<String>,
 }
 
 /// A place that has coordinates.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Spot {
-    /// How far to the east, and to the north.
+    /// Its coordinates to the east and to the north.
     pub at: (i32, i32),
-    /// What it is called, without its coordinates.
+    /// Its attributes, without the coordinates.
     pub looks: String,
-    /// The names of the things there: a proposition about each holds, with this place as its last object.
+    /// The names of the things in it: a fact about each has this place as its last object.
     pub here: Vec<String>,
 }
 
 /// The attributes that are coordinates.
 const COORDINATES: [&str; 2] = ["x", "y"];
 
-/// The places of a world, where it has such.
+/// The places of a world that have coordinates.
 fn places(robot: &Robot<'_>, facts: &[GroundAtomText]) -> Vec<Spot> {
     let World { schema, objects } = robot.world();
     let [x, y] = COORDINATES.map(|name| schema.attributes.iter().position(|attribute| attribute.name == name));
@@ -49,14 +49,14 @@ fn places(robot: &Robot<'_>, facts: &[GroundAtomText]) -> Vec<Spot> {
     objects.iter().filter_map(|(id, _)| place(id)).collect()
 }
 
-/// A world as it is now.
+/// A world in its present state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Table {
     /// Its name.
     pub name: String,
-    /// What holds, as a log has it, and the actions can change.
+    /// The present facts that actions can change, as in a log.
     pub facts: Vec<GroundAtomText>,
-    /// Its places, where objects have coordinates: each with the values of its attributes `x` and `y`.
+    /// Its places: objects with whole numbers as attributes `x` and `y`.
     pub places: Vec<Spot>,
     /// Its objects, those with facts that can change first.
     pub rows: Vec<Row>,

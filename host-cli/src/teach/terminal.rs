@@ -1,4 +1,4 @@
-//! The terminal: taken over, and given back as it was, whatever happens.
+//! The terminal: taken over, and always given back as it was.
 
 #[cfg(all(test, unix))]
 #[path = "../../tests/behaviour/window/mod.rs"]
@@ -24,12 +24,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
-/// How long signals may wait at most.
+/// The longest wait before signals are handled.
 const SIGNALS_WAIT: Duration = Duration::from_millis(100);
 
-/// A terminal that was taken over; it is given back when this is dropped.
+/// A terminal that was taken over. Dropping this gives it back.
 struct Stage {
-    /// Not dropped: that would show the cursor once more, and panic where the window was closed.
+    /// Never dropped: that would show the cursor again, and would panic if the window was closed.
     terminal: ManuallyDrop<Terminal<CrosstermBackend<Stdout>>>,
 }
 
@@ -39,7 +39,7 @@ impl Stage {
         Ok(Self { terminal: ManuallyDrop::new(Terminal::new(CrosstermBackend::new(stdout()))?) })
     }
 
-    /// Draws everything anew the next time. To clear would ask the terminal where its cursor is, and not every terminal answers.
+    /// Draws everything anew the next time. Clearing would ask the terminal for its cursor's position, and not every terminal answers.
     fn redraw(&mut self) -> io::Result<()> {
         let size = self.terminal.size()?;
         self.terminal.resize(Rect::new(0, 0, size.width, size.height))
@@ -57,13 +57,13 @@ fn take_over() -> io::Result<()> {
     execute!(stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste)
 }
 
-/// What cannot be given back is gone.
+/// Errors are ignored: the terminal may be closed.
 fn give_back() {
     let _ = execute!(stdout(), DisableBracketedPaste, LeaveAlternateScreen, Show);
     let _ = disable_raw_mode();
 }
 
-/// A panic is told on the terminal as it was found. Where panics abort, nothing else gives it back.
+/// Gives the terminal back before a panic's message. If panics abort, nothing else does.
 fn give_back_in_a_panic() {
     let told = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
@@ -72,7 +72,7 @@ fn give_back_in_a_panic() {
     }));
 }
 
-/// What other programs and the system ask of this one. Only Unix does.
+/// The requests of other programs and of the system, by signals. Only Unix has them.
 #[derive(Default)]
 struct Signals {
     leave: Arc<AtomicBool>,
@@ -97,7 +97,7 @@ impl Signals {
         Ok(signals)
     }
 
-    /// Stops this program until it is told to go on.
+    /// Stops this program until it is continued.
     fn suspend(&self) -> io::Result<()> {
         #[cfg(unix)]
         signal_hook::low_level::emulate_default_handler(SIGTSTP)?;
@@ -106,7 +106,7 @@ impl Signals {
     }
 }
 
-/// Keys and changes of size, from a thread of their own: where the window was closed, reading may never come back.
+/// Keys and changes of size, from a thread of their own: if the window was closed, reading may never return.
 fn listen() -> Receiver<io::Result<Event>> {
     let (sender, receiver) = channel();
     std::thread::spawn(move || {
@@ -124,7 +124,7 @@ fn listen() -> Receiver<io::Result<Event>> {
 /// Shows a visit until it is over.
 ///
 /// # Errors
-/// Where the terminal cannot be read or drawn on, as when its window is closed.
+/// An error if the terminal cannot be read or drawn on, as when its window is closed.
 pub fn show(visit: &mut Visit, palette: Palette) -> io::Result<()> {
     give_back_in_a_panic();
     let signals = Signals::listen()?;
@@ -179,14 +179,14 @@ mod tests {
     use portable_pty::CommandBuilder;
     use window::Window;
 
-    /// Set where this test runs in a window of its own, to panic there.
+    /// Set if this test runs in a window of its own, to panic there.
     const IN_A_WINDOW: &str = "GOODBOT_TEST_IN_A_WINDOW";
 
     #[test]
     fn a_panic_gives_the_terminal_back() {
         if std::env::var_os(IN_A_WINDOW).is_some() {
             give_back_in_a_panic();
-            // As where panics abort.
+            // As if panics aborted.
             std::mem::forget(Stage::enter().unwrap());
             panic!("a fault of this test");
         }

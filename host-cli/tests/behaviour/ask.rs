@@ -1,4 +1,4 @@
-//! `goodbot ask`: what it answers, how sure it is, and why.
+//! `goodbot ask`: the answers, their certainty, and the reasons.
 
 use crate::program;
 

@@ -1,4 +1,4 @@
-//! `goodbot check`, and what `goodbot replay` says of the same files.
+//! `goodbot check`, and the errors of `goodbot replay` for the same files.
 
 use crate::program;
 
@@ -211,7 +211,7 @@ fn tasks_that_cannot_be_meant_here_are_refused() {
 #[test]
 fn a_prior_of_a_task_that_holds_already_is_refused() {
     let input = log([&session(AGENT, "feedback", "go", r#","prior":{"agentInRoom(agent0,room0)":1}"#), END]);
-    let message = r#"1: field "prior.agentInRoom(agent0,room0)": is no task here: it holds at the beginning already, names what is not here, or is of a kind not asked for; remove it, or name its kind with --task"#;
+    let message = r#"1: field "prior.agentInRoom(agent0,room0)": is no task here: it holds at the beginning already, names an object that is not here, or is of a kind not asked for; remove it, or name its kind with --task"#;
     assert_refused_by_both(&input, message);
 }
 
@@ -360,10 +360,10 @@ fn a_home_drawn_as_text_is_checked_too() {
     assert_eq!(check(drawing.as_bytes()).output, "standard input: a home, drawn as text, no fault\n");
     let run = check(drawing.replace("C: yellow chair", "").as_bytes());
     assert_eq!(run.code, 2);
-    assert!(run.messages.starts_with("standard input:7: what block C is is not said"), "{}", run.messages);
+    assert!(run.messages.starts_with("standard input:7: block C has no colour and shape"), "{}", run.messages);
 }
 
-/// A labelled session whose meaning has a way.
+/// A labelled session whose task has a way.
 fn way(more: &str) -> Vec<u8> {
     let header = session(AGENT, "labelled", "around to the green room", &format!(r#","intended":["agentInRoom(agent0,room1)"]{more}"#));
     log([&header, END])

@@ -1,4 +1,4 @@
-//! A robot that listens while it is taught: several commands, what shall not be, praise and blame in words, corrections, questions.
+//! A robot that listens while it is taught: several commands, prohibitions, praise and blame in words, corrections, questions.
 
 use crate::program::goodbot;
 use crate::robot::{Robot, is_right};
@@ -103,7 +103,7 @@ fn what_is_still_to_come_ends_with_a_part_that_is_stopped() {
     assert_eq!(robot.one("state")["command"], Value::Null);
 }
 
-/// A simulated trainer with no button: it says "good" and "no" in three of four steps, nothing in the others, and says good to a robot that
+/// A simulated trainer without buttons: it says "good" or "no" to three of four steps, nothing to the others, and "good" to a robot that
 /// rests where it should.
 #[test]
 fn a_robot_that_only_hears_words_passes_the_course() {
@@ -162,7 +162,7 @@ fn words_mean_what_the_conversation_makes_of_them() {
     assert_eq!(robot.one("say stop")["type"], "finished");
     assert_eq!(robot.one("say again")["command"], "put the good chair into the red room");
     robot.tell("step");
-    // Words of one's own, along with a button.
+    // Words of one's own, along with a feedback button.
     assert_eq!(robot.one("say flub")["type"], "heard", "a word that nobody knows may be a command");
     robot.tell("step");
     assert_eq!(robot.one("good flub")["feedback"], "reward");
@@ -261,7 +261,7 @@ fn teach_twenty(robot: &mut Robot, draws: &mut Draws) {
     }
 }
 
-/// One command of free play, with silence. Gives whether a question came, and whether the robot ends with what was meant.
+/// One command of free play, in silence. Returns whether the robot asked, and whether it ends with the intended task.
 fn play(robot: &mut Robot, draws: &mut Draws, asks: bool) -> (bool, bool) {
     let (home, words, meant) = command(draws, 5_000..10_000);
     robot.tell(&format!("home {}", home.json()));
@@ -296,7 +296,7 @@ fn play(robot: &mut Robot, draws: &mut Draws, asks: bool) -> (bool, bool) {
 }
 
 /// In free play, robots with 20 lessons ask before one command in five, and understand more than those that never ask: see docs/asking.md.
-/// `GOODBOT_ROBOTS` says how many robots are taught. Two alone differ from the mean.
+/// `GOODBOT_ROBOTS` is the number of robots to teach. Two alone differ from the mean.
 #[test]
 fn a_robot_of_twenty_lessons_asks_seldom_and_loses_nothing() {
     const COMMANDS: usize = 40;
@@ -319,7 +319,7 @@ fn a_robot_of_twenty_lessons_asks_seldom_and_loses_nothing() {
     assert!(questioned * 3 <= commands && right >= before, "{counts:?} of {commands}");
 }
 
-/// The number of the choice that names the thing or the place of what is meant.
+/// The number of the choice that names the object or the place of the intended task.
 fn choice(question: &Value, home: &Home, meant: &str) -> String {
     let names = |text: &str| {
         let room = home
@@ -379,7 +379,7 @@ fn what_is_said_too_often_or_too_long_is_refused_and_nothing_is_lost() {
     assert_eq!(robot.one("state")["command"], "go to the blue room", "the session goes on");
     assert_eq!(robot.one("say again")["type"], "said", "it is on its way");
     assert_eq!(robot.one("say")["type"], "error");
-    // Fifty parts of one word each are too many for one sentence; ten are one after another.
+    // Fifty parts are too many words for one sentence; ten parts are heard in order.
     let parts = ["blue", "red"].iter().cycle().take(10).map(|color| format!("go to {color}")).collect::<Vec<_>>().join(" then ");
     let heard = robot.one(&format!("command {parts}"));
     assert_eq!(heard["command"], "go to blue", "{heard}");
@@ -417,7 +417,7 @@ fn what_was_done_before_is_known_from_session_to_session_and_in_the_log() {
             ("say go to the red room", go(0)),
             ("say go there", String::new()),
             ("say bring it to the green room", take(0, 2)),
-            // A command that comes when the robot has done the last one needs no button.
+            // A command given after the robot has done the last one needs no button.
             ("say go to the blue room", go(1)),
             ("say go back", go(2)),
         ] {
@@ -433,7 +433,7 @@ fn what_was_done_before_is_known_from_session_to_session_and_in_the_log() {
                 robot.tell("finish");
             }
         }
-        // Another conversation knows nothing of it, and the first can be gone on with.
+        // Another conversation knows nothing of it, and the first can be continued.
         let told = robot.one("conversation said-99");
         assert_eq!(told["message"], "no conversation in this home is called \"said-99\"; known are said-1");
         assert_eq!(robot.one("conversation"), json!({"type": "conversation", "id": null, "known": ["said-1"]}));
@@ -483,7 +483,7 @@ fn again_does_the_same_once_more_and_teaches_nothing() {
     assert_eq!(robot.walk(silence), go(0));
     let finished = robot.one("finish");
     assert_eq!((&finished["learned"], &finished["sessions"]), (&json!(false), &sessions), "it has no words for its task");
-    // What is done already is tried where it is said twice.
+    // A task that is done already is tried if it is said twice.
     for turn in 0..60 {
         assert_eq!(robot.one("say again")["verdict"], ["done", "try"][turn % 2], "{turn}");
         robot.tell("forget");
@@ -508,7 +508,7 @@ fn a_program_is_told_how_sure_the_robot_is_as_ask_tells_it() {
         let told = ["verdict", "certainty", "taken_for"].map(|field| heard[field].as_str().unwrap_or_default());
         assert_eq!(told, [verdict, certainty, taken_for], "{words}: {heard}");
     }
-    // A robot without lessons knows nothing yet, and tries.
+    // A robot without lessons knows nothing yet, so it tries.
     let mut robot = Robot::new(&[]);
     let heard = robot.one("command go to the blue room");
     assert_eq!((heard["verdict"].as_str(), heard["certainty"].as_str()), (Some("try"), Some("unsure")), "{heard}");

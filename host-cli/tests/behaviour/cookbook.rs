@@ -1,4 +1,4 @@
-//! `docs/cookbook.md`: its recipes for the command line, done in their order in one folder.
+//! `docs/cookbook.md`: its recipes for the command line, in their order in one folder.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! `goodbot evaluate`: what it is trained on, what it is asked, and its report.
+//! `goodbot evaluate`: the training data, the questions, and the report.
 
 use crate::program;
 
@@ -14,7 +14,7 @@ const ABOVE: &str = r#"{"class":"agent","name":"agent0","x":2,"y":6}"#;
 fn demonstration(id: &str, above: bool, command: &str) -> String {
     let (agent, room, action) = if above { (ABOVE, "room0", "south") } else { (AGENT, "room1", "north") };
     let intended = format!(r#","intended":["agentInRoom(agent0,{room})"]"#);
-    // The star is there to be mistaken for what is meant.
+    // The star can be mistaken for the intended object.
     let agent = format!(r#"{agent},{{"class":"block","name":"block0","x":6,"y":2,"color":"tan","shape":"star"}}"#);
     let header = session(&agent, "demonstration", command, &intended).replace(r#""id":"s""#, &format!(r#""id":"{id}""#));
     let steps = if above { 3 } else { 2 };
@@ -59,7 +59,7 @@ fn each_accuracy_has_an_interval_a_loss_a_calibration_and_a_control_without_word
     let (low, high) = (number(&all["interval"][0]), number(&all["interval"][1]));
     assert!(low < number(&all["accuracy"]) && number(&all["accuracy"]) <= high);
     assert!(number(&all["log_loss"]) > 0.0 && number(&all["calibration_error"]) < 1.0);
-    // In this log each task begins in a room of its own: no word is needed, and the control says so.
+    // In this log each task has a starting room of its own, so the control without words is right too.
     assert_eq!(all["without_words"]["right"], 18);
     let ranges = all["reliability"].as_array().expect("a table");
     assert_eq!(ranges.iter().map(|range| range["count"].as_u64().unwrap()).sum::<u64>(), 18);
@@ -120,7 +120,7 @@ fn copies_of_sessions_trained_on_are_named_and_counted_apart() {
 
 #[test]
 fn groups_are_left_out_together() {
-    // What one worker says twice is no copy of what another trains on, once workers are left out as a whole.
+    // A sentence that one worker says twice is no copy if whole workers are left out.
     let twice = log("w1") + &log("w1").replace("w1.", "w1.again") + &log("w2").replace("the ", "that ");
     let apart = |run: Value| run["copies"].as_u64().unwrap();
     let alone = apart(evaluate(&[], &twice));
@@ -133,7 +133,7 @@ fn groups_are_left_out_together() {
 
 #[test]
 fn whole_environments_and_tasks_can_be_left_out() {
-    // Each environment has one task, so what is asked was never trained: the control knows nothing of it.
+    // Each environment has one task, so the task asked for was never trained, and the control knows nothing of it.
     for split in ["--leave-environment-out", "--leave-task-out"] {
         let all = evaluate(&[split], &three_workers());
         assert_eq!((all["asked"].as_u64(), all["copies"].as_u64()), (Some(18), Some(0)), "{split}");
@@ -149,14 +149,14 @@ fn sessions_that_do_not_say_what_was_meant_are_counted_and_none_that_does_is_ref
     let none = without.replace(r#","intended":["agentInRoom(agent0,room0)"]"#, "");
     let run = goodbot(&["evaluate", "-"], none.as_bytes());
     assert_eq!(run.code, 2);
-    assert!(run.messages.contains("no session says what was meant"), "{}", run.messages);
+    assert!(run.messages.contains("no session has an intended task"), "{}", run.messages);
 }
 
 #[test]
 fn it_is_told_how_often_the_steps_alone_point_at_what_was_meant() {
     let all = evaluate(&[], &three_workers());
     assert_eq!((all["steps_alone"]["right"].as_u64(), all["steps_alone"]["of"].as_u64()), (Some(18), Some(18)));
-    // A trainer who says nothing shows nothing: both rooms' blocks are as likely.
+    // A trainer without feedback shows nothing: the blocks of both rooms are equally likely.
     let block = format!(r#"{AGENT},{{"class":"block","name":"block0","x":4,"y":2,"color":"tan","shape":"star"}}"#);
     let silent = |id: &str| {
         let intended = r#","intended":["agentInRoom(agent0,room1)"]"#;

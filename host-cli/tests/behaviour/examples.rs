@@ -1,4 +1,4 @@
-//! What the README shows, with the files of `docs/examples`.
+//! The examples of the README, with the files of `docs/examples`.
 
 use crate::program;
 
@@ -28,7 +28,7 @@ fn the_robot_believes_what_the_readme_draws_after_three_steps() {
     }
 }
 
-/// The rows of docs/how-it-works.md: after each word, how likely four tasks are.
+/// The rows of docs/how-it-works.md: the probability of four tasks after each word.
 #[test]
 fn the_first_lesson_is_as_the_document_tells_it() {
     let document = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/how-it-works.md")).expect("the document");

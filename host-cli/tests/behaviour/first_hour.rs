@@ -1,9 +1,9 @@
-//! What a new user meets in the first hour: messages say what to do next in the user's words, and nothing from a file moves the terminal.
+//! A new user's first hour: messages say what to do next in the user's words, and no text of a file controls the terminal.
 
 use crate::program::{Run, goodbot};
 use std::fs;
 
-/// A home of one room, so wide.
+/// A home of one room with this width.
 fn home(width: u32, name: &str) -> String {
     format!(
         r#"{{"version":1,"objects":[{{"class":"room","name":"{name}","left":0,"bottom":0,"right":{width},"top":{width},"color":"red"}},{{"class":"agent","name":"agent0","x":1,"y":1}}]}}"#

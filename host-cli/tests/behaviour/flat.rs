@@ -1,4 +1,5 @@
-//! A flat of ten rooms and ten things, and a lift of a hundred floors: more tasks than one word tells apart, and more states than can be numbered.
+//! A flat of ten rooms and ten things, and a lift of a hundred floors: more tasks than one machine word has bits, and more states than can
+//! be numbered.
 
 use crate::program::goodbot;
 use crate::robot::{Robot, is_right};
@@ -67,7 +68,7 @@ impl Place {
         self.folder.path().join(name)
     }
 
-    /// Gives these lessons, and says good or bad. Gives how many tasks the last had.
+    /// Teaches these lessons with good and bad. Returns the number of tasks of the last.
     fn teach(&self, lessons: &[(&str, &str)]) -> usize {
         let mut robot = Robot::new(&[
             text(&self.file("place.json")),
@@ -98,7 +99,7 @@ fn a_flat_of_ten_rooms_and_ten_things_is_checked_taught_asked_and_replayed() {
     let checked = goodbot(&["check", text(&place.file("place.json"))], b"");
     assert_eq!(checked.code, 0, "{}", checked.messages);
     let lessons = [("go to the green room", "agentInRoom(agent0,room1)"), ("go to the orange room", "agentInRoom(agent0,room5)")];
-    // The robot is in its room already, and each thing in one of the ten.
+    // The robot is in one of the ten rooms already, and so is each thing.
     assert_eq!(place.teach(&lessons), 9 + 10 * 9);
     let asked = place.asked("go to the green room");
     assert_eq!(asked["task"], "agentInRoom(agent0,room1)", "{asked}");

@@ -20,7 +20,7 @@ fn lists(help: &str) -> [Vec<&str>; 4] {
 
 #[test]
 fn the_help_names_each_command_once_and_the_everyday_ones_first() {
-    // Bash is offered all of them in one line.
+    // The completions for Bash list all commands in one line.
     let completions = goodbot(&["completions", "bash"], b"").output;
     let offered = completions.lines().map(str::trim).find(|line| line.starts_with("opts=\"-")).expect("a list");
     let offered = offered.trim_start_matches("opts=\"").trim_end_matches('"');

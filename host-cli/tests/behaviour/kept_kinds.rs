@@ -1,4 +1,4 @@
-//! A model file keeps its kinds of task, and whoever reads it has them.
+//! A model file keeps its kinds of task, and all programs that read it use them.
 
 use crate::program::{AGENT, END, Run, THREE_STOREYS, goodbot, log, session};
 use goodbot_lesson::kept_kinds;
@@ -27,7 +27,7 @@ impl Files {
         self.path(name)
     }
 
-    /// A log of commands that ask for two things at once, and of others.
+    /// A log of commands for one task, and for two tasks at once.
     fn both(&self) -> String {
         let told =
             |command: &str, meant: &str| session(&format!("{AGENT},{BLOCK}"), "labelled", command, &format!(r#","intended":[{meant}]"#));
@@ -36,7 +36,7 @@ impl Files {
         self.write("both.jsonl", log([&told("go there", go), END, &told("bring the bag", take), END, &both, END]))
     }
 
-    /// A log of commands that say how, in three storeys.
+    /// A log of commands with ways, in three storeys.
     fn ways(&self) -> String {
         let told = |(number, color): (usize, &str)| {
             ["through", "avoiding"].map(|clause| {

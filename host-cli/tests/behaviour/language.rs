@@ -5,7 +5,7 @@ use crate::program;
 use program::{AGENT, END, goodbot, session, shown};
 use std::path::PathBuf;
 
-/// Sessions in which "up" shows the way north, and "stay low" none at all.
+/// Sessions in which "up" means the way north, and "stay low" means no way.
 fn lessons(count: usize) -> String {
     let intended = r#","intended":["agentInRoom(agent0,room1)"]"#;
     let lesson = [session(AGENT, "demonstration", "up to the green one", intended), shown("north"), shown("north"), END.to_owned()];
@@ -73,7 +73,7 @@ fn a_model_file_that_is_none_is_refused_by_name() {
 
 #[test]
 fn the_default_learns_from_as_many_sessions_as_the_role_model_alone() {
-    // Each session has one pair and dozens of tasks: together more tasks than a model has pairs.
+    // Each session has one pair and dozens of tasks: in total, more tasks than a model has pairs.
     let session = |number: usize| {
         let room = 1 + number % 2;
         let command = format!("go to room number {room}");

@@ -1,4 +1,4 @@
-//! Commands with more words than are read: their first ones are read, and that is said.
+//! Commands with more words than a robot reads: their first words are read, and a message says so.
 
 use crate::program::{AGENT, END, Run, goodbot, log, session, step};
 use serde_json::Value;

@@ -24,7 +24,7 @@ fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Optio
     let mut bytes = vec![0; 1 << 20];
     let length = language.save(&mut bytes).unwrap();
     bytes.truncate(length);
-    // As an agent of the home saves it.
+    // The model as an agent of the home saves it.
     let mut memory = HeapMemory::new(capacities);
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), options).unwrap();
     agent.restore(&bytes).unwrap();

@@ -22,7 +22,7 @@ fn lesson(command: &str) -> String {
     session(program::AGENT, "labelled", command, r#","intended":["agentInRoom(agent0,room1)"]"#) + "\n{\"type\":\"end\",\"learn\":true}\n"
 }
 
-/// Runs the program; names in capital letters mean files of the folder.
+/// Runs the program. Names in capital letters are files of the folder.
 fn run(folder: &Path, arguments: &[&str]) -> program::Run {
     let file = |name: &str| folder.join(name).to_str().unwrap().to_owned();
     let arguments: Vec<String> = arguments
@@ -39,7 +39,7 @@ fn run(folder: &Path, arguments: &[&str]) -> program::Run {
     goodbot(&arguments.iter().map(String::as_str).collect::<Vec<_>>(), b"")
 }
 
-/// A home whose lower room is so wide.
+/// A home with a lower room of this width.
 fn home(width: u32) -> String {
     format!(
         r#"{{"version":1,"objects":[{{"class":"room","name":"room0","left":0,"bottom":0,"right":{width},"top":4,"color":"red"}},{{"class":"agent","name":"agent0","x":1,"y":1}}]}}"#
@@ -72,7 +72,7 @@ fn what_a_micro_bit_has_no_room_for_is_named() {
     assert_eq!(refused.code, 2);
     assert!(refused.messages.contains("room for 64"), "{}", refused.messages);
     let same = lesson("go to the green room").repeat(40);
-    // The first letters of a word tell it from others.
+    // The words differ in their first letters.
     let different: String = ('a'..='e').map(|letter| lesson(&format!("{letter}oo {letter}ira {letter}ul {letter}em"))).collect();
     for (log, told) in
         [(same, "too many sessions in one model: "), (different, "too many different words in one model: 20 or more, and 14 ")]
@@ -129,7 +129,7 @@ fn what_is_no_program_for_a_micro_bit_or_no_model_for_it_is_refused() {
     assert_eq!(run(folder.path(), &["learn", "LOG", "--learner", "paper", "--out", "MODEL"]).code, 0);
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "OUT"]);
     assert!(refused.messages.contains("role model alone"), "{}", refused.messages);
-    // What was read is never replaced.
+    // An input file is never replaced.
     let refused = run(folder.path(), &["microbit", "--hex", "HEX", "-m", "MODEL", "-o", "HEX"]);
     assert!(refused.messages.contains("would be replaced"), "{}", refused.messages);
 }

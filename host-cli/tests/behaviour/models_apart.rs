@@ -1,10 +1,10 @@
-//! `goodbot diff`, `goodbot unlearn`, `goodbot learn --without` and `goodbot doctor`: what a model knows, without one session, and what is wrong.
+//! `goodbot diff`, `goodbot unlearn`, `goodbot learn --without` and `goodbot doctor`: differences, removed sessions, and faults.
 
 use crate::program::{AGENT, END, goodbot, session};
 use std::fs;
 use tempfile::TempDir;
 
-/// A folder with a log of three lessons, each with its meaning told, and the model of them.
+/// A folder with a log of three labelled lessons, and their model.
 struct Place(TempDir);
 
 impl Place {
@@ -24,7 +24,7 @@ impl Place {
         self.0.path().join(name).to_str().unwrap().to_owned()
     }
 
-    /// Runs the program, which must do it; LOG, A, B and C mean files of the folder.
+    /// Runs the program, which must succeed. LOG, A, B and C are files in the folder.
     #[track_caller]
     fn run(&self, arguments: &[&str]) -> String {
         let run = self.try_run(arguments);

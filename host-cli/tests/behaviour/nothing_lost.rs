@@ -1,4 +1,4 @@
-//! What was there before stays: inputs and other people's files are not replaced, and what was asked for is written although nobody listens.
+//! Files stay: inputs and foreign files are not replaced, and wanted files are written even if nobody reads the text.
 
 use crate::program;
 
@@ -23,7 +23,7 @@ impl Place {
         self.folder.path().join(name)
     }
 
-    /// The arguments, with the folder before the names that are in it.
+    /// The arguments, with the folder before the names of its files.
     fn words(&self, arguments: &[&str]) -> Vec<String> {
         let named = ["log.jsonl", "model", "other", "link", "hard", "picture.svg", "notes.txt", "home.json"];
         let word = |word: &&str| if named.contains(word) { self.path(word).to_str().unwrap().to_owned() } else { (*word).to_owned() };

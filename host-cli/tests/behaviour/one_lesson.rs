@@ -1,6 +1,6 @@
 //! The same log teaches the same in every shell: each belief is compared to the bit. For C see capi/tests/behaviour/recorded.rs, for Python
-//! python/tests/test_logs.py; all read tests/fixtures/lesson.jsonl, which has a prior, strategies with lags, answers, ways, a demonstration and a session
-//! that goes on from the one before.
+//! python/tests/test_logs.py. All read tests/fixtures/lesson.jsonl, which has a prior, strategies with lags, answers, ways, a demonstration
+//! and a session that continues the one before.
 
 use crate::program::goodbot;
 
@@ -8,7 +8,7 @@ use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_wasm::World;
 
 const LOG: &str = include_str!("../../../tests/fixtures/lesson.jsonl");
-/// What `goodbot replay --json --routes --learner roles tests/fixtures/lesson.jsonl` prints.
+/// The output of `goodbot replay --json --routes --learner roles tests/fixtures/lesson.jsonl`.
 const BELIEFS: &str = include_str!("../../../tests/fixtures/lesson-beliefs.jsonl");
 
 #[test]
@@ -17,7 +17,7 @@ fn the_command_line_believes_what_was_recorded() {
     assert_eq!((run.code, run.output.as_str()), (0, BELIEFS), "{}", run.messages);
 }
 
-/// Tells the page's module of a session, replays it, and gives each belief: on hearing the command, and after each step.
+/// Replays a session with the page's module, and returns each belief: after the command, and after each step.
 fn replayed(world: &mut World, session: &RecordedSession) -> Vec<Vec<f32>> {
     let believed = |world: &World| {
         let agent = world.agent();
@@ -49,7 +49,7 @@ fn the_page_believes_what_the_command_line_believes() {
         let mut events = all.iter();
         let mut compare = |believed: &Vec<f32>| {
             let line: serde_json::Value = serde_json::from_str(lines.next().unwrap()).unwrap();
-            // The shortest decimal that gives the number back was written: no bit is lost on the way.
+            // The file has the shortest decimals that give the same numbers again, so no bit is lost.
             let recorded = line["tasks"].as_object().unwrap().values().map(|share| share.to_string().parse::<f32>().unwrap());
             assert!(recorded.map(f32::to_bits).eq(believed.iter().map(|share| share.to_bits())), "{line}");
         };

@@ -79,7 +79,7 @@ fn the_second_trainer_never_rewards_while_the_agent_believes_the_papers_numbers(
     assert!(punish["feedback"]["punish"].as_u64().unwrap() > 0);
     let reward = summary(&["paper", "--runs", "20", "--trainer", "reward-only", "--json"]);
     assert_eq!(reward["feedback"]["punish"], 0);
-    // By numbers, a trainer withholds nothing.
+    // A trainer by numbers both rewards and punishes.
     let numbers = summary(&["paper", "--runs", "20", "--trainer", "0.7,0.05,0.1", "--json"]);
     assert!(numbers["feedback"]["reward"].as_u64().unwrap() > 0);
 }
@@ -244,7 +244,7 @@ fn other_bad_use_exits_with_2() {
         goodbot(arguments).assert().code(2);
     }
     let missing = folder("bad-plot").join("missing").join("a.svg");
-    // These runs would take an hour: a file that cannot be written is refused before the work.
+    // These runs would take an hour. A file that cannot be written is refused before them.
     goodbot(&["--runs", "100000", "--plot", missing.to_str().unwrap()]).assert().code(2);
 }
 

@@ -1,4 +1,4 @@
-//! `goodbot parameters`, as it is used: lessons of a lift become what a board needs that only obeys.
+//! `goodbot parameters`, as it is used: lessons of a lift become the parameters of a board that does not learn.
 
 use crate::program::goodbot;
 use goodbot::snapshot::PARAMETERS_MAGIC;

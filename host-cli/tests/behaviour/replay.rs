@@ -109,7 +109,7 @@ fn several_files_are_one_history_of_more_than_five_hundred_sessions() {
     assert_eq!(all.len(), 600);
 }
 
-/// In a long history words are not learned anew after every session, and that is said.
+/// In a long history, words are not trained again after every session, and a message says so.
 #[test]
 fn from_the_hundredth_session_on_words_are_learned_anew_when_a_fiftieth_more_have_come() {
     let home = format!("{AGENT},{BLOCK}");

@@ -1,4 +1,4 @@
-//! A robot that is taught line by line, by who reads its answers.
+//! A robot that is taught line by line, for tests that read its answers.
 
 use serde_json::Value;
 use std::io::{BufRead, BufReader, Lines, Write};
@@ -26,19 +26,19 @@ impl Robot {
         Self { input: child.stdin.take(), output, child }
     }
 
-    /// Sends a request, and gives the lines of the answer.
+    /// Sends a request, and returns the lines of the answer.
     pub fn tell(&mut self, request: &str) -> Vec<Value> {
         writeln!(self.input.as_mut().expect("a pipe"), "{request}").expect("a robot that listens");
         let read = |line: std::io::Result<String>| serde_json::from_str(&line.expect("text")).expect("JSON");
         self.output.by_ref().map(read).take_while(|line: &Value| line["type"] != "done").collect()
     }
 
-    /// Sends a request, and gives the first line of the answer.
+    /// Sends a request, and returns the first line of the answer.
     pub fn one(&mut self, request: &str) -> Value {
         self.tell(request).into_iter().next().expect("an answer")
     }
 
-    /// Walks until the robot takes its task for done, with a word for each step. Gives the task that it followed.
+    /// Walks until the robot thinks that its task is done, with feedback to each step. Returns the task that it followed.
     pub fn walk(&mut self, words: impl Fn(&Value) -> String) -> String {
         for _ in 0..60 {
             let step = self.one("step");
@@ -59,7 +59,7 @@ impl Drop for Robot {
     }
 }
 
-/// What is right for a task, in the words of somebody who means it.
+/// The right answer to a task, as a trainer would word it.
 pub fn is_right(step: &Value, meant: &str) -> bool {
     step["tasks"].as_array().expect("tasks").iter().any(|task| task["task"] == meant && task["right"] == true)
 }

@@ -47,7 +47,7 @@ fn more_sessions_take_more_memory() {
     assert!(ram("4") < ram("8"));
 }
 
-/// Lessons of the vacuum cleaner: an action, and rests where the task is done.
+/// Lessons of the vacuum cleaner: an action, and rests when the task is done.
 fn lessons_of_vacuum() -> String {
     let world: serde_json::Value = serde_json::from_str(VACUUM).expect("JSON");
     let lesson = |(command, action): (&str, &str)| {

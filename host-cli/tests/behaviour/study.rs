@@ -54,7 +54,7 @@ fn there_is_a_line_for_each_run_and_one_for_each_course_trainer_and_agent() {
         of("summary").iter().map(|line| (line["trainer"].as_str().unwrap(), line["agent"].as_str().unwrap())).collect();
     let trainers = ["balanced", "population"];
     assert_eq!(names, trainers.iter().flat_map(|trainer| [(*trainer, "paper"), (*trainer, "tamer+roles")]).collect::<Vec<_>>());
-    // The summary is that of the runs above it.
+    // The summary matches the runs above it.
     let paper = |line: &&&Value| line["trainer"] == "balanced" && line["agent"] == "paper";
     let (runs, summaries) = (of("run"), of("summary"));
     let words: u64 = runs.iter().filter(paper).flat_map(|run| run["words"].as_array().unwrap()).map(|count| count.as_u64().unwrap()).sum();
@@ -95,7 +95,7 @@ fn parts_join_to_the_same_bytes_as_one_run_in_any_order_and_however_they_are_sho
     assert_eq!(merge([0, 1, 2, 3], &["--json"]), whole);
     assert_eq!(merge([2, 0, 3, 1], &["--json"]), whole);
     assert_eq!(merge([0, 1, 2, 3], &["--csv"]), small_output(&["--csv"]));
-    // A whole study is its only part.
+    // A study without shards has one part: the whole.
     let file = folder.join("whole.jsonl");
     std::fs::write(&file, &whole).unwrap();
     assert_eq!(output(&["--merge", file.to_str().unwrap(), "--json"]), whole);
@@ -178,7 +178,7 @@ fn a_fit_tells_what_trainers_of_a_log_do_and_checks_simulated_ones() {
     let file = folder.join("log.jsonl");
     std::fs::write(&file, &log).unwrap();
     let text = output(&["--fit", file.to_str().unwrap(), "--runs", "5"]);
-    for part in ["people", "is meant for the last action", "silence after a wrong action", "not fitted"] {
+    for part in ["people", "judge the last action", "silence after a wrong action", "not fitted"] {
         assert!(text.contains(part), "no {part:?} in {text}");
     }
     let json = output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]);
@@ -211,7 +211,7 @@ fn a_page_says_what_it_does_not_show_and_has_its_picture_beside_it() {
         assert!(text.contains(part), "no {part:?} in {text}");
     }
     assert!(text.contains("(study.svg)") && folder.join("study.svg").is_file());
-    // Its own page may be made anew; that of somebody else stays.
+    // The study's own page may be replaced; a foreign page may not.
     small_output(&["--report", named]);
     std::fs::write(&page, "# Mine\n").unwrap();
     refused(&["--report", named, "--runs", "1"], "is no page of goodbot's");

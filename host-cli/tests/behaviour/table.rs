@@ -1,4 +1,4 @@
-//! `goodbot table`: the robot of a world as source, compiled here, and taught.
+//! `goodbot table`: the robot of a world as source code, compiled here, and taught.
 
 #[rustfmt::skip]
 #[path = "table/lift.rs"]
@@ -14,7 +14,7 @@ use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::robot;
 
 const LIFT: &str = include_str!("../../../docs/examples/worlds/lift.json");
-/// What `goodbot table lift.json --rust --sessions 6` prints, and what `--c` does.
+/// The output of `goodbot table lift.json --rust --sessions 6`, and of the same with `--c`.
 const RUST: &str = include_str!("table/lift.rs");
 const C: &str = include_str!("../../../capi/examples/lift_world.h");
 

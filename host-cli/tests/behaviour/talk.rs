@@ -1,4 +1,4 @@
-//! What people say beside commands, and what `goodbot ask` makes of it. The lessons and the sentences have different words and homes.
+//! Utterances beside commands, and the answers of `goodbot ask`. The lessons and the sentences have different words and homes.
 
 mod suite;
 
@@ -18,7 +18,7 @@ pub struct Home {
 impl Home {
     /// One of many homes: 3 to 5 rooms with 2 to 4 blocks, no two of which are alike.
     pub fn number(seed: usize) -> Self {
-        // Steps that share no factor with the lengths go through all.
+        // Steps without a common factor with the lengths visit all values.
         let pick = |of: usize, step: usize| (seed * step + seed / of + step) % of;
         let rooms: Vec<_> = (0..3 + pick(3, 7)).map(|room| COLORS[(pick(6, 5) + room * [1, 5][seed % 2]) % 6]).collect();
         let mut blocks: Vec<(&str, &str, usize)> = Vec::new();
@@ -58,21 +58,21 @@ pub fn take(block: usize, room: usize) -> String {
     format!("blockInRoom(block{block},room{room})")
 }
 
-/// What shall not be.
+/// A prohibition.
 fn not(task: &str) -> String {
     format!("!{task}")
 }
 
-/// One task after another.
+/// Tasks in order.
 fn then(tasks: &[String]) -> String {
     tasks.join(" then ")
 }
 
-/// How commands are worded in lessons.
+/// The words of commands in lessons.
 pub struct Wording {
     pub going: [&'static str; 4],
     pub taking: [&'static str; 3],
-    /// The words for colors and shapes, if others than their own.
+    /// The words for colors and shapes, if they differ from the values.
     names: &'static [(&'static str, &'static str)],
 }
 
@@ -135,7 +135,7 @@ impl Wording {
     }
 }
 
-/// A model that learned what commands mean: words and tasks, each in a home.
+/// A model that learned commands: the words and the tasks, each in a home.
 fn told(lessons: impl Iterator<Item = (Home, String, String)>) -> (tempfile::TempDir, String) {
     let mut log = String::new();
     for (lesson, (home, command, task)) in lessons.enumerate() {
@@ -149,7 +149,7 @@ fn told(lessons: impl Iterator<Item = (Home, String, String)>) -> (tempfile::Tem
     (folder, model)
 }
 
-/// A model that was told what commands mean, in `lessons` homes.
+/// A model that learned commands as labels, in `lessons` homes.
 pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) {
     told((0..lessons).map(|lesson| {
         let home = Home::number(lesson);
@@ -168,12 +168,12 @@ pub fn taught(lessons: usize, wording: &Wording) -> (tempfile::TempDir, String) 
     }))
 }
 
-/// The answers to sentences said in a home.
+/// The answers to sentences in a home.
 fn asked(model: &str, home: &Home, sentences: &[String]) -> Vec<Value> {
     asked_with(&[], model, home, sentences)
 }
 
-/// The answers to sentences said in a home, with some options.
+/// The answers to sentences in a home, with some options.
 fn asked_with(options: &[&str], model: &str, home: &Home, sentences: &[String]) -> Vec<Value> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("home.json");
@@ -184,10 +184,10 @@ fn asked_with(options: &[&str], model: &str, home: &Home, sentences: &[String]) 
     run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
 }
 
-/// What was said, and the task that is meant, if the robot can do one.
+/// A sentence, and its task if the robot can do one.
 type Said = (String, Option<String>);
 
-/// Sentences to be followed, or of what is done already.
+/// Sentences to be followed, or about tasks that are done already.
 fn to_follow(home: &Home) -> Vec<Said> {
     let mut said = Vec::new();
     for (room, color) in home.rooms.iter().enumerate() {
@@ -210,7 +210,7 @@ fn to_follow(home: &Home) -> Vec<Said> {
     said
 }
 
-/// Sentences of what shall not be, of one thing after another, and of all things.
+/// Prohibitions, several commands, and commands about all things.
 fn to_follow_in_parts(home: &Home) -> Vec<Said> {
     let mut said = Vec::new();
     for (room, color) in home.rooms.iter().enumerate() {
@@ -267,7 +267,7 @@ fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_
             }
         }
     }
-    // Nine of ten and one of fifty are asked for.
+    // At least 92 % of the commands must be followed, and at most 2 % of all answers may do harm.
     assert!(helpful * 100 >= follow * 92 && harmful * 50 <= all, "helpful {helpful} of {follow}, harmful {harmful} of {all}\n{faults}");
 }
 
@@ -323,7 +323,7 @@ fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_i
 
 #[test]
 fn a_robot_that_was_taught_two_commands_from_one_place_is_sure_of_them() {
-    // Every lesson starts in the blue room: "go" and "the" are in all, and so is that room.
+    // Every lesson starts in the blue room, so "go", "the" and the blue room are in all of them.
     let home = || Home { rooms: vec!["green", "blue", "red"], blocks: Vec::new(), robot: 1 };
     let lessons = (0..24).map(|lesson| {
         let (color, room) = [("red", 2), ("green", 0)][lesson % 2];
@@ -538,7 +538,7 @@ fn a_plural_means_all_things_of_its_kind() {
     ];
     let blocks = vec![("yellow", "bag", 2), ("red", "bag", 0), ("green", "chair", 1)];
     check(&model, &Home { blocks, ..three_rooms() }, &cases);
-    // A plural that is spelled nearly as its known word.
+    // A plural with nearly the spelling of its known singular.
     let cases = [
         ("take the chairs to the blue room", "sure", both),
         ("take two chairs to the blue room", "unsure", ""),
@@ -687,7 +687,7 @@ fn long_utterances_get_an_answer_and_end_no_batch() {
     let tasks: Vec<String> = (0..10).map(|part| go([1, 0][part % 2])).collect();
     let [answer] = &asked(&model, &home, &[ways.join(" then ")])[..] else { panic!("one answer") };
     assert_eq!((answer["taken_for"].as_str(), answer["task"].as_str()), (Some("several commands"), Some(&*then(&tasks))), "{answer}");
-    // The first 64 words are read, of several commands with each part, and the next sentence is answered as ever.
+    // The first 64 words of each part are read, and the next sentence is answered as usual.
     let parts = ["go to the blue room"; 50].join(" and then ");
     let [answer] = &asked(&model, &home, &[parts])[..] else { panic!("one answer") };
     assert_eq!(answer["task"], then(&vec![go(1); 50]), "nothing of a long utterance is lost");
@@ -726,12 +726,12 @@ fn a_thing_of_a_color_that_is_not_here_is_never_taken_for_another_of_its_kind() 
     }
 }
 
-/// Verdicts and tasks of sentences of one conversation, each said where the one before leads to.
+/// Checks verdicts and tasks of the sentences of a conversation. Each begins where the one before ends.
 fn check_conversation(model: &str, home: &Home, cases: &[(&str, &str, &str)]) {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("home.json");
     let mut home = home.json();
-    // Away from the walls, a robot that only pushes can move a block.
+    // A robot that only pushes can move a block that is away from the walls.
     for block in home["objects"].as_array_mut().expect("objects").iter_mut().filter(|object| object["class"] == "block") {
         (block["x"], block["y"]) = (json!(block["x"].as_i64().expect("a number") / 4 * 4 + 2), json!(3));
     }
@@ -802,7 +802,7 @@ fn a_new_word_may_turn_a_command_round_where_a_robot_knows_no_closed_words() {
     std::fs::write(&empty, "# No words.\n").expect("a file");
     let cases = [
         ("go to the blue room", "sure"),
-        // A slip, and a new verb where commands have theirs, turn nothing round.
+        // Neither a slip nor a new verb in a verb's place reverses a command.
         ("go to the blue roomm", "sure"),
         ("stroll to the blue room", "sure"),
         ("never go to the blue room", "unsure"),
@@ -867,7 +867,7 @@ fn a_pronoun_that_is_joined_to_a_verb_stands_for_the_thing_of_before() {
         ("ve a la sala verde y luego llévala a la sala azul", "sure", "agentInRoom(agent0,room2) then blockInRoom(block0,room1)"),
     ];
     check_conversation(&model, &home, &cases);
-    // No verb is before these.
+    // These have no verb before the pronoun.
     let said = ["sala".to_owned(), "vela a la sala verde".to_owned()];
     assert!(asked(&model, &home, &said).iter().all(|answer| answer["task"] != "blockInRoom(block0,room2)"));
 }

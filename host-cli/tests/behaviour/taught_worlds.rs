@@ -6,10 +6,10 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// What is said, and what is meant.
+/// A command, and its task.
 type Lesson = (&'static str, &'static str);
 
-/// A world, what its robot is taught, and a command that it then understands.
+/// A world, the lessons of its robot, and a command that it then understands.
 struct Course {
     world: &'static str,
     lessons: &'static [Lesson],
@@ -63,7 +63,7 @@ fn world_file(name: &str) -> String {
     path.to_str().expect("UTF-8").to_owned()
 }
 
-/// Teaches all lessons, a word for each step, until the robot has rightly rested three times. Gives the answers that tell beliefs.
+/// Teaches all lessons, with feedback to each step, until the robot has rightly rested three times. Returns the answers that have beliefs.
 fn teach(arguments: &[&str], lessons: &[Lesson]) -> Vec<Value> {
     let mut robot = Robot::new(arguments);
     let mut answers = vec![];
@@ -84,7 +84,7 @@ fn teach(arguments: &[&str], lessons: &[Lesson]) -> Vec<Value> {
     answers
 }
 
-/// Teaches a robot that is kept in a folder. Gives the answers that tell beliefs.
+/// Teaches a robot that is kept in a folder. Returns the answers that have beliefs.
 fn taught(folder: &Path, course: &Course) -> (PathBuf, Vec<Value>) {
     let model = folder.join(course.world).with_extension("goodbot");
     let answers = teach(&[&world_file(course.world), "--seed", "5", "--model", model.to_str().expect("UTF-8")], course.lessons);
@@ -114,7 +114,7 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
             checked.output,
             checked.messages
         );
-        // What is learned anew from the log understands what was said.
+        // A model that is trained again from the log understands these commands.
         let anew = folder.path().join("anew.goodbot");
         let anew = anew.to_str().expect("UTF-8");
         assert_eq!(goodbot(&["learn", log, "--out", anew], b"").code, 0);
@@ -180,7 +180,7 @@ fn a_replay_believes_to_the_bit_what_the_live_session_believed() {
         let begins: Vec<bool> = answers.iter().map(|answer| answer["type"] == "heard").collect();
         let mut again = again.iter();
         for (position, belief) in live.iter().enumerate() {
-            // The end of a session is evidence, and a replay tells the belief after it too.
+            // The end of a session is evidence, and a replay prints the belief after it too.
             if position > 0 && begins[position] {
                 again.next();
             }
@@ -251,7 +251,7 @@ fn what_was_learned_in_a_home_is_understood_in_another_world_with_the_same_words
         ("the green one please", "agentInRoom(agent0,room1)"),
         ("the blue one now", "agentInRoom(agent0,room2)"),
     ];
-    // All lamps are off, so that all tasks are of one kind: no home says which word is for "on".
+    // All lamps are off, so all tasks are of one kind: no home tells which word means "on".
     let lamps = std::fs::read_to_string(world_file("lamps")).expect("a world").replace("lampOn(lamp3)\"]", "lampOff(lamp3)\"]");
     let world = folder.path().join("lamps.json");
     std::fs::write(&world, lamps).expect("a file");
@@ -261,7 +261,7 @@ fn what_was_learned_in_a_home_is_understood_in_another_world_with_the_same_words
         let asked = json(&goodbot(&["ask", "--with", model, "--environment", world, "--json", words], b""));
         assert_eq!(asked[0]["task"].as_str(), Some(lamp), "{words}: {}", asked[0]);
     }
-    // It goes on learning there, with what it knows of words.
+    // It continues to learn there, with its learned words.
     let log = folder.path().join("lamps.jsonl");
     let run = goodbot(&["teach", world, "--lines", "--model", model, "--log", log.to_str().expect("UTF-8")], b"command the blue one\n");
     let heard: Value = serde_json::from_str(run.output.lines().nth(1).expect("an answer")).expect("JSON");

@@ -8,7 +8,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
-/// What was answered, without the line that ends each answer.
+/// The answers, without the line that ends each.
 fn answers(run: &Run) -> Vec<Value> {
     let read = |line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}"));
     run.output.lines().map(read).filter(|line: &Value| line["type"] != "done").collect()
@@ -122,7 +122,7 @@ fn what_to_teach_next_is_one_new_word_that_is_wanted_where_it_can_be_taught() {
     assert_eq!(run.code, 0, "it can be taught there: {}", run.messages);
     assert!(answers[2]["tasks"].as_array().unwrap().iter().any(|task| task["words"] == next["command"]));
 
-    // Without a file it is what was said; one's own words are proposed where the robot is.
+    // Without a file, the commands so far are wanted; a wanted command of one's own is proposed for the present home.
     let (_, told) = teach(&[], "next\ncommand zorp blik\nstep\ngood\nfinish\nnext\n");
     let next: Vec<&Value> = told.iter().filter(|answer| answer["type"] == "next").collect();
     assert_eq!(next[0]["command"], Value::Null);
@@ -291,12 +291,12 @@ fn every_answer_ends_with_a_line_of_one_type() {
     let run = goodbot(&["teach"], requests.as_bytes());
     let done = run.output.lines().filter(|line| *line == r#"{"type":"done"}"#).count();
     assert_eq!(done, requests.lines().count());
-    // The greeting is no answer, and after the last one only the farewell comes.
+    // The greeting is no answer, and after the last answer comes only the farewell.
     let last: Vec<&str> = run.output.lines().rev().take(2).collect();
     assert!(last[0].starts_with(r#"{"type":"bye""#) && last[1] == r#"{"type":"done"}"#, "{last:?}");
 }
 
-/// The bridge of docs/teach.md: it says good to what is right for the task that it means, and bad to what is wrong.
+/// The bridge of docs/teach.md: it says good to steps that are right for its task, and bad to wrong ones.
 #[test]
 fn a_program_that_means_one_task_teaches_it_in_any_seed() {
     for seed in ["1", "2", "3"] {
@@ -337,7 +337,7 @@ fn a_program_that_means_one_task_teaches_it_in_any_seed() {
     }
 }
 
-/// Nobody reads the answers any more: that is no fault.
+/// If nobody reads the answers any more, that is no fault.
 #[test]
 fn it_ends_quietly_when_nobody_reads() {
     let (code, messages) = program::goodbot_unheard(&["teach"], b"help\nstate\n");

@@ -1,4 +1,4 @@
-//! `goodbot teach` in a real terminal: keys are pressed, and the screen is looked at.
+//! `goodbot teach` in a real terminal: the tests press keys and read the screen.
 
 use crate::window;
 
@@ -88,7 +88,7 @@ fn signals_end_it_as_control_c_does() {
 
 #[test]
 fn it_ends_when_its_window_is_closed_and_the_session_is_written_down() {
-    // A program that does not control its terminal is sent no signal when that goes.
+    // A program that does not control its terminal gets no signal when the terminal closes.
     for signalled in [true, false] {
         let folder = TempDir::new().unwrap();
         let mut command = teach(&folder, &["--speed", "step"], &[]);
@@ -161,7 +161,7 @@ fn without_colours_none_is_written() {
     }
 }
 
-/// By hand through the whole tour: "a" lets a simulated trainer judge each lesson; the tests go by themselves.
+/// The whole tour by hand: "a" lets a simulated trainer judge each lesson; the tests run by themselves.
 #[test]
 fn the_whole_tour_is_taught_by_keys() {
     let folder = TempDir::new().unwrap();
@@ -186,7 +186,7 @@ fn the_whole_tour_is_taught_by_keys() {
     window.press("\u{3}");
     assert!(window.end().success());
     assert_eq!(log(&folder, "tour").matches(r#""learn":true"#).count(), 7);
-    // A tour that was left goes on where it was.
+    // An interrupted tour continues where it was.
     let mut again = open(&folder, &["--tour"]);
     again.see("Test 1 of 5");
     again.press("\u{3}");

@@ -1,4 +1,4 @@
-//! What trainers are expected, and answers to questions: `fit-trainers`, `replay --believes`, logs with answers, `questions`.
+//! Expected trainers, and answers to questions: `fit-trainers`, `replay --believes`, logs with answers, `questions`.
 
 use crate::program;
 
@@ -25,7 +25,7 @@ fn an_answer_in_a_log_is_believed_where_it_stands() {
     assert_eq!(run.code, 0, "{}", run.messages);
     let lines: Vec<&str> = run.output.lines().collect();
     assert_eq!(to_green(lines[0]), 0.5);
-    // For it and against it, by the same odds.
+    // Evidence for it and against it, with the same odds.
     assert!((to_green(lines[1]) - 0.5).abs() < 1e-6, "{}", lines[1]);
     let once = goodbot(&["replay", "--json", "-"], &log([&home, &answer(true), &step("noop", "neutral"), END]));
     assert!((to_green(once.output.lines().nth(1).unwrap()) - 0.9).abs() < 1e-6);
@@ -42,7 +42,7 @@ fn an_answer_that_cannot_be_is_refused_with_its_line_and_what_to_do() {
         (vec![home.clone(), of(("0.1", "0.5")), END.to_owned()], ":2: field \"eta\": must be less than 0.5"),
         (vec![home.clone(), END.to_owned(), good.clone()], ":3: an answer is outside any session"),
         (vec![shown, good.clone(), END.to_owned()], ":2: an answer belongs in a session of feedback alone"),
-        (vec![home, of(("0.1}", "0.1,\"others\":0}")), END.to_owned()], ":2: field \"others\": 0 other answers are none to choose from"),
+        (vec![home, of(("0.1}", "0.1,\"others\":0}")), END.to_owned()], ":2: field \"others\": 0 is no number of other answers"),
     ] {
         let lines: Vec<&str> = lines.iter().map(String::as_str).collect();
         let run = goodbot(&["check", "-"], (lines.join("\n") + "\n").as_bytes());

@@ -25,7 +25,7 @@ fn robots_that_learn_ways_are_tested_before_between_and_after_their_lessons() {
         let (right, accuracy) = (test["right"].as_f64().unwrap(), test["accuracy"].as_f64().unwrap());
         assert!((right / 8.0 - accuracy).abs() < 1e-9, "{test}");
     }
-    // Both kinds of robots are asked the same before their first lesson.
+    // Both kinds of robots get the same questions before their first lesson.
     assert_eq!(tests[0]["right"], tests[3]["right"]);
     let lessons: Vec<&Value> = lines.iter().filter(|line| line["type"] == "lessons").collect();
     assert_eq!(lessons[0]["questions_asked"], 0.0);

@@ -12,14 +12,14 @@ fn command(group: &str, words: &str, meant: &str) -> String {
     format!(r#"{{"type":"command","world":"flat","id":"{words}","group":"{group}","command":"{words}","intended":["{meant}"]}}"#)
 }
 
-/// Each thing on and off, said in German: their meanings are to be learned.
+/// Commands in German for each thing, on and off: their meanings are to be learned.
 fn log() -> String {
     let mut lines = vec![WORLD.to_owned()];
     for (thing, class, said) in
         [("a", "lamp", "küche licht"), ("b", "lamp", "bad licht"), ("c", "fan", "küche lüfter"), ("d", "fan", "bad lüfter")]
     {
         for (state, word) in [("On", "an"), ("Off", "aus")] {
-            // What holds already is no task.
+            // A proposition that holds already is no task.
             if (thing, state) != ("a", "Off") {
                 for (number, before) in ["", "bitte "].iter().enumerate() {
                     lines.push(command(&number.to_string(), &format!("{before}{said} {word}"), &format!("{class}{state}({thing})")));
@@ -54,7 +54,7 @@ fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
         assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some(meant), Some(7)), "{answer}");
     }
     let read = goodbot(&["ask", "--with", model, "--log", log], b"");
-    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("meant was fanOn(d)"), "{}", read.output);
+    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("intended: fanOn(d)"), "{}", read.output);
     let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
     assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
 }
@@ -70,8 +70,8 @@ fn the_group_that_a_log_names_is_left_out_together() {
     assert!(too_many.code == 2 && too_many.messages.contains("group by group there are 2"), "{}", too_many.messages);
 }
 
-/// Conversations in which each thing is put on, and then "it" off, or on and off twice with "again". `before` tells whether the commands name
-/// those before them.
+/// Conversations in which each thing is switched on, and then "it" off, or on and off twice with "again". `before` says whether commands
+/// name the commands before them.
 fn conversations(before: bool) -> String {
     let world = WORLD.replace(r#""facts":["lampOff(a)"]"#, r#""facts":[]"#);
     let mut lines = vec![world];
@@ -315,7 +315,7 @@ fn hostile_worlds_are_refused_by_line_at_once() {
             world("", ",\"near\":[\"lamp\",\"lamp\"]", &lamps(20), &single(15), "\"near(?a,?b)\""),
             "28: field \"task_kinds\": give 380 tasks, and 256 are the most for a robot that acts; leave out kinds or objects",
         ),
-        // None of the last class is there, but all others are chosen before.
+        // The last class has no object, which shows only after all others are chosen.
         (
             world("", ",\"of\":[\"sole\"]", &format!("{},{{\"name\":\"s0\",\"class\":\"sole\"}}", lamps(200)), &wide, on)
                 .replace("\"classes\":[\"lamp\"]", "\"classes\":[\"lamp\",\"none\",\"sole\"]"),
@@ -374,11 +374,11 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
         ),
         (
             r#"{"name":"x","parameters":{"?l":"lamp"},"effects":["on(?l)","!on(?l)"]}"#,
-            "\": warning: on(?l) holds after x and does not, and what is written last counts; leave one of the two out",
+            "\": warning: on(?l) both holds and does not hold after x; the last one counts, so leave one of the two out",
         ),
         (
             r#"{"name":"x","conditions":["on(a)"],"effects":["on(a)"]}"#,
-            "\": warning: x changes nothing, in whatever state it is done; correct its effects, or leave it out",
+            "\": warning: x changes nothing in any state; correct its effects, or leave it out",
         ),
     ] {
         let checked = goodbot(&["check", "-"], world(&[action]).as_bytes());
@@ -394,7 +394,7 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
     let checked = goodbot(&["check", "-"], more.as_bytes());
     for (position, name) in [(1, "x"), (2, "y")] {
         let told = format!(
-            "field \"actions[{position}]\": warning: {name} can be done in no state that the robot comes to from these facts; correct its conditions, or leave it out"
+            "field \"actions[{position}]\": warning: {name} is possible in no state that the robot reaches from these facts; correct its conditions, or leave it out"
         );
         assert!(checked.messages.contains(&told), "{}", checked.messages);
     }

@@ -1,9 +1,9 @@
-//! Sessions that were trained on and are asked all the same: the same id, or the same content under another.
+//! Test sessions that were trained on nevertheless: with the same id, or with the same content under another id.
 
 use goodbot_console::training_data::Lesson;
 use std::collections::HashMap;
 
-/// What a session is known by: its id, and its content.
+/// The keys of a session: its id and its content.
 struct Keys<'l> {
     id: Option<&'l str>,
     content: String,
@@ -18,8 +18,8 @@ impl<'l> Keys<'l> {
     }
 }
 
-/// For each lesson that is asked, the lesson that it is a copy of, if one of those that a model is trained on then. `rounds` are positions
-/// of what is left out of training and of what is asked; `itself` says whether both lists are one.
+/// For each test lesson, a training lesson of which it is a copy, if there is one. `rounds` are the positions that are left out of
+/// training, and those that are asked. `itself` says that both lists are the same.
 pub fn find<'l>(taught: &'l [Lesson], asked: &'l [Lesson], rounds: &[(Vec<usize>, Vec<usize>)], itself: bool) -> Vec<Option<&'l Lesson>> {
     let mut ids: HashMap<&str, Vec<usize>> = HashMap::new();
     let mut contents: HashMap<String, Vec<usize>> = HashMap::new();

@@ -1,4 +1,4 @@
-//! Accuracy against the number of sessions that were trained on.
+//! Accuracy against the number of training sessions.
 
 use super::folds::{ask, shuffled};
 use super::method::{Method, Trained};
@@ -26,7 +26,7 @@ pub struct Point {
 /// The curve, averaged over `runs` orders of the sessions.
 ///
 /// # Errors
-/// [`Failure::Input`] where a command has no room.
+/// [`Failure::Input`] if a command does not fit.
 pub fn points(
     lessons: &[Lesson],
     starter: &Starter,
@@ -72,7 +72,7 @@ pub fn points(
 /// The curve as SVG: the mean, and one standard deviation on either side.
 ///
 /// # Errors
-/// What the plotting library says.
+/// The plotting library's error.
 pub fn draw(points: &[Point], runs: usize) -> Result<String, Box<dyn Error>> {
     canvas((720, 440), |area| {
         let most = points.last().map_or(1, |point| point.sessions) as f64;

@@ -1,4 +1,4 @@
-//! Training on some sessions, asking others, and what was answered.
+//! Trains on some sessions, asks others, and collects the answers.
 
 use super::method::{Method, Trained};
 use super::novel::Novel;
@@ -11,28 +11,28 @@ use goodbot_console::training_data::{Lesson, Reading, training};
 use rand_core::Rng;
 use rayon::prelude::*;
 
-/// What was answered to one command.
+/// The answer to one command.
 #[derive(Clone, Debug, Default)]
 pub struct Answer {
     /// The session.
     pub id: String,
-    /// What was said.
+    /// The command.
     pub command: String,
-    /// What was meant, and its kind.
+    /// The intended task, and its label.
     pub expected: (String, String),
-    /// The most likely task (the first in order of equals), and its kind.
+    /// The most likely task (the first of equals), and its label.
     pub predicted: (String, String),
-    /// The probability of what was meant, and of what was predicted.
+    /// The probabilities of the intended and of the predicted task.
     pub probabilities: (f32, f32),
     /// Whether the two are the same.
     pub right: bool,
-    /// Whether a learner that sees no words was right, and how probable it took what was meant.
+    /// Whether a learner without words was right, and its probability of the intended task.
     pub wordless: (bool, f32),
-    /// How probable the intended task is by chance in this scene.
+    /// The probability of the intended task by chance in this scene.
     pub chance: f32,
-    /// The session that this one is a copy of, where one was trained on.
+    /// The training session of which this one is a copy, if there is one.
     pub copy_of: Option<String>,
-    /// The words that speak most for a mistake.
+    /// The words that most support a mistake.
     pub telling: Vec<(String, f32)>,
 }
 
@@ -46,29 +46,29 @@ pub fn shuffled(count: usize, seed: u64) -> Vec<usize> {
     order
 }
 
-/// What is trained on and what is asked.
+/// The training sessions and the questions.
 pub struct Experiment<'l> {
     /// Sessions to train on.
     pub taught: &'l [Lesson],
     /// Sessions to ask.
     pub asked: &'l [Lesson],
-    /// For each model that is trained: what it is not trained on, and what it is asked, by position.
+    /// For each model to train: the positions that it is not trained on, and those that it is asked.
     pub rounds: Vec<(Vec<usize>, Vec<usize>)>,
-    /// The sessions that those asked are copies of.
+    /// The training sessions of which the asked ones are copies.
     pub copies: Vec<Option<&'l Lesson>>,
-    /// Words that mean the same.
+    /// The synonyms that replace unknown words.
     pub synonyms: Synonyms<'l>,
-    /// What is learned from beside the sessions.
+    /// The starter to learn from beside the sessions.
     pub starter: &'l Starter,
     /// Other layouts to ask in, if any.
     pub novel: Option<Novel<'l>>,
 }
 
 impl Experiment<'_> {
-    /// Trains and asks, as many rounds at a time as the machine has cores.
+    /// Trains and asks, with rounds in parallel on all cores.
     ///
     /// # Errors
-    /// [`Failure::Input`] where a command has no room, or a home no other layout.
+    /// [`Failure::Input`] if a command does not fit, or a home has no other layout.
     pub fn run(&self, method: Method, settings: Settings) -> Result<Vec<Answer>, Failure> {
         let progress = bar(self.rounds.len(), "training");
         let actions: Vec<Lesson> = if method == Method::Action { self.taught.iter().map(by_actions).collect() } else { vec![] };
@@ -94,10 +94,10 @@ impl Experiment<'_> {
         Ok(answers.into_iter().flatten().collect())
     }
 
-    /// Asks all rounds of one model that is there already.
+    /// Asks the questions of all rounds to one trained model.
     ///
     /// # Errors
-    /// As [`run`](Self::run).
+    /// The errors of [`run`](Self::run).
     pub fn ask(&self, trained: &mut Trained<'_>) -> Result<Vec<Answer>, Failure> {
         let wordless = Wordless::default();
         let part: Vec<usize> = self.rounds.iter().flat_map(|(_, part)| part.iter().copied()).collect();
@@ -129,16 +129,16 @@ impl Experiment<'_> {
     }
 }
 
-/// The most likely task, the first in order of equals, and the one meant.
+/// The most likely task, the first of equals, and the intended one.
 fn best_and_meant(posterior: &[f32], lesson: &Lesson) -> (usize, usize) {
     let best = posterior.iter().enumerate().fold((0, f32::MIN), |best, (task, &p)| if p > best.1 { (task, p) } else { best }).0;
     (best, lesson.intended.unwrap_or(usize::MAX))
 }
 
-/// Asks for one command. Nothing where it is not known what was meant.
+/// Asks one command; `None` if its intended task is unknown.
 ///
 /// # Errors
-/// [`Failure::Input`] where the command has no room.
+/// [`Failure::Input`] if the command does not fit.
 pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>, Failure> {
     if lesson.intended.is_none() {
         return Ok(None);
@@ -159,7 +159,7 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
     }))
 }
 
-/// The lesson with what was shown as its only machine command.
+/// The lesson with the demonstrated actions as its only machine command.
 fn by_actions(lesson: &Lesson) -> Lesson {
     let shown: Vec<String> = lesson.shown.iter().take(goodbot::capacity::TOKENS_PER_COMMAND).cloned().collect();
     Lesson { pairs: if shown.is_empty() { vec![] } else { vec![(shown, 1.0)] }, ..lesson.clone() }

@@ -17,13 +17,13 @@ use goodbot_lesson::{checked, home};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What learns.
+/// The language models.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Method {
-    /// What understands people best: the role model, and a layer above it that learns more from many sessions
+    /// The best for people's commands: the role model, and a layer above it that learns more from many sessions
     #[default]
     Default,
-    /// The role model alone, as boards, C and the page have it
+    /// The role model alone, as on boards, in C and on the page
     Roles,
     /// Model 2, smoothed
     Smoothed,
@@ -37,7 +37,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// How it learns: the same as where `goodbot learn` has a learner of that name.
+    /// Its settings: the same as those of a learner of that name in `goodbot learn`.
     pub const fn options(self) -> Options {
         match self {
             Self::Default => Learner::Default.options(),
@@ -48,7 +48,7 @@ impl Method {
     }
 }
 
-/// The default without one choice at a time, and the paper's.
+/// The default and the paper's settings, and variants that differ in one choice.
 pub fn ablations() -> Vec<(&'static str, Options)> {
     let default = Settings::SMOOTHED;
     let model_2 = [
@@ -71,9 +71,9 @@ pub fn ablations() -> Vec<(&'static str, Options)> {
 pub enum Trained<'m> {
     /// Model 2.
     Model2(Box<LanguageModel<&'m mut AgentHeap>>),
-    /// Words of each machine command.
+    /// The word counts of each machine command.
     Bags(Bags),
-    /// A robot that was trained before.
+    /// A robot with a trained model.
     Robot(Box<Agent<AgentHeap>>),
 }
 
@@ -96,10 +96,10 @@ impl<'m> Trained<'m> {
         })
     }
 
-    /// A lesson whose command is in words that the model knows, as far as a table has them.
+    /// A lesson with unknown words of its command replaced by known synonyms.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the command is too long.
+    /// [`Failure::Input`] if the command is too long.
     pub fn in_known_words<'l>(&self, synonyms: Synonyms<'_>, lesson: &'l Lesson) -> Result<Cow<'l, Lesson>, Failure> {
         let language = match self {
             Self::Model2(model) => model.read(),
@@ -113,7 +113,7 @@ impl<'m> Trained<'m> {
     /// The posterior over a lesson's tasks.
     ///
     /// # Errors
-    /// [`Failure::Input`] where the command has no room.
+    /// [`Failure::Input`] if the command does not fit.
     pub fn posterior(&mut self, lesson: &Lesson) -> Result<Vec<f32>, Failure> {
         match self {
             Self::Model2(model) => Ok(training::posterior(model, lesson)?),
@@ -132,7 +132,7 @@ impl<'m> Trained<'m> {
         }
     }
 
-    /// The words that speak most for `predicted` against `meant`, with how many times more probable they are there.
+    /// The words that most support `predicted` against `meant`, each with the ratio of its probabilities.
     ///
     /// # Errors
     /// A [`CapacityError`].

@@ -1,13 +1,13 @@
-//! `goodbot evaluate`: how well are commands understood that were not trained on?
+//! `goodbot evaluate`: the accuracy for commands that were not trained on.
 //!
-//! - [`split`]: which sessions are left out together;
+//! - [`split`]: the sessions that are left out together;
 //! - [`folds`]: training on some sessions and asking others;
 //! - [`method`]: the models that are compared;
-//! - [`wordless`]: the control, a learner that sees no words;
-//! - [`copies`]: sessions that are asked and were trained on all the same;
+//! - [`wordless`]: the control, a learner without words;
+//! - [`copies`]: test sessions that were trained on nevertheless;
 //! - [`novel`]: the same commands in other layouts;
 //! - [`curve`]: accuracy against the number of sessions;
-//! - [`report`]: what is told.
+//! - [`report`]: the report.
 
 mod copies;
 mod curve;
@@ -40,10 +40,10 @@ use split::{Group, Split};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Above this many sessions, ten parts are left out in turn instead of each session: the work of leaving out each grows with the square of
-/// their number.
+/// Above this many sessions, ten parts are left out in turn, instead of each session: the work of leaving out each one grows with the
+/// square of their number.
 const MOST_LEFT_OUT_ONE_BY_ONE: usize = 500;
-/// Parts of the sessions where there are more.
+/// The number of parts then.
 const PARTS: usize = 10;
 
 /// The options of `goodbot evaluate`.
@@ -81,7 +81,7 @@ pub struct EvaluateOptions {
     /// Ask each command in N random layouts of its home; N is 1 to 100
     #[arg(long, value_name = "N", value_parser = between(1_usize, 100), allow_negative_numbers = true)]
     novel_environments: Option<usize>,
-    /// What learns
+    /// The language model
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Method,
     #[command(flatten)]
@@ -128,7 +128,7 @@ Beside the accuracy:
   steps alone        training sessions whose steps, without any word, point at the intended task
   calibration error  the mean difference between certainty and accuracy
 
-With --with it is not known what the model was trained on: nothing is told of a learner without words and of copies \
+With --with, the model's training data are unknown, so a learner without words and copies are not reported \
 (null in JSON).
 
 Examples:
@@ -175,7 +175,7 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     let sessions = Sessions::read(options, &lifted, agent)?;
     let (answers, summary) = sessions.answers(options, &lifted, options.learner, agent)?;
     sessions.tell_copies(&answers);
-    // Pictures come first: a reader who leaves must not cost them.
+    // Pictures come first, so that they are written even if the reader of the text stops early.
     reliability(plot.as_ref(), &summary)?;
     report::print(&mut out, &answers, &summary, options.json).or_else(unheard)?;
     if let Some(curve) = &curve {
@@ -189,12 +189,12 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-/// A reader who leaves is no fault; what is still to be written is.
+/// A reader who stops early is no fault. Files that are still to be written are written.
 fn unheard(error: io::Error) -> io::Result<()> {
     if error.kind() == io::ErrorKind::BrokenPipe { Ok(()) } else { Err(error) }
 }
 
-/// What the axes of the reliability diagram show.
+/// The axes of the reliability diagram.
 const SURE: &str = "% sure of the predicted task, on average";
 const RIGHT: &str = "% right, with 95 % interval";
 
@@ -215,7 +215,7 @@ fn ablation(options: &EvaluateOptions, lifted: &[LiftedTask], out: &mut impl Wri
     Ok(out.flush()?)
 }
 
-/// A model that was trained before is asked.
+/// Asks a model that was trained before.
 fn with_model(
     options: &EvaluateOptions,
     file: &Path,
@@ -258,7 +258,7 @@ fn with_model(
     Ok(out.flush()?)
 }
 
-/// What was read: sessions to train on, and others to ask where there are such.
+/// The sessions to train on, and others to ask, if there are any.
 struct Sessions {
     taught: Lessons,
     asked: Option<Lessons>,
@@ -287,7 +287,7 @@ impl Sessions {
         self.asked().iter().any(|lesson| lesson.world.is_some())
     }
 
-    /// Whether a robot acts wherever they are asked.
+    /// Whether a robot acts in all of their places.
     fn act(&self) -> bool {
         self.asked().iter().all(|lesson| lesson.acts)
     }
@@ -295,16 +295,16 @@ impl Sessions {
     /// Remarks on the sessions that were read.
     ///
     /// # Errors
-    /// [`Failure::Input`] where no session that is asked says what was meant.
+    /// [`Failure::Input`] if no question has an intended task.
     fn about(&self) -> Result<Read, Failure> {
         let unknown = self.asked().iter().filter(|lesson| lesson.intended.is_none()).count();
         if unknown == self.asked().len() {
-            let message = "no session says what was meant, so it cannot be said which answers are right; add \"intended\" to the session \
+            let message = "no session has an intended task, so no answer can be checked; add \"intended\" to the session \
                            lines, or ask one command at a time with goodbot ask";
             return Err(Failure::Input(message.to_owned()));
         }
         if unknown > 0 {
-            say!("{} not asked: without \"intended\" it cannot be said whether the answer is right", counted(unknown, "session"));
+            say!("{} not asked: without \"intended\", the answer cannot be checked", counted(unknown, "session"));
         }
         let evidence: Vec<bool> = self.taught.lessons.iter().filter_map(Lesson::evidence_is_right).collect();
         let (asked_skipped, asked_way) = self.asked.as_ref().map_or((0, 0), |asked| (asked.skipped, asked.with_way));
@@ -339,7 +339,7 @@ impl Sessions {
             let message = "--novel-environments and --learner action are for homes: a world from a file has no other layout and no actions";
             return Err(Failure::Input(message.to_owned()));
         }
-        // In another layout nothing is a copy.
+        // Commands in other layouts are no copies.
         let copies = match options.novel_environments {
             Some(_) => vec![None; self.asked().len()],
             None => copies::find(&self.taught.lessons, self.asked(), &rounds, self.asked.is_none()),
@@ -358,7 +358,7 @@ impl Sessions {
         Ok((answers, summary))
     }
 
-    /// Names the first copies of sessions that were trained on.
+    /// Names the first copies of training sessions.
     fn tell_copies(&self, answers: &[folds::Answer]) {
         const MOST: usize = 5;
         let mut copies: Vec<(&str, &str)> =
@@ -392,7 +392,7 @@ impl EvaluateOptions {
         Split { group, parts: self.k_fold.or(many.then_some(PARTS)), most }
     }
 
-    /// A seed that nothing is drawn with is a mistake.
+    /// A seed without anything to draw is a mistake.
     fn refuse_idle_seed(&self, lessons: &[Lesson]) -> Result<(), Failure> {
         let split = self.split(lessons);
         let in_parts = self.with.is_none() && self.test.is_empty() && (split.parts.is_some() || split.most.is_some());

@@ -1,4 +1,4 @@
-//! The same commands in layouts that no session took place in: the rooms exchange their places, and agent and blocks are elsewhere.
+//! The same commands in new layouts: rooms exchange their places, and the agent and blocks are elsewhere.
 
 use goodbot::Options;
 use goodbot::task::LiftedTask;
@@ -10,7 +10,7 @@ use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use rand_core::Rng;
 use std::sync::Mutex;
 
-/// How often a layout is drawn anew if the intended task holds already, or things cannot be placed.
+/// How often a layout is drawn again if the intended task holds already, or objects cannot be placed.
 const TRIES: usize = 200;
 
 /// Other layouts to ask commands in.
@@ -19,7 +19,7 @@ pub struct Novel<'l> {
     options: Options,
     count: usize,
     seed: u64,
-    /// Those who look at layouts, one for each core: each has a memory of its own.
+    /// Witnesses for the layouts, one for each core: each has a memory of its own.
     witnesses: Mutex<Vec<Witness>>,
 }
 
@@ -29,10 +29,10 @@ impl<'l> Novel<'l> {
         Self { lifted, options, count, seed, witnesses: Mutex::new(vec![]) }
     }
 
-    /// Shows a lesson, the one at `position`, in one layout after the other.
+    /// Passes a lesson, the one at `position`, to `each` in one layout after another.
     ///
     /// # Errors
-    /// What `each` says, and a [`Failure`] where the home has no other layout.
+    /// The error of `each`, and a [`Failure`] if the home has no other layout.
     pub fn each_layout(
         &self,
         lesson: &Lesson,
@@ -64,7 +64,7 @@ fn elsewhere(witness: &mut Witness, lesson: &Lesson, random: &mut impl Rng) -> R
         let header = SessionHeader::new(Kind::Demonstration, environment, command);
         let header = SessionHeader { id, intended, before, through, avoiding, actions, ..header };
         let recorded = RecordedSession { header, header_line: 1, steps: vec![], answers: vec![], learn: false, end_line: 1 };
-        // What cannot be built, or asks for what holds already, is drawn anew.
+        // A layout that cannot be built, or in which the task holds already, is drawn again.
         if let Ok(lesson) = witness.lesson(&lesson.id, &recorded)
             && !known
         {

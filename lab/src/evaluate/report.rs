@@ -10,14 +10,14 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-/// How many answers were right, and how much they were worth.
+/// The accuracy and the log loss of answers.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Score {
     /// Commands understood.
     pub right: usize,
     /// Commands asked.
     pub asked: usize,
-    /// The mean of -ln of the probability of what was meant.
+    /// The mean of -ln of the intended task's probability.
     pub log_loss: f64,
 }
 
@@ -33,7 +33,7 @@ impl Score {
         score
     }
 
-    /// The share that was right.
+    /// The share of right answers.
     pub fn accuracy(&self) -> f64 {
         self.right as f64 / self.asked.max(1) as f64
     }
@@ -50,39 +50,40 @@ impl Score {
     }
 }
 
-/// What was read, beside the answers.
+/// Counts of the sessions that were read.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Read {
-    /// Whether the model was there before: what it was trained on is not known, nor are copies of that.
+    /// Whether the model was trained before. Its training data and copies of them are unknown then.
     pub is_given: bool,
     /// Sessions that models are trained on.
     pub taught: usize,
-    /// Sessions at fault that were passed over.
+    /// Faulty sessions that were skipped.
     pub skipped: usize,
-    /// Sessions that were left out because they tell a way.
+    /// Sessions that were left out because their task has a way.
     pub with_way: usize,
-    /// Sessions that are not asked because they do not say what was meant.
+    /// Sessions that are not asked because they have no intended task.
     pub unknown: usize,
-    /// Commands with more words than are read.
+    /// Commands that are read by their first words only.
     pub long: usize,
-    /// Of the sessions trained on whose steps can be held against what was meant: in how many the steps alone are right, and how many.
+    /// Of the training sessions whose steps can be compared with an intended task: how many are right by their steps alone, and how many
+    /// there are.
     pub evidence: (usize, usize),
 }
 
-/// All answers together.
+/// The summary of all answers.
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// What was read.
+    /// The counts of sessions.
     pub read: Read,
     /// The model.
     pub score: Score,
-    /// A learner that sees no words.
+    /// A learner without words.
     pub wordless: Score,
-    /// The mean probability of what was meant, by chance.
+    /// The mean probability of the intended task by chance.
     pub chance: f64,
-    /// The model, on what is no copy of a session that was trained on.
+    /// The model, without copies of training sessions.
     pub without_copies: Score,
-    /// Answers by how sure they were.
+    /// Answers by certainty.
     pub ranges: [Range; RANGES],
 }
 
@@ -100,7 +101,7 @@ impl Summary {
         }
     }
 
-    /// What can be said only where the sessions are known that the model was trained on.
+    /// A value that is known only if the training sessions are known.
     fn known(&self, value: Value) -> Value {
         if self.read.is_given { Value::Null } else { value }
     }
@@ -169,12 +170,11 @@ fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
 
 fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let Read { is_given, taught, skipped, with_way, unknown, evidence, .. } = summary.read;
-    let others: Vec<String> =
-        [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: what was meant is not said")]
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, what)| format!(", {count} {what}"))
-            .collect();
+    let others: Vec<String> = [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: no intended task")]
+        .iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, what)| format!(", {count} {what}"))
+        .collect();
     let taught = if is_given { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
     writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
@@ -193,7 +193,7 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
         let share = 100.0 * evidence.0 as f64 / evidence.1 as f64;
         writeln!(
             out,
-            "steps alone        {share:6.2} %  of the sessions trained on point at what was meant: {} of {}",
+            "steps alone        {share:6.2} %  of the training sessions point at the intended task: {} of {}",
             evidence.0, evidence.1
         )?;
     }
@@ -215,13 +215,13 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     Ok(())
 }
 
-/// How often each kind of task was taken for which.
+/// Prints how often each kind of task was taken for each other.
 fn confusion(out: &mut impl Write, answers: &[Answer]) -> io::Result<()> {
     let mut counts: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for answer in answers {
         *counts.entry(&answer.expected.1).or_default().entry(&answer.predicted.1).or_default() += 1;
     }
-    writeln!(out, "\nexpected, how often that was predicted, and what else was")?;
+    writeln!(out, "\nexpected task, how often it was predicted, and other predictions")?;
     for (expected, predicted) in &counts {
         let all: usize = predicted.values().sum();
         let right = predicted.get(expected).copied().unwrap_or(0);
@@ -238,7 +238,7 @@ pub fn print_curve(out: &mut impl Write, points: &[Point]) -> io::Result<()> {
     points.iter().try_for_each(|it| writeln!(out, "{:8}  {:.1} % ± {:.1}", it.sessions, 100.0 * it.mean, 100.0 * it.deviation))
 }
 
-/// Prints a row for each combination of options, and one for a learner that sees no words.
+/// Prints a row for each combination of options, and one for a learner without words.
 pub fn ablation(out: &mut impl Write, rows: &[(&str, Summary)], json: bool) -> io::Result<()> {
     let wordless = rows.first().map(|(_, it)| ("without words", it.wordless, None));
     let scores = rows.iter().map(|(name, it)| (*name, it.score, Some(calibration::error(&it.ranges)))).chain(wordless);

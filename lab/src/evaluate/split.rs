@@ -1,4 +1,4 @@
-//! Which sessions are left out together, and asked when a model was trained on the rest.
+//! The sessions that are left out together, and asked after a model was trained on the rest.
 
 use super::folds::shuffled;
 use clap::ValueEnum;
@@ -7,28 +7,28 @@ use goodbot_console::training_data::Lesson;
 use goodbot_lesson::first_words::heard;
 use std::collections::BTreeMap;
 
-/// What keeps sessions together.
+/// The common property of sessions that stay together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Group {
     /// The person who trained: a session's id up to its first dot
     Worker,
     /// The environment, to the last cell
     Environment,
-    /// The environment and what was meant there
+    /// The environment and the intended task
     Task,
     /// The command, word by word
     Command,
-    /// What a log of worlds says must stay together: a speaker, a meaning
+    /// The group that a log of worlds names, such as a speaker or a meaning
     Logged,
 }
 
 impl Group {
-    /// What sessions of one group have in common.
+    /// The common property of one group's sessions.
     fn key(self, lesson: &Lesson) -> String {
         match self {
             Self::Worker => lesson.id.split('.').next().unwrap_or_default().to_owned(),
             Self::Command => {
-                // Of a command that is too long its first words alone are here.
+                // A command that is too long has only its first words here.
                 heard(Model::Model2, &lesson.command).unwrap_or_default().join(" ")
             }
             Self::Logged => lesson.group.clone().unwrap_or_else(|| lesson.id.clone()),
@@ -41,14 +41,14 @@ impl Group {
     }
 }
 
-/// How sessions are divided.
+/// The division of sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split {
-    /// What keeps them together, if anything does.
+    /// The property that keeps sessions together, if any.
     pub group: Option<Group>,
-    /// How many parts; one for each session or group where nothing is said.
+    /// The number of parts; by default, one for each session or group.
     pub parts: Option<usize>,
-    /// The most parts where no number is given.
+    /// The most parts, if no number is given.
     pub most: Option<usize>,
 }
 
@@ -56,7 +56,7 @@ impl Split {
     /// The sessions part by part.
     ///
     /// # Errors
-    /// Why they cannot be divided like this.
+    /// The reason why they cannot be divided.
     pub fn parts(self, lessons: &[Lesson], seed: u64) -> Result<Vec<Vec<usize>>, String> {
         let mut groups: BTreeMap<String, Vec<usize>> = BTreeMap::new();
         for (position, lesson) in lessons.iter().enumerate() {

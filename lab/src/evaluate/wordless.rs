@@ -1,13 +1,13 @@
-//! The control: a learner that sees the scene and the intended task, and no word.
+//! The control: a learner that sees the scene and the intended task, but no word.
 //!
-//! Where each task always begins in a room of its own, such a learner understands every command. An accuracy says something of words only
-//! as far as it is above this one's.
+//! If each task has a starting room of its own, such a learner understands every command. Only accuracy above this learner's shows that
+//! words were understood.
 
 use goodbot_console::training_data::Lesson;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use std::collections::BTreeMap;
 
-/// How often each kind of task was meant: everywhere, and scene by scene.
+/// How often each kind of task was intended: in total, and for each scene.
 #[derive(Debug, Default)]
 pub struct Wordless {
     everywhere: Counts,
@@ -26,14 +26,14 @@ impl Counts {
         *self.labels.entry(label.to_owned()).or_default() += weight;
     }
 
-    /// The share of a label, drawn towards `before` by one more session.
+    /// The share of a label, smoothed towards `before` with the weight of one session.
     fn share(&self, label: &str, before: f64) -> f64 {
         (self.labels.get(label).copied().unwrap_or(0.0) + before) / (self.whole + 1.0)
     }
 }
 
 impl Wordless {
-    /// What these lessons show.
+    /// The counts of these lessons.
     pub fn of<'l>(lessons: impl Iterator<Item = &'l Lesson>) -> Self {
         let mut learner = Self::default();
         for lesson in lessons.filter(|lesson| lesson.learn) {
@@ -46,7 +46,7 @@ impl Wordless {
         learner
     }
 
-    /// How probable each task of a lesson is, without its words.
+    /// The probability of each task of a lesson, without its words.
     pub fn posterior(&self, lesson: &Lesson) -> Vec<f32> {
         let here = self.scenes.get(&scene(lesson));
         let mut alike: BTreeMap<&str, f64> = BTreeMap::new();
@@ -58,7 +58,7 @@ impl Wordless {
             let everywhere = self.everywhere.share(label, even);
             here.map_or(everywhere, |here| here.share(label, everywhere))
         };
-        // Tasks that look alike share what their look has.
+        // Tasks with the same label share the label's score.
         let part = |reading: &goodbot_console::training_data::Reading| {
             f64::from(reading.prior) / alike.get(reading.label.as_str()).copied().unwrap_or(1.0)
         };
@@ -68,7 +68,7 @@ impl Wordless {
     }
 }
 
-/// Which room the agent is in, and which blocks are in which room, by their looks; in a world from a file, the world and what holds there.
+/// The rooms of the agent and the blocks, by their looks; in a world from a file, the world and its facts.
 fn scene(lesson: &Lesson) -> String {
     lesson.world.clone().unwrap_or_else(|| scene_of_home(&lesson.header.environment))
 }

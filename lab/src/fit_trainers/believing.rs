@@ -1,4 +1,4 @@
-//! What a robot that expects certain trainers would have believed in recorded sessions, and how right that was.
+//! The beliefs that a robot with certain expectations would have had in recorded sessions, and how right they were.
 
 use crate::calibration::{self, RANGES, Range, ranges};
 use crate::recorded::Walk;
@@ -6,28 +6,28 @@ use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, Judged, LAGS,
 use goodbot::probability::Scaled;
 use serde_json::{Value, json};
 
-/// Below this probability the intended task counts as given up.
+/// The intended task counts as given up below this probability.
 pub const GIVEN_UP: f64 = 0.05;
-/// A probability of 0 counts as this one in the logarithm.
+/// In the logarithm, a probability of 0 counts as this one.
 const LEAST: f64 = 1e-12;
 
-/// What is expected of trainers.
+/// The expectation about trainers.
 #[derive(Clone, Debug)]
 pub struct Expectation {
     /// The strategies and their shares.
     pub strategies: Vec<(Strategy, f32)>,
-    /// How far they drift back from session to session.
+    /// How far they drift back to their priors between sessions.
     pub drift: f32,
-    /// What the end of a session says.
+    /// The evidence in the end of a session.
     pub ending: Ending,
 }
 
-/// How right the beliefs at the end of sessions were.
+/// The rightness of beliefs at the end of sessions.
 #[derive(Clone, Debug, Default)]
 pub struct Rightness {
-    /// How probable the intended task was at the end of each session with feedback, and whether it was alone the most likely one.
+    /// The intended task's probability at the end of each session with feedback, and whether it was the only most likely task.
     ends: Vec<(f64, bool)>,
-    /// How probable each task was, and whether it was the intended one.
+    /// The probability of each task, and whether it was the intended one.
     tasks: Vec<(f64, bool)>,
 }
 
@@ -46,7 +46,7 @@ impl Rightness {
         self.tasks.extend(other.tasks);
     }
 
-    /// How many sessions.
+    /// The number of sessions.
     pub fn sessions(&self) -> usize {
         self.ends.len()
     }
@@ -55,7 +55,7 @@ impl Rightness {
         self.ends.iter().map(value).sum::<f64>() / self.ends.len().max(1) as f64
     }
 
-    /// The share in which the intended task was alone the most likely one.
+    /// The share of sessions in which the intended task was the only most likely one.
     pub fn on_top(&self) -> f64 {
         self.mean(|&(_, alone)| f64::from(u8::from(alone)))
     }
@@ -65,22 +65,22 @@ impl Rightness {
         self.mean(|&(probability, _)| -probability.max(LEAST).ln())
     }
 
-    /// The share in which the intended task had less than [`GIVEN_UP`].
+    /// The share of sessions in which the intended task had less than [`GIVEN_UP`].
     pub fn given_up(&self) -> f64 {
         self.mean(|&(probability, _)| f64::from(u8::from(probability < GIVEN_UP)))
     }
 
-    /// All tasks of all sessions by how probable they were at the end, and how many of them were meant.
+    /// All tasks of all sessions by their probability at the end, and how many of them were intended.
     pub fn reliability(&self) -> [Range; RANGES] {
         ranges(self.tasks.iter().copied())
     }
 
-    /// How far probabilities and shares that were meant are apart, on average.
+    /// The mean difference between the probabilities of tasks and the shares of intended tasks.
     pub fn calibration_error(&self) -> f64 {
         calibration::error(&self.reliability())
     }
 
-    /// The same as a line of JSON.
+    /// The figures as a line of JSON.
     pub fn json(&self) -> Value {
         let range = |range: &Range| json!({"count": range.count, "mean_probability": range.certainty(), "share_meant": range.accuracy()});
         json!({
@@ -94,7 +94,7 @@ impl Rightness {
     }
 }
 
-/// What a robot with this expectation would have believed at the end of each session with feedback.
+/// Replays the sessions with a robot that has this expectation, and returns its beliefs at the end of each session with feedback.
 pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectation) -> Rightness {
     let (tasks, strategies) = (goodbot::Capacities::STANDARD.tasks, expectation.strategies.len());
     let (mut joint, mut settled) = (vec![Scaled::ZERO; tasks * strategies], vec![Scaled::ZERO; tasks * strategies]);
@@ -107,7 +107,7 @@ pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectati
     for walk in walks {
         if trainer != Some(&walk.trainer) {
             trainer = Some(&walk.trainer);
-            // Both fit and are sound: they come from a fit or were checked when typed.
+            // Both fit and are valid: they come from a fit, or were checked when typed.
             let _ = belief.set_strategies(&expectation.strategies);
         }
         if !walk.continues {

@@ -1,16 +1,16 @@
-//! How often trainers end a session: at the intended goal and elsewhere, by rests in a row and by the last word.
+//! The probability that a trainer ends a session, at the intended goal and elsewhere, by rests in a row and by the last feedback.
 
 use crate::recorded::{Walk, WalkStep};
 use goodbot::feedback::{Ending, Feedback, Hazard};
 
-/// The hazard of each moment is drawn to that of all moments by this many steps.
+/// Each hazard is smoothed towards the overall hazard with the weight of this many steps.
 const HOLD: f64 = 6.0;
-/// Rests in a row that are told apart: none, one, more.
+/// The classes of rests in a row: none, one, more.
 const RESTS: usize = 3;
-/// Last words that are told apart: none, reward, punish.
+/// The classes of the last feedback: none, reward, punish.
 const WORDS: usize = 3;
 
-/// Steps, and those after which the trainer ended the session, by rests and by the last word.
+/// Counts of steps, and of ends after them, by rests and by the last feedback.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts([[(f64, f64); WORDS]; RESTS]);
 
@@ -26,11 +26,11 @@ impl Counts {
         *ends += if ended { 1.0 } else { 0.0 };
     }
 
-    /// The hazard for how often the robot rested, times a factor for the last word.
+    /// The hazard by the number of rests, times a factor for the last feedback.
     fn hazard(&self) -> Hazard {
         let sum = |(steps, ends): (f64, f64), &(more, more_ends): &(f64, f64)| (steps + more, ends + more_ends);
         let (steps, ends) = self.0.iter().flatten().fold((0.0, 0.0), sum);
-        // As if ten more steps had been seen, and half an end: no probability is 0.
+        // Smoothed by ten more steps and half an end, so that no probability is 0.
         let all = (ends + 0.5) / (steps + 10.0);
         let held = |(steps, ends): (f64, f64)| (ends + HOLD * all) / (steps + HOLD);
         let by_rests = self.0.map(|words| held(words.iter().fold((0.0, 0.0), sum)));
@@ -41,7 +41,7 @@ impl Counts {
     }
 }
 
-/// How often the trainers of these sessions ended them.
+/// Fits the ends of these sessions.
 pub fn fit<'a>(walks: impl Iterator<Item = &'a Walk>) -> Ending {
     let (mut at_goal, mut elsewhere) = (Counts::default(), Counts::default());
     for walk in walks {

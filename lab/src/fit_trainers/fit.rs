@@ -1,44 +1,43 @@
-//! A population of trainer strategies, fitted to what real trainers said.
+//! Fits a population of trainer strategies to the feedback of real trainers.
 //!
-//! Each trainer follows one strategy of the population; which one is not known, and neither is which action a word was about nor what the
-//! trainer took that action for. Expectation maximisation finds strategies and shares under which the words are most probable. There is
-//! much less to be seen of one trainer than three probabilities and a lag take, so every strategy is held to what all trainers together do:
-//! as if each had said a few more words, as all do on average ([`Fit::hold`]). Their number is chosen inside the training data, by
-//! leaving one trainer out.
+//! Each trainer follows one strategy of the population. Unknown are the strategy, the action that a feedback is about, and whether the
+//! trainer took the action for right. Expectation maximisation finds the strategies and shares that make the feedback most probable. One
+//! trainer has too little feedback to determine three probabilities and a lag, so every strategy is smoothed towards that of all trainers,
+//! with the weight of a few words ([`Fit::hold`]). The weight is chosen inside the training data, by leaving one trainer out.
 
 use crate::recorded::Walk;
 use goodbot::feedback::{Feedback, Judged, LAGS, Strategy};
 use std::collections::BTreeMap;
 
-/// How many strategies are fitted: more of them say the same again, and a robot's beliefs take memory for each.
+/// The most strategies: more would be similar, and a robot's beliefs take memory for each.
 pub const MOST: usize = 6;
 /// Rounds of expectation maximisation.
 const ROUNDS: usize = 30;
-/// From how many words of all trainers the hold is chosen.
+/// The weights to choose from, in words of all trainers.
 const HOLDS: [f64; 4] = [3.0, 10.0, 30.0, 100.0];
-/// The prior of trainers, as a number of words.
+/// The prior of trainers, and its weight in words.
 const BEFORE: (Manner, [f64; LAGS], f64) = (Manner { silence: [0.85, 0.85], mistake: 0.2 }, [0.7, 0.2, 0.1], 3.0);
-/// A trainer who mistakes more than this means the opposite.
+/// A trainer with more mistakes than this would mean the opposite.
 const MOST_MISTAKEN: f64 = 0.45;
 
-/// How a trainer speaks of moves, or of rests.
+/// A trainer's feedback to moves, or to rests.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Manner {
-    /// Silence after what was taken for right, and for wrong.
+    /// The probabilities of silence to an action taken for right, and to one taken for wrong.
     silence: [f64; 2],
     mistake: f64,
 }
 
-/// What may differ from strategy to strategy.
+/// The ways in which strategies may differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shape {
-    /// Whether words may be late.
+    /// Whether feedback may be late.
     pub lagging: bool,
-    /// Whether rests are spoken of otherwise than moves, and a move inside the goal is as right as a rest there.
+    /// Whether feedback to rests differs from feedback to moves; a move inside the goal is then as right as a rest there.
     pub rests: bool,
 }
 
-/// What a strategy is made of.
+/// The parameters of a strategy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Parameters {
     /// For moves and for rests.
@@ -47,12 +46,12 @@ struct Parameters {
     shape: Shape,
 }
 
-/// What one trainer said: how often each feedback came after each history of actions, the last one first.
+/// The feedback of one trainer: how often each feedback came after each history of actions, the last action first.
 #[derive(Clone, Debug, Default)]
 pub struct Heard(BTreeMap<(Feedback, [Judged; LAGS]), f64>);
 
 impl Heard {
-    /// Adds what was said in a session whose intended task is known.
+    /// Adds the feedback of a session with a known intended task.
     pub fn add(&mut self, walk: &Walk) {
         let Some(intended) = walk.intended else { return };
         let mut judged = [Judged::Unknown; LAGS];
@@ -65,7 +64,7 @@ impl Heard {
     }
 }
 
-/// All sessions by trainer.
+/// The feedback of all sessions, by trainer.
 pub fn by_trainer(walks: &[Walk]) -> BTreeMap<&str, Heard> {
     let mut trainers: BTreeMap<&str, Heard> = BTreeMap::new();
     for walk in walks {
@@ -75,10 +74,10 @@ pub fn by_trainer(walks: &[Walk]) -> BTreeMap<&str, Heard> {
     trainers
 }
 
-/// What is expected of the hidden parts of what was said, under a strategy.
+/// The expected values of the hidden parts of feedback, under a strategy.
 #[derive(Clone, Copy, Debug, Default)]
 struct Expected {
-    /// Of moves, and of rests.
+    /// For moves and for rests.
     manners: [ExpectedManner; 2],
     lags: [f64; LAGS],
 }
@@ -92,18 +91,18 @@ struct ExpectedManner {
     mistaken: f64,
 }
 
-/// One way in which a feedback may have come about.
+/// One way in which a feedback may arise.
 struct Part {
     lag: usize,
     manner: usize,
-    /// What the action was taken for: right, or wrong.
+    /// Whether the action was taken for right (0) or wrong (1).
     taken: usize,
     mistaken: bool,
     probability: f64,
 }
 
 impl Shape {
-    /// Whether an action is a move or a rest, and right or wrong, as the positions of these; nothing where that is not known.
+    /// The positions of an action's kind (move or rest) and of its rightness; `None` if these are unknown.
     const fn read(self, judged: Judged) -> Option<(usize, usize)> {
         let rest = if self.rests { 1 } else { 0 };
         match judged {
@@ -118,7 +117,7 @@ impl Shape {
 }
 
 impl Parameters {
-    /// The probability of each hidden part with a feedback: the lag, and what the action was taken for.
+    /// The probability of a feedback with each of its hidden parts: the lag, and whether the action was taken for right.
     fn parts(&self, feedback: Feedback, judged: [Judged; LAGS]) -> impl Iterator<Item = Part> + '_ {
         let read = judged.map(|judged| self.shape.read(judged));
         let known: f64 = self.lags.into_iter().zip(read).filter(|(_, read)| read.is_some()).map(|(lag, _)| lag).sum();
@@ -138,11 +137,11 @@ impl Parameters {
         })
     }
 
-    /// The logarithm of the probability of all that a trainer said.
+    /// The log likelihood of a trainer's feedback.
     fn log_likelihood(&self, heard: &Heard) -> f64 {
         let log = |(&(feedback, judged), count): (&(Feedback, [Judged; LAGS]), &f64)| {
             let mut parts = self.parts(feedback, judged).map(|part| part.probability).peekable();
-            // Nothing that a word may be about is known.
+            // No action that the feedback may be about is known.
             parts.peek()?;
             Some(count * parts.sum::<f64>().max(1e-12).ln())
         };
@@ -168,7 +167,7 @@ impl Parameters {
 }
 
 impl Expected {
-    /// The most probable strategy, drawn to another one as if that had been seen in this many words.
+    /// The most probable strategy, smoothed towards another one with the weight of this many words.
     fn strategy(&self, to: &Parameters, hold: f64) -> Parameters {
         let share = |part: f64, whole: f64, before: f64| (part + hold * before) / (whole + hold);
         let manners = [0, 1].map(|at| {
@@ -187,12 +186,12 @@ impl Expected {
 #[derive(Clone, Debug)]
 pub struct Fit {
     strategies: Vec<(Parameters, f64)>,
-    /// How many words of all trainers hold each strategy to them.
+    /// The weight of all trainers' strategy, in words.
     pub hold: f64,
 }
 
 impl Fit {
-    /// Fits a population to what trainers said. One strategy is what all do together, and each other one begins as one trainer's own.
+    /// Fits a population to the feedback of trainers. One strategy is that of all together; each other one begins as one trainer's own.
     pub fn to(trainers: &[&Heard], shape: Shape) -> Self {
         let held_out = |&hold: &f64| -> f64 {
             (0..trainers.len())
@@ -234,7 +233,7 @@ impl Fit {
                     strategy.expect(heard, shares[at], &mut expected);
                     sum += shares[at];
                 }
-                // The first is what all do together.
+                // The first strategy stays that of all trainers together.
                 if at > 0 {
                     *strategy = expected.strategy(&together, hold);
                 }
@@ -244,7 +243,7 @@ impl Fit {
         Self { strategies, hold }
     }
 
-    /// The logarithm of the probability of all that a trainer said.
+    /// The log likelihood of a trainer's feedback.
     pub fn log_likelihood(&self, heard: &Heard) -> f64 {
         log_sum(&self.strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect::<Vec<f64>>())
     }
@@ -267,7 +266,7 @@ impl Fit {
     }
 }
 
-/// The strategy of all trainers together, and those of single trainers that beside the ones before them make most of what all said probable.
+/// The strategy of all trainers together, and then those of single trainers, each chosen to raise the likelihood of all feedback most.
 fn most_different(trainers: &[&Heard], together: Parameters, mut own: Vec<Parameters>, most: usize) -> Vec<Parameters> {
     let mut chosen = vec![together];
     while chosen.len() < most && !own.is_empty() {
@@ -285,13 +284,13 @@ fn most_different(trainers: &[&Heard], together: Parameters, mut own: Vec<Parame
     chosen
 }
 
-/// The logarithm of the sum of numbers that are given by their logarithms.
+/// The logarithm of the sum of numbers that are given as logarithms.
 fn log_sum(logs: &[f64]) -> f64 {
     let most = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     most + logs.iter().map(|log| (log - most).exp()).sum::<f64>().ln()
 }
 
-/// The probability of each strategy given what a trainer said.
+/// The probability of each strategy, given a trainer's feedback.
 fn shares(strategies: &[(Parameters, f64)], heard: &Heard) -> Vec<f64> {
     let logs: Vec<f64> = strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect();
     let whole = log_sum(&logs);

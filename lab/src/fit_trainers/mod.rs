@@ -1,10 +1,10 @@
-//! `goodbot fit-trainers`: what trainers to expect, from what real ones said.
+//! `goodbot fit-trainers`: fits the trainers that a robot should expect to real feedback.
 //!
 //! - [`recorded`]: recorded sessions as actions that were right or wrong for each task;
-//! - [`fit`]: a population of trainer strategies under which what was said is most probable;
-//! - [`ends`]: when trainers end a session;
+//! - [`fit`]: the population of trainer strategies that makes the feedback most probable;
+//! - [`ends`]: the probability that trainers end a session;
 //! - [`exact`]: the share of trainers who judge every step rightly;
-//! - [`believing`]: how right a robot with such an expectation would have been.
+//! - [`believing`]: the rightness of a robot with such an expectation.
 
 pub mod believing;
 mod ends;
@@ -29,17 +29,17 @@ use std::io::Write;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A robot that learns from feedback must expect something of its trainer: how often silence means that all is well, how often a word is a
-mistake, and how late it comes. This finds a population of strategies under which the words of real trainers are most probable, given what
-they meant (\"intended\" in the log), and how often they ended a session at the goal and elsewhere. Who trained is the session's id up to its
-first dot, as in w03.1-2; sessions whose ids have none are those of one trainer for each file.
+mistake, and how late it comes. This finds the population of strategies that makes the words of real trainers most probable, given their
+intended tasks (\"intended\" in the log), and how often they ended a session at the goal and elsewhere. The trainer is the session's id up to
+its first dot, as in w03.1-2; sessions without a dot in their ids have one trainer for each file.
 
-Each line of the table leaves one trainer out after the other, fits the rest, and asks what a robot that expects those trainers would have
-believed at the end of each session of the one left out:
+Each line of the table leaves out one trainer at a time, fits the rest, and replays the sessions of the one left out with a robot that
+expects the rest. At the end of each session:
   on top    share of sessions with feedback in which the intended task is alone the most likely one
   log loss  mean of -ln of the intended task's probability
   below 5 % share in which the intended task is given up
-  ECE       how far probabilities and shares that were meant are apart, on average
-  words     ln of the probability of all that the trainers left out said
+  ECE       mean difference between the probabilities of tasks and the shares of intended tasks
+  words     ln of the probability of all words of the trainers left out
 
 Example:
   goodbot fit-trainers feedback.jsonl --rust > core/src/feedback/population/fitted.rs")]
@@ -49,10 +49,10 @@ pub struct FitOptions {
     files: Vec<String>,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// Print the population as lines of JSON: a strategy each, and a last one with the rest
+    /// Print the population as lines of JSON: one for each strategy, and a last one with the rest
     #[arg(long)]
     json: bool,
-    /// Print the population as the library's source has it, and leave no trainer out
+    /// Print the population as the library's source code, without leaving trainers out
     #[arg(long, conflicts_with = "json")]
     rust: bool,
 }
@@ -107,7 +107,7 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         )?;
         writeln!(out, "  {now:5.3}  {before:5.3}  {earlier:5.3}")?;
     }
-    writeln!(out, "\neach strategy is held to what all trainers do by {} of their words", fitted.hold)?;
+    writeln!(out, "\neach strategy is drawn towards that of all trainers, with the weight of {} words", fitted.hold)?;
     writeln!(out, "\na session ends after   a move  a rest  a later one  times, after praise  after blame")?;
     for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at the goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
         writeln!(out, "{place:21}   {moved:6.3}  {rested:6.3}  {resting:11.3}  {praised:19.3}  {scolded:11.3}")?;
@@ -122,7 +122,7 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-/// What a robot that had these sessions to learn from expects of trainers.
+/// The expectation about trainers that a robot would learn from these sessions.
 fn expectation(walks: &[&Walk], strategies: Vec<(Strategy, f32)>, settings: Settings) -> Expectation {
     let ending = if settings.end { ends::fit(walks.iter().copied()) } else { Ending::NO_EVIDENCE };
     let mut expected = Expectation { strategies, drift: DRIFT, ending };
@@ -132,7 +132,7 @@ fn expectation(walks: &[&Walk], strategies: Vec<(Strategy, f32)>, settings: Sett
     expected
 }
 
-/// What is fitted, and what counts.
+/// The settings of a fit.
 #[derive(Clone, Copy, Debug)]
 struct Settings {
     name: &'static str,
@@ -145,7 +145,7 @@ const AS_MOVES: Shape = Shape { lagging: false, rests: false };
 const RESTS_APART: Shape = Shape { lagging: false, rests: true };
 const LATE: Shape = Shape { lagging: true, rests: true };
 
-/// What is compared; the last is the population's.
+/// The settings to compare; the last is the population's.
 const COMPARED: [Settings; 5] = [
     Settings { name: "rests as moves", shape: AS_MOVES, exact: false, end: false },
     Settings { name: "rests apart", shape: RESTS_APART, exact: false, end: false },
@@ -153,10 +153,11 @@ const COMPARED: [Settings; 5] = [
     Settings { name: "rests apart, end", shape: RESTS_APART, exact: false, end: true },
     POPULATION,
 ];
-/// What the library's population has.
+/// The settings of the library's population.
 const POPULATION: Settings = Settings { name: "rests apart, exact, end", shape: RESTS_APART, exact: true, end: true };
 
-/// What robots would have believed of each trainer who had learned from the others what to expect; the paper's expectation first.
+/// For each trainer, replays the sessions with a robot whose expectation was fitted to the other trainers. The first row has the paper's
+/// expectation.
 fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
     let paper = Expectation { strategies: vec![(Strategy::BALANCED, 1.0)], drift: 0.0, ending: Ending::NO_EVIDENCE };
     let mut compared = vec![("the paper's balanced one", believing::replay(walks.iter(), &paper), None)];

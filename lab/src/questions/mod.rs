@@ -1,4 +1,4 @@
-//! `goodbot questions`: what questions cost and save, with simulated trainers.
+//! `goodbot questions`: the costs and savings of questions, with simulated trainers.
 //!
 //! - [`simulation`]: one session.
 
@@ -30,25 +30,25 @@ for 80 steps at most. The cost of a session is its steps and kappa for each ques
 Example:
   goodbot questions --runs 1000 --kappa 2,8,20 --eta 0.05,0.15")]
 pub struct QuestionsOptions {
-    /// How many sessions for each row, 1 to 100000, each with a seed of its own, counted up from --seed
+    /// The number of sessions for each row, 1 to 100000, each with a seed of its own, counted up from --seed
     #[arg(long, short = 'n', value_name = "N", default_value = "200", value_parser = between(1_u32, 100_000))]
     runs: u32,
     /// Seed of the first session
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed)]
     seed: u64,
-    /// What a question costs, in steps
+    /// The cost of a question, in steps
     #[arg(long, value_name = "STEPS", value_delimiter = ',', default_value = "2,4,8,15,20", value_parser = goodbot_console::numbers::cost)]
     kappa: Vec<f32>,
-    /// How often an answer is wrong
+    /// The share of wrong answers
     #[arg(long, value_name = "SHARE", value_delimiter = ',', default_value = "0.05", value_parser = goodbot_console::numbers::wrong_share)]
     eta: Vec<f32>,
-    /// Who trains
+    /// The trainers
     #[arg(long, value_enum, value_delimiter = ',', default_value = "balanced,punish-only,real")]
     trainer: Vec<Trained>,
-    /// How many meanings a question may show to choose from, 3 at most; with 1, it is of yes and no
+    /// The most meanings that a question offers, 1 to 3; with 1, the answer is yes or no
     #[arg(long, value_name = "N", default_value = "3", value_parser = between(1, CHOICES as u8))]
     choices: u8,
-    /// Take any of the actions that lead on, and not the one that tells most
+    /// Take any action that leads to the goal, not the most informative one
     #[arg(long)]
     any_action: bool,
     /// Print a line of JSON for each row
@@ -68,7 +68,7 @@ impl Row {
         self.sessions.iter().map(value).sum::<f64>() / self.sessions.len().max(1) as f64
     }
 
-    /// The mean cost where a question costs `kappa` steps.
+    /// The mean cost, if a question costs `kappa` steps.
     fn cost(&self, kappa: f32) -> f64 {
         self.mean(|spent| cost(spent, kappa))
     }

@@ -1,4 +1,4 @@
-//! One session with a simulated trainer, with questions or without.
+//! One session with a simulated trainer, with or without questions.
 
 use goodbot::asking::{Answer, Asking, Question};
 use goodbot::feedback::{Feedback, Judged, LAGS, SimulatedTrainer, Strategy, population};
@@ -8,12 +8,12 @@ use goodbot::{Agent, AgentError, HeapMemory, Options};
 use goodbot_course::{CourseTrainer, Homes, Trainer, generator};
 use rand_core::Rng;
 
-/// The robot has understood where the intended task is this probable.
+/// The robot has understood when the intended task has this probability.
 pub const UNDERSTOOD: f32 = 0.95;
 /// The most steps of a session.
 pub const MOST_STEPS: u32 = Asking::DEFAULT.patience as u32;
 
-/// What a simulated trainer does.
+/// The trainers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Trained {
     /// The paper's balanced trainer
@@ -34,7 +34,7 @@ impl Trained {
         }
     }
 
-    /// What the robot expects of it: the numbers that it has, but of a real one all that there are.
+    /// The strategies that the robot expects: the trainer's own; for a real person, the whole population.
     fn expected(self) -> Vec<(Strategy, f32)> {
         match self {
             Self::Balanced => vec![(Strategy::BALANCED, 1.0)],
@@ -56,31 +56,31 @@ impl Trained {
 /// A session to simulate.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting {
-    /// Who trains.
+    /// The trainer.
     pub trainer: Trained,
     /// When the robot asks.
     pub asking: Asking,
-    /// Whether it takes actions that tell more.
+    /// Whether it takes informative actions.
     pub telling: bool,
 }
 
 /// The result of a session.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Spent {
-    /// Steps until the robot had understood, [`MOST_STEPS`] where it never did.
+    /// Steps until the robot understood; [`MOST_STEPS`] if it never did.
     pub steps: u32,
     /// Questions until then.
     pub questions: u32,
     /// Words of reward and punishment until then.
     pub words: u32,
-    /// Whether it had understood.
+    /// Whether it understood.
     pub understood: bool,
 }
 
-/// Simulates a session of a robot that knows no word, in a random home of four rooms and two blocks, for a task that is drawn.
+/// Simulates a session of a robot without words, in a random home of four rooms and two blocks, with a random task.
 ///
 /// # Errors
-/// What the robot refuses.
+/// The robot's error.
 pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result<Spent, AgentError> {
     let mut random = generator(seed);
     let homes = Homes::random(&mut random, &mut memory.home);
@@ -119,14 +119,14 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
     }
 }
 
-/// What a trainer answers who means the intended task, and is wrong with probability `eta`.
+/// The answer of a trainer with this intended task, who is wrong with probability `eta`.
 pub fn answer(question: &Question, intended: usize, eta: f32, random: &mut impl Rng) -> Answer {
     let wrong = unit(random) < eta;
     let count = usize::from(question.subject.choices());
     if count == 0 {
         return if question.yes.contains(intended) != wrong { Answer::Yes } else { Answer::No };
     }
-    // One of the choices, or at the end none of them.
+    // One of the choices; after the last, none of them.
     let right = question.choices.iter().take(count).position(|choice| choice.contains(intended)).unwrap_or(count);
     let given = if wrong { (right + 1 + below(count, random)) % (count + 1) } else { right };
     if given == count { Answer::No } else { Answer::This(given as u8) }

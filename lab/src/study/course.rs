@@ -1,4 +1,4 @@
-//! What is taught and tested: lessons, then tests, each a command in a home of its own.
+//! The courses: lessons, then tests, each a command in a home of its own.
 
 use super::place::CAPACITIES;
 use goodbot::home::{Area, Cell};
@@ -8,29 +8,29 @@ use goodbot_course::layout::{BlockPlan, solvable::is_solvable};
 use goodbot_course::{CourseError, HomeName, Homes, Intention, LESSONS, Layout, TESTS, generator};
 use rand_pcg::Pcg32;
 
-/// A command, what it means, and where it is given.
+/// A command with its intended task, in a home.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Exercise {
-    /// What is said.
+    /// The command.
     pub command: String,
-    /// What is meant.
+    /// The intended task.
     pub intention: Intention,
     /// The home.
     pub layout: Layout,
 }
 
-/// Which course.
+/// The courses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Course {
     /// The paper's, in random homes.
     Paper,
     /// Random tasks in random homes, in words that are not the paper's.
     Free,
-    /// The same tasks are possible in each lesson, so that only feedback can tell which is meant.
+    /// A course with the same possible tasks in each lesson, so that only feedback tells which is intended.
     Told,
 }
 
-/// Trainers of all courses: two that teach, and three controls.
+/// The trainers of all courses: two teachers and three controls.
 pub const COMPARED: [&str; 5] = ["balanced", "population", "mute", "contrary", "shuffled"];
 
 /// The colours of rooms and of blocks.
@@ -38,7 +38,7 @@ const COLORS: [&str; 4] = ["red", "green", "blue", "yellow"];
 /// The shapes of blocks.
 const SHAPES: [&str; 4] = ["chair", "bag", "basket", "box"];
 
-/// Commands to go, none of them the paper's; `ROOM` is replaced by a colour.
+/// Commands to go somewhere, none of them the paper's. `ROOM` is replaced by a colour.
 const GO: [&str; 6] = [
     "walk over to the ROOM area",
     "please enter the ROOM room",
@@ -56,10 +56,10 @@ const TAKE: [&str; 6] = [
     "please get the SHAPE to where it is ROOM",
     "ROOM room is where the COLOR SHAPE should be",
 ];
-/// How many lessons random commands have: more than the paper's, for their many words.
+/// The number of lessons with random commands: more than the paper's, because they have more words.
 const FREE_LESSONS: usize = 10;
 
-/// What is taught where only feedback can tell. A purple block is always a chair, an orange one always a bag.
+/// The lessons in which only feedback tells the task. A purple block is always a chair, an orange one always a bag.
 const TOLD_LESSONS: [Intention; 7] = [
     Intention::go("green"),
     Intention::go("red"),
@@ -69,7 +69,7 @@ const TOLD_LESSONS: [Intention; 7] = [
     Intention::take("purple", "chair", "blue"),
     Intention::take("orange", "bag", "red"),
 ];
-/// What is tested there: the first two are new commands, as in the paper.
+/// The tests of that course. The first two are new commands, as in the paper.
 const TOLD_TESTS: [Intention; 5] = [
     Intention::take("purple", "chair", "green"),
     Intention::take("orange", "bag", "blue"),
@@ -79,7 +79,7 @@ const TOLD_TESTS: [Intention; 5] = [
 ];
 
 impl Course {
-    /// All, in the order of the tables.
+    /// All courses, in the order of the tables.
     pub const ALL: [Self; 3] = [Self::Paper, Self::Free, Self::Told];
 
     /// Its name, as it is typed.
@@ -91,7 +91,7 @@ impl Course {
         }
     }
 
-    /// What it is, in a few words.
+    /// Its description, in a few words.
     pub const fn is(self) -> &'static str {
         match self {
             Self::Paper => "the paper's seven lessons and five tests, in random homes",
@@ -100,7 +100,7 @@ impl Course {
         }
     }
 
-    /// Whether it is taught by a trainer of this name: the paper's by all, the others by those of [`COMPARED`].
+    /// Whether a trainer of this name teaches it: all teach the paper's course, those of [`COMPARED`] the others.
     pub fn has(self, trainer: &str) -> bool {
         self == Self::Paper || COMPARED.contains(&trainer)
     }
@@ -108,7 +108,7 @@ impl Course {
     /// The lessons and the tests of a seed.
     ///
     /// # Errors
-    /// [`CourseError::Home`] where a home could not be built.
+    /// [`CourseError::Home`] if a home could not be built.
     pub fn exercises(self, seed: u64) -> Result<[Vec<Exercise>; 2], CourseError> {
         let mut random = generator(seed);
         let mut memory = HomeHeap::new(&CAPACITIES);
@@ -142,11 +142,11 @@ fn one_of<T: Copy>(all: &[T], random: &mut Pcg32) -> T {
     all[below(all.len(), random)]
 }
 
-/// A random task in a random home, said in one of many ways.
+/// A random task in a random home, in one of several wordings.
 fn free(random: &mut Pcg32, memory: &mut HomeHeap) -> Result<Exercise, CourseError> {
     let name = one_of(&[HomeName::A, HomeName::D, HomeName::Test, HomeName::Test], random);
     let mut layout = Layout::random(name, random, memory);
-    // No two blocks of a home have the same shape: a command may leave the colour out.
+    // The blocks of a home have different shapes, because a command may leave the colour out.
     let first = below(SHAPES.len(), random);
     for (position, block) in layout.blocks.iter_mut().flatten().enumerate() {
         block.color = one_of(&COLORS, random);
@@ -166,7 +166,8 @@ fn free(random: &mut Pcg32, memory: &mut HomeHeap) -> Result<Exercise, CourseErr
     }
 }
 
-/// A home with the tasks of all others: the robot and both blocks in the yellow room, and doors to a red, a green and a blue one.
+/// A home with the same tasks as all others: the robot and both blocks are in the yellow room, with doors to a red, a green and a blue
+/// room.
 fn told(random: &mut Pcg32, memory: &mut HomeHeap) -> Result<Layout, CourseError> {
     let [mut one, mut two, mut three] = ["red", "green", "blue"];
     if below(2, random) == 0 {
@@ -179,7 +180,7 @@ fn told(random: &mut Pcg32, memory: &mut HomeHeap) -> Result<Layout, CourseError
     }
     let between = |first: i32, count: usize, random: &mut Pcg32| first + below(count, random) as i32;
     loop {
-        // In the middle row a block can be pushed every way.
+        // A block in the middle row can be pushed in all directions.
         let block = |color, shape, random: &mut Pcg32| Some(BlockPlan { cell: Cell::new(between(2, 5, random), 6), color, shape });
         let layout = Layout {
             rooms: [

@@ -1,7 +1,7 @@
-//! Posterior-predictive checks: lessons with simulated trainers beside the real ones that they were fitted to.
+//! Posterior-predictive checks: lessons of simulated trainers, beside those of the real trainers that they were fitted to.
 //!
-//! For each real person others like it are drawn, and each walks through the same recorded actions and says what it would have said. The
-//! rates after right and wrong actions were fitted; the other numbers were not, and show what the fit leaves out.
+//! For each real person, similar people are drawn. Each goes through the same recorded actions and gives feedback. The rates after right
+//! and wrong actions were fitted; the other figures were not, and show what the fit misses.
 
 use super::StudyOptions;
 use super::real::{self, People};
@@ -13,7 +13,7 @@ use goodbot_course::generator;
 use serde_json::{Value, json};
 use std::io::Write;
 
-/// What is compared: its name, and whether it was fitted.
+/// The measures, and whether each was fitted.
 const MEASURES: [(&str, bool); 11] = [
     ("reward after a right action", true),
     ("punishment after a right action", true),
@@ -28,10 +28,10 @@ const MEASURES: [(&str, bool); 11] = [
     ("lessons without a word", false),
 ];
 
-/// How many draws there are at least: fewer have no 95 %.
+/// The least number of draws: fewer would give no 95 % interval.
 const DRAWS: u32 = 100;
 
-/// What is observed in lessons: a share for each measure; `None` where there was no occasion.
+/// The measures of lessons, as shares; `None` without an occasion.
 fn measured<'l>(lessons: impl Iterator<Item = &'l [Observed]> + Clone) -> [Option<f64>; MEASURES.len()] {
     let share = |occasion: &dyn Fn(&[Observed], usize) -> Option<bool>| {
         let answers = lessons.clone().flat_map(|lesson| (0..lesson.len()).filter_map(|step| occasion(lesson, step)));
@@ -63,7 +63,7 @@ fn measured<'l>(lessons: impl Iterator<Item = &'l [Observed]> + Clone) -> [Optio
     ]
 }
 
-/// The same actions, with the words of another person.
+/// The same actions, with the feedback of another person.
 fn simulated(record: &Record, population: &Population, like: &Counts, seed: u64) -> Vec<Vec<Observed>> {
     let mut random = generator(seed);
     let habits = population.another(like, &mut random);
@@ -74,16 +74,16 @@ fn simulated(record: &Record, population: &Population, like: &Counts, seed: u64)
     record.lessons.iter().map(lesson).collect()
 }
 
-/// For each measure the real share, the mean of the simulated ones, and between which values 95 % of these lie.
+/// For each measure, the real share, the mean of the simulated shares, and their central 95 %.
 struct Check {
     real: [Option<f64>; MEASURES.len()],
     simulated: [Option<(f64, f64, f64)>; MEASURES.len()],
 }
 
-/// Fits trainers to logs, and draws others like them.
+/// Fits trainers to logs.
 ///
 /// # Errors
-/// [`Failure::Input`] names the file and what is wrong with it.
+/// [`Failure::Input`] names the file and its fault.
 fn fitted(options: &StudyOptions) -> Result<(People, Population), Failure> {
     let people = real::read(&options.fit)?;
     let records: Vec<Record> = people.iter().map(|(_, record)| record.clone()).collect();
@@ -94,7 +94,7 @@ fn fitted(options: &StudyOptions) -> Result<(People, Population), Failure> {
 /// The checks as a table in Markdown.
 ///
 /// # Errors
-/// [`Failure::Input`] names the file and what is wrong with it.
+/// [`Failure::Input`] names the file and its fault.
 pub fn markdown(options: &StudyOptions) -> Result<String, Failure> {
     let (people, population) = fitted(options)?;
     let check = check(&people, &population, options);
@@ -143,7 +143,7 @@ fn check(people: &People, population: &Population, options: &StudyOptions) -> Ch
     Check { real, simulated: draws.map(summary) }
 }
 
-/// Fits trainers to logs, and shows the fit and the checks.
+/// Fits trainers to logs, and prints the fit and the checks.
 ///
 /// # Errors
 /// [`Failure`].
@@ -171,7 +171,7 @@ pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure>
     let [now, before, earlier] = population.late.map(|share| 100.0 * share);
     writeln!(
         out,
-        "\nWhat is said is meant for the last action in {now:.1} %, for the one before in {before:.1} %, for the one before that in {earlier:.1} %.\n"
+        "\nOf the words, {now:.1} % judge the last action, {before:.1} % the one before, and {earlier:.1} % the one before that.\n"
     )?;
     writeln!(out, "{:<36} {:>8}  {:>28}", "percentage of occasions", "real", "simulated, 95 % of draws")?;
     for (measure, fitted, real, simulated) in check.rows() {

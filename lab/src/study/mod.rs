@@ -1,25 +1,25 @@
-//! `goodbot study`: agents that learn from a person's words, beside each other, with many kinds of trainers.
+//! `goodbot study`: compares agents that learn from a person's feedback, with many kinds of trainers.
 //!
 //! The simulation:
 //!
-//! - [`course`]: what is taught and tested;
-//! - [`trainer`]: who gives the lessons: what each says after a right and a wrong action, how late, and when it leaves;
-//! - [`place`]: a command in a home: its tasks, what they are about, and what is right in each state;
-//! - [`agent`]: who learns: each inference with each language, and goodbot as it is used;
+//! - [`course`]: the lessons and tests;
+//! - [`trainer`]: the trainers: their feedback to right and wrong actions, its delay, and when they leave;
+//! - [`place`]: a command in a home: its tasks, their facts, and the right actions in each state;
+//! - [`agent`]: the agents: each inference with each language, and goodbot as it is used;
 //! - [`trial`]: one agent with one trainer: lessons, then tests;
-//! - [`tuning`]: how the settings of the others were chosen.
+//! - [`tuning`]: how the settings of the other methods were chosen.
 //!
 //! The command:
 //!
-//! - [`plan`]: what is compared;
+//! - [`plan`]: the courses, trainers, agents and seeds to compare;
 //! - [`shard`]: a part of it, for one of several machines;
 //! - `runs`: the runs;
 //! - [`record`]: runs as lines, and parts joined;
 //! - [`summary`]: means with intervals;
-//! - [`table`], [`picture`]: how they are shown;
+//! - [`table`], [`picture`]: results as tables and pictures;
 //! - [`real`]: real trainers, from session logs;
-//! - [`likeness`]: whether simulated trainers are like them;
-//! - [`tune`]: how the settings of the others were chosen;
+//! - [`likeness`]: how similar simulated trainers are to them;
+//! - [`tune`]: tries the settings of the other methods;
 //! - [`report`]: all of it as a page with pictures.
 //!
 //! ```
@@ -70,14 +70,14 @@ use std::path::PathBuf;
 use summary::Column;
 
 const EXAMPLES: &str = "\
-An agent is an inference and a language: tamer+roles finds out what is meant as TAMER does, and learns words as the role \
+An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
 model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named. The courses free \
 and told are taught by balanced, population, mute, contrary and shuffled only.
 
 Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \
 of cores. Each lesson lasts until the agent rests at the goal, at most 150 steps; then come five tests without a word.
 
-With --json the first line tells what is compared, then there is a line for each run, and at the end one for each \
+With --json the first line names what is compared, then there is a line for each run, and at the end one for each \
 course, trainer and agent:
   tests_right      how many of the five tests were right: done, and then rested
   words            how often the trainer said good bot or bad bot, or answered a question
@@ -137,7 +137,7 @@ pub struct StudyOptions {
     /// Write a picture of --column; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     pub plot: Option<PathBuf>,
-    /// What the picture shows
+    /// The column in the picture
     #[arg(long, value_name = "NAME", default_value = "tests_right", value_parser = columns(), requires = "plot")]
     pub column: Column,
     /// Replace files that goodbot has not written
@@ -162,7 +162,7 @@ fn columns() -> impl TypedValueParser<Value = Column> {
         .map(|name| Column::ALL.into_iter().find(|column| column.name() == name).unwrap_or(Column::Tests))
 }
 
-/// Those that were named, in the order of the tables; all where none was.
+/// The named ones, in the order of the tables; all if none is named.
 fn named<T: Copy>(all: &[T], names: &[String], name: impl Fn(&T) -> &'static str) -> Vec<T> {
     all.iter().filter(|one| names.is_empty() || names.iter().any(|asked| asked == name(one))).copied().collect()
 }
@@ -184,7 +184,7 @@ impl StudyOptions {
         }
     }
 
-    /// What is run, or read.
+    /// The runs, either new or from files.
     fn runs(&self) -> Result<(Plan, Vec<Run>), Failure> {
         if self.merge.is_empty() {
             let plan = self.plan();

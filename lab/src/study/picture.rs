@@ -1,4 +1,4 @@
-//! One column of the results as a picture: a panel for each course and trainer, and in it a bar with its interval for each agent.
+//! One column of the results as a picture: a panel for each course and trainer, with a bar and its interval for each agent.
 
 use super::plan::Plan;
 use super::summary::{Column, Row};

@@ -1,7 +1,7 @@
-//! A command in a home: the tasks that it may mean, what they are about, and what is right for each in each state.
+//! A command in a home: its possible tasks, their facts, and the right actions for each task in each state.
 //!
-//! The plans are those of goodbot's exact planner, made once for each state: trainers judge by them, and every agent that acts for a task
-//! may use them.
+//! The plans come from goodbot's exact planner, once for each state. Trainers judge by them, and every agent that acts for a task may use
+//! them.
 
 use crate::study::course::Exercise;
 use goodbot::home::{AGENT_IN_ROOM, COLOR, Home, HomeState, SHAPE, paper_tasks};
@@ -17,20 +17,20 @@ use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// All of it fits a controller's memory.
+/// A place fits into a controller's memory.
 pub const CAPACITIES: Capacities = Capacities::SMALL;
 
-/// What is right in one state.
+/// The right actions in one state.
 #[derive(Debug)]
 pub struct Outlook {
-    /// The actions that can be done, doing nothing included.
+    /// The possible actions, including rest.
     pub applicable: ActionSet,
-    /// What planning says for each task.
+    /// The plan for each task.
     pub optimal: Vec<OptimalSet>,
 }
 
 impl Outlook {
-    /// The actions that are right for a task; none where that is not known.
+    /// The right actions for a task; empty if they are unknown.
     pub fn right(&self, task: usize) -> ActionSet {
         self.optimal.get(task).and_then(|set| set.exact()).unwrap_or(ActionSet::EMPTY)
     }
@@ -41,34 +41,34 @@ impl Outlook {
 pub struct Place {
     /// The home.
     pub home: Home<HomeHeap>,
-    /// The places of things at the beginning.
+    /// The initial state.
     pub start: HomeState,
-    /// What is said.
+    /// The command.
     pub command: String,
     /// The words of the command, in lower case.
     pub words: Vec<String>,
     /// The tasks that are possible.
     pub tasks: Vec<GroundedTask>,
-    /// For each task what it is about: its kind, the colour of its room, the colour and the shape of its block.
+    /// The facts of each task: its kind, the colour of its room, the colour and the shape of its block.
     pub facts: Vec<Vec<String>>,
-    /// The task that is meant.
+    /// The intended task.
     pub intended: usize,
     umpire: Agent<AgentHeap>,
     outlooks: Outlooks,
 }
 
-/// What is right in the states that were met; commands in the same home share it.
+/// The outlooks of the states so far. Commands in the same home share them.
 type Outlooks = Rc<RefCell<HashMap<u64, Rc<Outlook>>>>;
 
 impl Place {
     /// A command in its home.
     ///
     /// # Errors
-    /// [`CourseError::NotPosed`] where what is meant cannot be done here.
+    /// [`CourseError::NotPosed`] if the intended task is impossible here.
     pub fn new(exercise: &Exercise) -> Result<Self, CourseError> {
         let (home, start) = exercise.layout.build(HomeHeap::new(&CAPACITIES))?;
         let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
-        // It knows the tasks and plans for them; it never learns.
+        // The umpire knows the tasks and plans for them. It never learns.
         let mut umpire = Agent::new(AgentHeap::new(&CAPACITIES), &lifted, Options::PAPER)?;
         umpire.hear(&home, &start, &exercise.command)?;
         let intended = exercise.intention.find(&umpire, &home).ok_or(CourseError::NotPosed)?;
@@ -80,10 +80,10 @@ impl Place {
         Ok(Self { home, start, command, words, tasks, facts, intended, umpire, outlooks: Outlooks::default() })
     }
 
-    /// All commands of a course; what is planned for one is planned for all others in the same home.
+    /// All commands of a course. Commands in the same home share their plans.
     ///
     /// # Errors
-    /// As [`new`](Self::new).
+    /// The errors of [`new`](Self::new).
     pub fn all(exercises: &[Exercise]) -> Result<Vec<Self>, CourseError> {
         let mut places: Vec<Self> = Vec::with_capacity(exercises.len());
         for exercise in exercises {
@@ -108,10 +108,10 @@ impl Place {
         task.propositions(&self.umpire.lifted()[usize::from(task.lifted)]).all(|part| self.home.holds(&part, &next))
     }
 
-    /// What is right in a state.
+    /// The right actions in a state.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] where planning was refused.
+    /// [`CourseError::Agent`] if planning was refused.
     pub fn outlook(&mut self, state: &HomeState) -> Result<Rc<Outlook>, CourseError> {
         let number = self.home.number(state);
         if let Some(known) = self.outlooks.borrow().get(&number) {

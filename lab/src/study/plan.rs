@@ -1,4 +1,4 @@
-//! What a study compares: which courses, trainers, agents and seeds.
+//! The plan of a study: courses, trainers, agents and seeds.
 
 use super::shard::Shard;
 use crate::study::agent::Contestant;
@@ -6,7 +6,7 @@ use crate::study::course::Course;
 use crate::study::trainer::Trainer;
 use crate::study::trainer::population::Population;
 
-/// What a study compares.
+/// The plan of a study.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The courses.
@@ -15,13 +15,13 @@ pub struct Plan {
     pub agents: Vec<Contestant>,
     /// The trainers.
     pub trainers: Vec<Trainer>,
-    /// The people that the trainer `population` is drawn from.
+    /// The fitted people of the trainer `population`.
     pub population: Population,
     /// The first seed.
     pub seed: u64,
-    /// How many seeds.
+    /// The number of seeds.
     pub runs: u32,
-    /// Which of them are run here.
+    /// The part of the seeds that is run here.
     pub shard: Shard,
 }
 
@@ -36,14 +36,14 @@ impl Plan {
         (0..self.runs).filter(|&position| self.shard.has(position)).map(|position| self.seed_at(position))
     }
 
-    /// Which courses are taught by which trainers, each by its position.
+    /// The positions of courses and of the trainers that teach them.
     pub fn taught(&self) -> Vec<(usize, usize)> {
         let of_course = |course: usize| (0..self.trainers.len()).map(move |trainer| (course, trainer));
         let is_taught = |&(course, trainer): &(usize, usize)| self.courses[course].has(self.trainers[trainer].name);
         (0..self.courses.len()).flat_map(of_course).filter(is_taught).collect()
     }
 
-    /// How many runs there are, of all seeds.
+    /// The number of runs for all seeds.
     pub fn all_runs(&self) -> usize {
         self.runs as usize * self.taught().len() * self.agents.len()
     }

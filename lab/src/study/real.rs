@@ -1,4 +1,4 @@
-//! What real trainers said, from session logs: each action judged for what they meant.
+//! The feedback of real trainers, from session logs: each action with whether it was right for the intended task.
 
 use crate::recorded::{self, WalkStep};
 use crate::study::trainer::population::{Observed, Record};
@@ -9,15 +9,15 @@ use goodbot_console::outcome::Failure;
 /// The trainers of some logs, each with a name.
 pub type People = Vec<(String, Record)>;
 
-/// The person of a session: its name up to the first `.`, or else up to the last `-`.
+/// The person of a session: its id up to the first `.`, or else up to the last `-`.
 fn person(id: &str) -> &str {
     id.split_once('.').or_else(|| id.rsplit_once('-')).map_or(id, |(person, _)| person)
 }
 
-/// Reads logs. Only sessions with feedback count, of which it is known what was meant.
+/// Reads logs. Only sessions with feedback and a known intended task count.
 ///
 /// # Errors
-/// [`Failure::Input`] names the file and what is wrong with it.
+/// [`Failure::Input`] names the file and its fault.
 pub fn read(files: &[String]) -> Result<People, Failure> {
     let mut people = People::new();
     for walk in recorded::read(files, &paper_tasks()?)? {
@@ -28,7 +28,7 @@ pub fn read(files: &[String]) -> Result<People, Failure> {
             people.len() - 1
         });
         let record = &mut people[position].1;
-        // What is gone on with was not the end.
+        // A session that was continued had not ended.
         if let Some(last) = record.ended.last_mut().filter(|_| walk.continues) {
             *last = false;
         }

@@ -1,4 +1,4 @@
-//! Runs as JSON lines: the plan first, then a line for each run, so that parts of a study can be joined.
+//! Runs as JSON lines: the plan first, then a line for each run. The lines of parts can be joined.
 
 use super::plan::Plan;
 use super::runs::Run;
@@ -17,7 +17,7 @@ use std::io::BufRead;
 /// The version of the lines.
 const VERSION: u64 = 2;
 
-/// The first line: what is compared, with the settings of all. Parts of one study have the same, but for the part.
+/// The first line: the plan, with all settings. Parts of one study differ only in their part.
 pub fn plan_to_json(plan: &Plan) -> Value {
     let agents: Vec<Value> = plan.agents.iter().map(|agent| json!({"name": agent.name, "settings": agent.learns.to_string()})).collect();
     let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).collect();
@@ -56,11 +56,11 @@ pub fn run_to_json(plan: &Plan, run: &Run) -> Value {
     })
 }
 
-/// The study that a file's first line tells of.
+/// The plan in a file's first line.
 fn plan_from_json(line: &Value) -> Result<Plan, String> {
     let text = |name: &str| line[name].as_str().ok_or_else(|| format!("has no {name:?}"));
     if line["type"] != "study" {
-        return Err("is no study; name what goodbot study --json has written".to_owned());
+        return Err("is no study; name a file that goodbot study --json has written".to_owned());
     }
     if line["version"] != VERSION || line["program"] != env!("CARGO_PKG_VERSION") {
         return Err(format!("was written by another version of goodbot; run it again with {}", env!("CARGO_PKG_VERSION")));
@@ -130,7 +130,7 @@ fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
 /// Reads the parts of a study, in any order, and joins them to the whole.
 ///
 /// # Errors
-/// [`Failure::Input`] names the file and line, or says which part is missing or there twice.
+/// [`Failure::Input`] names the file and line, or the part that is missing or given twice.
 pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     let mut whole: Option<(String, Plan)> = None;
     let mut runs = Vec::new();
@@ -143,12 +143,12 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
             let line: Value = serde_json::from_str(&line).map_err(|error| wrong(format!("is no JSON ({error})")))?;
             match &plan {
                 None => plan = Some(plan_from_json(&line).map_err(wrong)?),
-                // What follows the runs is made from them.
+                // The summaries after the runs are computed again.
                 Some(_) if line["type"] == "summary" => break,
                 Some(plan) => runs.push(run_from_json(plan, &line).map_err(wrong)?),
             }
         }
-        let plan = plan.ok_or_else(|| Fault::new(input::name(file), "is empty; name what goodbot study --json has written"))?;
+        let plan = plan.ok_or_else(|| Fault::new(input::name(file), "is empty; name a file that goodbot study --json has written"))?;
         parts.push((input::name(file).to_owned(), plan.shard));
         match &whole {
             None => whole = Some((input::name(file).to_owned(), Plan { shard: Shard::WHOLE, ..plan })),
@@ -173,7 +173,7 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     Ok((plan, runs))
 }
 
-/// Whether each part is there once.
+/// Checks that each part is given once.
 fn check_parts(parts: &[(String, Shard)]) -> Result<(), String> {
     let Some((first, Shard { of, .. })) = parts.first() else { return Ok(()) };
     for (position, (file, part)) in parts.iter().enumerate() {

@@ -14,11 +14,11 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use std::path::Path;
 
-/// The agents of the tables of all trainers.
+/// The agents in the tables of all trainers.
 const TRAINED: [&str; 6] = ["this+roles", "sabl+roles", "tamer+roles", "coach+roles", "shaping+roles", "none+roles"];
-/// What these tables show.
+/// The columns of these tables.
 const SHOWN: [Column; 3] = [Column::Tests, Column::Steps, Column::WronglyCertain];
-/// The trainers that are drawn.
+/// The trainers in the picture.
 const DRAWN: [&str; 2] = ["balanced", "mute"];
 
 /// Runs the study, or reads its parts, and writes the page and its picture.
@@ -166,18 +166,18 @@ fn cell(rows: &[Row], course: Course, trainer: &str, agent: &str, column: Column
     row.map_or("-".to_owned(), |row| short(row.mean(column)))
 }
 
-/// A mean with half of its interval, in little room.
+/// A mean with half of its interval, in a short form.
 fn short(Mean { mean, half }: Mean) -> String {
     if mean.abs() < 10.0 { format!("{mean:.2}±{half:.2}") } else { format!("{mean:.1}±{half:.1}") }
 }
 
-/// How many more tests are right with the balanced trainer than with the one who never speaks, seed by seed.
+/// How many more tests are right with the balanced trainer than with the mute one, seed by seed.
 fn due(plan: &Plan, runs: &[Run], course: usize, agent: usize) -> Option<Mean> {
     let (taught, alone) = (position(plan, COMPARED[0])?, position(plan, COMPARED[2])?);
     let right = |trainer: usize| {
         let own = runs.iter().filter(move |run| run.course == course && run.trainer == trainer && run.agent == agent);
         own.map(|run| run.outcome.tests_right() as f64)
     };
-    // Both have the seeds in the same order.
+    // Both lists have the seeds in the same order.
     Some(Mean::of(right(taught).zip(right(alone)).map(|(taught, alone)| taught - alone)))
 }

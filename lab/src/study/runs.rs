@@ -1,4 +1,4 @@
-//! All runs: each agent with each trainer on each seed, as many at a time as the machine has cores.
+//! All runs: each agent with each trainer on each seed, in parallel on all cores.
 
 use super::plan::Plan;
 use crate::study::course::Course;
@@ -7,7 +7,7 @@ use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use rayon::prelude::*;
 
-/// What one agent came to with one trainer on one seed.
+/// The result of one agent with one trainer on one seed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// The seed.
@@ -18,14 +18,14 @@ pub struct Run {
     pub trainer: usize,
     /// The agent, by its position in the plan.
     pub agent: usize,
-    /// What it came to.
+    /// The outcome.
     pub outcome: Outcome,
 }
 
-/// All runs of the plan's part, by seed, then course, then trainer, then agent.
+/// All runs of the plan's part, sorted by seed, then course, then trainer, then agent.
 ///
 /// # Errors
-/// [`Failure::Result`] where a run failed.
+/// [`Failure::Result`] if a run failed.
 pub fn run_all(plan: &Plan) -> Result<Vec<Run>, Failure> {
     let seeds: Vec<u64> = plan.own_seeds().collect();
     let taught = plan.taught();

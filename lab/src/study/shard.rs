@@ -3,20 +3,20 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// One of several parts: the seeds whose position, counted from 1, is that of the part, and every `of`-th after it.
+/// One of several parts. Part `number` has the seed at position `number`, counted from 1, and every `of`-th seed after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
-    /// Which part, from 1.
+    /// The number of the part, from 1.
     pub number: u32,
-    /// Of how many.
+    /// The number of parts.
     pub of: u32,
 }
 
 impl Shard {
-    /// All of it.
+    /// The whole study.
     pub const WHOLE: Self = Self { number: 1, of: 1 };
 
-    /// Whether the seed at a position, counted from 0, belongs to it.
+    /// Whether the part has the seed at a position, counted from 0.
     pub const fn has(self, position: u32) -> bool {
         position % self.of == self.number - 1
     }

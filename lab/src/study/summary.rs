@@ -1,4 +1,4 @@
-//! All runs of one agent with one trainer in one course together: means with 95 % intervals.
+//! The results of one agent with one trainer in one course: means with 95 % intervals.
 
 use super::plan::Plan;
 use super::runs::Run;
@@ -7,25 +7,25 @@ use crate::study::course::Course;
 use crate::study::trial::Ending;
 use serde_json::{Value, json};
 
-/// What is counted in a run.
+/// The figures of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Column {
     /// How many of the five tests were right.
     Tests,
-    /// How many words the trainer said in all lessons, answers included.
+    /// How many words the trainer gave in all lessons, answers included.
     Words,
     /// How many of them were answers.
     Answers,
-    /// Steps of a lesson until the agent rested at the goal; one that did not get there counts as all that were allowed.
+    /// The steps of a lesson until the agent rested at the goal; a lesson that ended before counts as the most steps.
     Steps,
-    /// The percentage of the commands at which the agent was certain of a wrong task.
+    /// The percentage of commands for which the agent was ever certain of a wrong task.
     WronglyCertain,
     /// The percentage of the lessons that ended before the goal.
     GaveUp,
 }
 
 impl Column {
-    /// All, in the order of the tables.
+    /// All columns, in the order of the tables.
     pub const ALL: [Self; 6] = [Self::Tests, Self::Words, Self::Answers, Self::Steps, Self::WronglyCertain, Self::GaveUp];
 
     /// Its name in data.
@@ -70,7 +70,7 @@ impl Column {
     }
 }
 
-/// One agent with one trainer in one course.
+/// The results of one agent with one trainer in one course.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The course.
@@ -79,7 +79,7 @@ pub struct Row {
     pub trainer: &'static str,
     /// The agent's name.
     pub agent: &'static str,
-    /// How many seeds.
+    /// The number of seeds.
     pub seeds: usize,
     /// The mean of each column.
     pub means: [Mean; Column::ALL.len()],
@@ -91,7 +91,7 @@ impl Row {
         self.means[column as usize]
     }
 
-    /// As a line of JSON.
+    /// The row as a line of JSON.
     pub fn to_json(&self) -> Value {
         let (course, trainer) = (self.course.name(), self.trainer);
         let mut line = json!({"type": "summary", "course": course, "trainer": trainer, "agent": self.agent, "seeds": self.seeds});

@@ -1,7 +1,7 @@
-//! One agent with one trainer: lessons, each learned from, then tests.
+//! One agent with one trainer: lessons, each with training after it, then tests.
 //!
-//! What happens by chance comes from four generators of the seed: the homes, who the trainer is, what the trainer says, and how the agent
-//! draws. So all agents meet the same homes and the same people.
+//! Chance comes from four generators of the seed: for the homes, the trainer's person, the trainer's feedback, and the agent. So all agents
+//! meet the same homes and the same people.
 
 use crate::questions::simulation::answer;
 use crate::study::agent::{Learner, Learns, Now};
@@ -16,21 +16,21 @@ use goodbot::planning::OptimalSet;
 use goodbot_course::{CourseError, generator};
 use rand_pcg::Pcg32;
 
-/// The lesson ends after this many steps of doing nothing in a row at the intended goal.
+/// The lesson ends after this many rests in a row at the intended goal.
 pub const RESTS: u8 = 3;
-/// The trainer gives a lesson up after this many steps.
+/// The trainer gives up a lesson after this many steps.
 pub const MOST_STEPS: u16 = 150;
 /// A test ends after this many steps.
 pub const TEST_STEPS: u16 = 100;
-/// An agent that is surer than this is certain.
+/// An agent is certain above this probability.
 pub const CERTAIN: f32 = 0.95;
 
 /// Why a lesson ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// The agent rests at the goal that is meant.
+    /// The agent rests at the intended goal.
     Goal,
-    /// What is meant cannot be done any more.
+    /// The intended task has become impossible.
     DeadEnd,
     /// It took too long.
     TooLong,
@@ -39,7 +39,7 @@ pub enum Ending {
 }
 
 impl Ending {
-    /// All.
+    /// All endings.
     pub const ALL: [Self; 4] = [Self::Goal, Self::DeadEnd, Self::TooLong, Self::Left];
 
     /// Its name in output.
@@ -53,31 +53,31 @@ impl Ending {
     }
 }
 
-/// What a lesson came to.
+/// The result of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LessonOutcome {
     /// Why it ended.
     pub ending: Ending,
-    /// How many steps it took.
+    /// The number of steps.
     pub steps: u16,
     /// How often the trainer said something: "good bot", "bad bot", or an answer.
     pub words: u16,
     /// How many questions it answered.
     pub answers: u16,
-    /// Whether the agent was at some time certain of a wrong task.
+    /// Whether the agent was ever certain of a wrong task.
     pub wrongly_certain: bool,
 }
 
-/// What a test came to.
+/// The result of a test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TestOutcome {
-    /// Whether the agent did what was meant, and then rested.
+    /// Whether the agent did the intended task, and then rested.
     pub right: bool,
-    /// Whether it was certain of a wrong task on hearing the command.
+    /// Whether it was certain of a wrong task when it heard the command.
     pub wrongly_certain: bool,
 }
 
-/// What one agent came to with one trainer.
+/// The result of one agent with one trainer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// The lessons.
@@ -92,25 +92,25 @@ impl Outcome {
         self.tests.iter().filter(|test| test.right).count()
     }
 
-    /// The steps of each lesson; one that did not end at the goal counts as all that were allowed.
+    /// The steps of each lesson; a lesson that did not end at the goal counts as the most steps.
     pub fn steps(&self) -> impl Iterator<Item = u16> + '_ {
         self.lessons.iter().map(|lesson| if lesson.ending == Ending::Goal { lesson.steps } else { MOST_STEPS })
     }
 }
 
-/// What a generator is for.
+/// The purpose of a generator.
 #[derive(Clone, Copy, Debug)]
 enum Chance {
     Words = 2,
     Agent = 3,
 }
 
-/// A generator that has nothing to do with those of the same seed for other purposes.
+/// A generator that is independent of those with the same seed for other purposes.
 fn chance(seed: u64, purpose: Chance) -> Pcg32 {
     generator(seed.wrapping_mul(0x2545_f491_4f6c_dd1d).wrapping_add(purpose as u64))
 }
 
-/// The homes and commands of a seed, with all plans that were made in them: every agent meets the same.
+/// The homes and commands of a seed, with all plans made in them: every agent meets the same.
 #[derive(Debug)]
 pub struct Places {
     lessons: Vec<Place>,
@@ -118,7 +118,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// Those of a course.
+    /// The places of a course.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -141,14 +141,14 @@ pub fn run(learns: &Learns, habits: Habits, places: &mut Places, seed: u64) -> R
     Ok(Outcome { lessons, tests })
 }
 
-/// What is right for the task that is meant, and where an action leads.
+/// The rightness of an action for the intended task, and the next state.
 struct Step {
     correct: bool,
     at_goal: bool,
     next: HomeState,
 }
 
-/// Lets the agent act; `None` where what is meant cannot be done any more.
+/// Lets the agent act; `None` if the intended task has become impossible.
 fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test: bool) -> Result<Option<(Action, Step)>, CourseError> {
     let outlook = place.outlook(state)?;
     let meant = outlook.optimal[place.intended];
@@ -157,13 +157,13 @@ fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test:
     }
     let action = learner.act(&Now { place, state, outlook: &outlook, is_test })?;
     let next = apply(&place.home, state, action).ok_or(AgentError::NotApplicable)?;
-    // The trainer takes a way that only seems shortest for one.
+    // The trainer accepts an approximate plan as the shortest.
     let right = meant.exact().or(meant.onward()).unwrap_or(ActionSet::EMPTY);
     Ok(Some((action, Step { correct: right.contains(action), at_goal: meant == OptimalSet::Goal, next })))
 }
 
-/// Lets the agent ask until it has no question left. Gives how many were answered: each with the trainer's own error, and none by a
-/// trainer who never speaks.
+/// Lets the agent ask until it has no more questions. Returns how many were answered. The trainer answers with its own error; one who never
+/// speaks does not answer.
 fn ask(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, habits: &Habits, random: &mut Pcg32) -> Result<u16, CourseError> {
     let Some(mistaken) = habits.mistaken() else { return Ok(0) };
     let outlook = place.outlook(state)?;

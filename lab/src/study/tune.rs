@@ -1,4 +1,4 @@
-//! All settings of the other inferences and of the log-linear language, each with its score, and which is best.
+//! Tries all settings of the other inferences and of the log-linear language, and prints the best with their scores.
 
 use crate::study::agent::AGENTS;
 use crate::study::trial::MOST_STEPS;
@@ -6,13 +6,13 @@ use crate::study::tuning::{SEEDS, TRAINED_BY, TUNED, scores};
 use goodbot_console::outcome::Failure;
 use std::io::Write;
 
-/// How many are told of each agent.
+/// How many settings are printed for each agent.
 const TOLD: usize = 3;
 
-/// Tries the settings and tells the best.
+/// Tries the settings and prints the best.
 ///
 /// # Errors
-/// [`Failure::Result`] where a run failed.
+/// [`Failure::Result`] if a run failed.
 pub fn show(out: &mut impl Write) -> Result<(), Failure> {
     let (last, trainers) = (SEEDS.end - 1, TRAINED_BY.join(", "));
     writeln!(
@@ -24,7 +24,7 @@ pub fn show(out: &mut impl Write) -> Result<(), Failure> {
         let grid = agent.learns.grid();
         let scores = scores(&grid).map_err(|error| Failure::Result(format!("{}: {error}", agent.name)))?;
         let mut scored: Vec<_> = grid.into_iter().zip(scores).collect();
-        // Of equal ones the first of the grid.
+        // The first of equals in the grid comes first.
         scored.sort_by(|a, b| b.1.total_cmp(&a.1));
         writeln!(out, "\n{}: the best of {}", agent.name, scored.len())?;
         for (learns, score) in scored.iter().take(TOLD) {

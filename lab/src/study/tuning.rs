@@ -1,7 +1,7 @@
-//! How the settings of the others were chosen: by one rule for all, on seeds that are not reported.
+//! How the settings of the other methods were chosen: by one rule for all, on seeds that are not reported.
 //!
-//! Each setting of a grid goes through the paper's course with four trainers on [`SEEDS`]. The one with the highest of the [`scores`] is taken: the share of
-//! tests that are right, less the share of the allowed steps that a lesson takes.
+//! Each setting of a grid goes through the paper's course with four trainers on [`SEEDS`]. The setting with the highest of the [`scores`]
+//! is chosen: the share of right tests, minus the share of the allowed steps that a lesson takes.
 
 use crate::study::agent::Learns;
 use crate::study::course::Course;
@@ -12,14 +12,15 @@ use goodbot_course::CourseError;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The seeds: far from those that are reported.
+/// The seeds, far from those that are reported.
 pub const SEEDS: Range<u64> = 9_000_000..9_000_016;
 /// The trainers.
 pub const TRAINED_BY: [&str; 4] = ["balanced", "punish-only", "reward-only", "population"];
-/// The agents whose settings were chosen: an inference with the role model, and the language with SABL. The other agents take these.
+/// The agents whose settings were chosen: an inference with the role model, and the language with SABL. The other agents use the same
+/// settings.
 pub const TUNED: [&str; 4] = ["tamer+roles", "coach+roles", "shaping+roles", "sabl+loglinear"];
 
-/// How well each of some settings does, from -1 to 1.
+/// The scores of settings, from -1 to 1.
 ///
 /// # Errors
 /// [`CourseError`].

@@ -1,4 +1,4 @@
-//! Random homes of three storeys, and commands that say how.
+//! Random homes of three storeys, and commands with ways.
 
 use goodbot::Agent;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
@@ -13,26 +13,26 @@ const COLORS: [&str; 5] = ["red", "green", "blue", "yellow", "pink"];
 /// The rooms of the middle storey.
 const MIDDLE: [usize; 3] = [1, 2, 3];
 const TOP: usize = 4;
-/// A room is so wide or high at least, walls included, and less than the sum of both numbers.
+/// The least width or height of a room, walls included; it is less than the sum of both numbers.
 const SIDE: i32 = 4;
 const MORE: usize = 3;
 
-/// A home of three storeys: the robot's room below, three rooms between, each with a door to both others, and one above.
+/// A home of three storeys: the robot's room below, three rooms in the middle, each with a door to both others, and one room above.
 #[derive(Debug)]
 pub struct ThreeStoreys<'m> {
     /// The home.
     pub home: Home<&'m mut HomeHeap>,
-    /// The robot somewhere in the room below.
+    /// The initial state: the robot somewhere in the room below.
     pub start: HomeState,
     rooms: [ObjectId; COLORS.len()],
     colors: [&'static str; COLORS.len()],
 }
 
 impl<'m> ThreeStoreys<'m> {
-    /// A home whose sizes, doors, colors and robot are drawn.
+    /// A home with random sizes, doors, colors and robot.
     ///
     /// # Errors
-    /// Where the memory has no room for it.
+    /// An error if the home does not fit into the memory.
     pub fn random(memory: &'m mut HomeHeap, random: &mut impl Rng) -> Result<Self, HomeError> {
         let mut colors = COLORS;
         for last in (1..colors.len()).rev() {
@@ -78,7 +78,7 @@ impl<'m> ThreeStoreys<'m> {
     }
 }
 
-/// What a command asks for beside a goal.
+/// The way that a command asks for beside its goal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum How {
     /// Nothing.
@@ -91,7 +91,7 @@ pub enum How {
     Avoiding(usize),
 }
 
-/// What a trainer says, and means by it.
+/// A command and its meaning.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Exercise {
     /// The command.
@@ -101,7 +101,7 @@ pub struct Exercise {
 }
 
 impl Exercise {
-    /// Draws a meaning, each kind as probable as the others, and words for it. Ways lead to the room above, past the rooms between.
+    /// Draws a meaning, with equal probability for each kind, and words for it. Ways lead to the room above, past the rooms in the middle.
     pub fn random(home: &ThreeStoreys<'_>, random: &mut impl Rng) -> Self {
         let [first, second, third] = MIDDLE;
         let one = MIDDLE.get(below(MIDDLE.len(), random)).copied().unwrap_or(first);
@@ -116,7 +116,7 @@ impl Exercise {
         Self { command: words(home, goal, how, random), goal, how }
     }
 
-    /// The task that is meant, by its position among those of the agent's session.
+    /// The position of the intended task among those of the agent's session.
     pub fn find(&self, agent: &Agent<impl AgentMemory>, home: &ThreeStoreys<'_>) -> Option<usize> {
         let mut wanted: Vec<(Part, ObjectId)> = match self.how {
             How::Any => vec![],
@@ -134,7 +134,7 @@ impl Exercise {
     }
 }
 
-/// Says a meaning in one of several ways.
+/// Words a meaning in one of several ways.
 fn words(home: &ThreeStoreys<'_>, goal: usize, how: How, random: &mut impl Rng) -> String {
     let goal = home.color(goal);
     let said = match how {

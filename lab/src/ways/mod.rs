@@ -1,8 +1,8 @@
-//! `goodbot ways`: commands that say how, learned from reward and punishment alone.
+//! `goodbot ways`: commands with ways, learned from reward and punishment alone.
 //!
-//! - [`exercise`]: homes of three storeys, and what is said in them;
+//! - [`exercise`]: homes of three storeys, and commands in them;
 //! - [`simulation`]: one robot's lessons and tests;
-//! - [`picture`]: what all of them came to, as a picture.
+//! - [`picture`]: the results of all robots, as a picture.
 
 mod exercise;
 mod picture;
@@ -94,7 +94,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     progress.finish_and_clear();
     let [silent, asking] = robots;
     let robots = [silent?, asking?];
-    // The picture comes first: a reader who leaves must not cost it.
+    // The picture comes first, so that it is written even if the reader of the text stops early.
     if let Some(plot) = plot {
         plot.draw(picture::draw(&robots, options))?;
     }
@@ -107,9 +107,9 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-/// What robots that ask, or that never do, came to.
+/// The results of robots that ask, or of those that never do.
 struct Robots {
-    /// Which questions they asked.
+    /// The name of their kind.
     name: &'static str,
     asking: Asking,
     learned: Vec<Learned>,
@@ -118,12 +118,12 @@ struct Robots {
 
 /// One test of all robots.
 struct Test {
-    /// After this many lessons.
+    /// The number of lessons before it.
     lessons: usize,
-    /// Commands that were understood, and asked.
+    /// The commands that were understood, and those that were asked.
     right: usize,
     asked: usize,
-    /// The share that one robot understood. Robots differ, so they are what is counted, not commands.
+    /// The mean share of commands that a robot understood. Robots differ, so the interval is over robots, not over commands.
     share: Mean,
     robots_with_nine_of_ten: usize,
 }
@@ -143,7 +143,7 @@ impl Robots {
         Self { name, asking, tests: tests.collect(), learned }
     }
 
-    /// The mean of something that is counted, over all lessons.
+    /// The mean of a count for one lesson.
     fn in_a_lesson(&self, of: fn(&Learned) -> usize, options: &WaysOptions) -> f64 {
         let all: usize = self.learned.iter().map(of).sum();
         all as f64 / self.learned.len().max(1) as f64 / options.lessons.max(1) as f64

@@ -1,11 +1,11 @@
-//! The shares of commands that robots understood, after more and more lessons.
+//! The shares of commands that robots understood, against the number of lessons.
 
 use super::{Robots, Test, WaysOptions};
 use crate::canvas::{BLUE, GREEN, INK, draw as canvas};
 use plotters::prelude::*;
 use std::error::Error;
 
-/// A line for robots that never ask, and one for those that do; upright strokes are 95 % intervals over robots.
+/// One line for robots that never ask, and one for those that do. Vertical strokes are 95 % intervals over robots.
 pub fn draw(robots: &[Robots; 2], options: &WaysOptions) -> Result<String, Box<dyn Error>> {
     canvas((720, 440), |area| {
         let mut chart = ChartBuilder::on(area)

@@ -1,4 +1,4 @@
-//! One robot that learns ways from reward and punishment alone.
+//! One robot that learns commands with ways from reward and punishment alone.
 
 use super::exercise::{Exercise, ThreeStoreys};
 use crate::questions::simulation::answer;
@@ -9,22 +9,22 @@ use goodbot::{Agent, HeapMemory, Options};
 use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseTrainer, Lesson, Turn, generator};
 
-/// What is simulated.
+/// The settings of the simulation.
 #[derive(Clone, Debug)]
 pub struct Setting {
     /// The kinds of tasks that commands may mean.
     pub lifted: Vec<LiftedTask>,
     /// When the robot asks.
     pub asking: Asking,
-    /// How many lessons.
+    /// The number of lessons.
     pub lessons: usize,
-    /// After how many lessons it is tested, again and again; and before the first.
+    /// The robot is tested before the first lesson, and after each this many lessons.
     pub every: usize,
-    /// How many commands a test has.
+    /// The number of commands in a test.
     pub tests: usize,
 }
 
-/// What one robot came to.
+/// The results of one robot.
 #[derive(Clone, Debug, Default)]
 pub struct Learned {
     /// Commands understood in each test.
@@ -40,10 +40,10 @@ pub struct Learned {
 /// Trains one robot, each lesson in a new home, with the paper's balanced trainer.
 ///
 /// # Errors
-/// What the robot refuses.
+/// The robot's error.
 pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result<Learned, Failure> {
     let mut random = generator(seed);
-    // Tests are drawn apart, so that they are the same with questions and without.
+    // Tests are drawn separately, so that they are the same with and without questions.
     let mut drawn = generator(seed ^ TESTS);
     let mut agent = Agent::new(&mut memory.agent, &setting.lifted, Options::DEFAULT)?;
     agent.set_strategies(&[(Strategy::BALANCED, 1.0)])?;
@@ -91,5 +91,5 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
     Ok(learned)
 }
 
-/// Tells the tests' seed from the lessons'.
+/// Separates the seed of the tests from that of the lessons.
 const TESTS: u64 = 0x7e57_7e57_7e57_7e57;

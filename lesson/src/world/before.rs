@@ -1,7 +1,7 @@
-//! What was done before a command in a world without a robot. Words such as "it", "again", "back" and "undo" are learned for these facts, as for
-//! those of a home's [conversation](goodbot::talk::Conversation).
+//! Facts about earlier commands in a world without a robot. Words such as "it", "again", "back" and "undo" are learned for these facts, as
+//! for those of a home's [conversation](goodbot::talk::Conversation).
 //!
-//! | fact | told of | what |
+//! | fact | holds for | meaning |
 //! |---|---|---|
 //! | `namedLast` | an object | the last task named it |
 //! | `removedLast` | an object | the last task with the proposition `removed` named it |
@@ -21,7 +21,7 @@ const NUMBERED: usize = 9;
 /// The steps that are remembered: the last ones.
 const MOST: usize = 100;
 
-/// A command that was followed.
+/// An earlier command of a conversation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Step {
     /// Its position in its conversation, from 1 on.
@@ -31,7 +31,7 @@ pub struct Step {
     intended: Vec<GroundAtomText>,
 }
 
-/// A conversation goes on: its steps with one more.
+/// The steps of a conversation, with one more. Only the last hundred are kept.
 pub fn after(before: &[Arc<Step>], world: &Arc<WorldFile>, command: &CommandRecord) -> Vec<Arc<Step>> {
     let facts = command.facts.as_ref().unwrap_or(&world.facts).clone();
     let number = before.last().map_or(1, |step| step.number + 1);
@@ -57,7 +57,7 @@ fn has(atom: &GroundAtomText, object: &str) -> bool {
     atom.arguments().iter().any(|argument| argument == object)
 }
 
-/// The facts of an object.
+/// The facts that hold for an object.
 pub(super) fn of_object(before: &[Arc<Step>], object: &ObjectOfWorld) -> BTreeSet<String> {
     let mut told: BTreeSet<String> = before.iter().filter(|step| step.names(&object.name)).filter_map(|step| step.numbered()).collect();
     let propositions: BTreeSet<&str> = before.iter().flat_map(|step| &step.intended).map(GroundAtomText::function).collect();
@@ -71,14 +71,14 @@ pub(super) fn of_object(before: &[Arc<Step>], object: &ObjectOfWorld) -> BTreeSe
     told
 }
 
-/// The facts of a task's proposition.
+/// The facts that hold for a task's proposition.
 pub(super) fn of_proposition(before: &[Arc<Step>], proposition: &str) -> BTreeSet<String> {
     let last = before.last().into_iter().flat_map(|step| &step.intended);
     let after = last.map(|atom| token(&token(proposition, "after"), atom.function()));
     before.iter().filter(|step| step.is_of(proposition)).filter_map(|step| step.numbered()).chain(after).collect()
 }
 
-/// The fact of an argument that another one was with.
+/// The fact that another argument of the proposition was last in a fact with this one.
 pub(super) fn of_argument(before: &[Arc<Step>], atom: &GroundAtomText, argument: &str) -> Option<String> {
     let mut others = atom.arguments().iter().filter(|other| *other != argument);
     let is_there = others.any(|other| {

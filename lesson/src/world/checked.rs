@@ -1,4 +1,4 @@
-//! A recorded session in a world, checked and walked through before anything is believed of it.
+//! Checks a recorded session in a world, and walks through its steps before it is used as evidence.
 
 use super::robot::Robot;
 use crate::checked::{CheckedSession, Checker, has_steps};
@@ -8,10 +8,10 @@ use goodbot::task::LiftedTask;
 use goodbot_formats::session::StepRecord;
 use goodbot_formats::world::SessionInWorld;
 
-/// Checks a session and walks through it, with the robot of its world. `lifted` are the tasks that commands may mean there.
+/// Checks a session and walks through it, with the robot of its world. `lifted` are the kinds of task that commands may mean there.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All faults of the session.
 pub fn check<'w>(
     file: &str,
     recorded: &SessionInWorld,
@@ -29,10 +29,10 @@ pub fn check<'w>(
     }
 }
 
-/// As [`check`], for a session that is replayed: one that was labelled has no steps.
+/// As [`check`], for a session that is replayed. A labelled session is refused, because it has no steps.
 ///
 /// # Errors
-/// All that is wrong with it.
+/// All faults of the session.
 pub fn check_steps<'w>(
     file: &str,
     recorded: &SessionInWorld,

@@ -1,16 +1,17 @@
-//! A world from a file, and what commands may mean in it.
+//! A world from a file, and the tasks that commands may mean in it.
 //!
-//! A world without actions needs no plan, so its tasks may be thousands. Each is told to the role model by a description of its own:
+//! A world without actions needs no plan, so it may have thousands of tasks. The role model reads a description of each:
 //!
-//! - its form is the number of its propositions and their arguments;
+//! - its form is the number of its propositions and of their arguments;
 //! - one role has the words of the propositions' names, cut at capital letters: `coverOpen` and `coverClosed` share `cover`;
-//! - one role an argument has the values of the object there, a sort for each attribute, and what holds of the object alone.
+//! - one role for each argument has the values of its object, a sort for each attribute, and the propositions that hold for the object
+//!   alone.
 //!
-//! So what was learned of an object in one kind of task serves in all. After other commands of a conversation, facts of [`before`] belong to these
-//! roles too, where a description has room for all of them.
+//! So words learned for an object in one kind of task serve in all kinds. After other commands of a conversation, these roles have facts of
+//! [`before`] too, if the description has room for all of them.
 //!
-//! A world with actions is a robot's: see [`robot`]. Its tasks are told to the role model as those of a home are, so that what was learned in
-//! one is understood in the other; [`checked`] walks through sessions in it.
+//! A world with actions belongs to a robot: see [`robot`]. The role model reads its tasks as it reads those of a home, so words learned in
+//! one are understood in the other. [`checked`] walks through sessions in it.
 
 pub mod before;
 pub mod checked;
@@ -36,10 +37,10 @@ pub struct Meaning {
     pub name: GroundTaskText,
     /// Its propositions, and the values of its objects.
     pub label: String,
-    /// Its probability before any word: all are equally probable. Where each kind of task had the same share, the only task of its kind would
+    /// Its probability before any word: all tasks are equally probable. With an equal share for each kind, the only task of its kind would
     /// be more probable than any of hundreds.
     pub prior: f32,
-    /// What the role model reads: markers as `@8000`, and values.
+    /// The tokens that the role model reads: markers such as `@8000`, and values.
     pub description: Vec<String>,
 }
 
@@ -53,8 +54,8 @@ impl std::fmt::Display for TooMany {
     }
 }
 
-/// The tasks of a world in which `facts` hold, after the steps `before`: each kind of task with different objects for its variables, but those that
-/// hold already.
+/// The tasks of a world in which `facts` hold, after the steps `before`. Each kind of task is grounded with different objects for its
+/// variables; tasks that hold already are left out.
 ///
 /// # Errors
 /// [`TooMany`].
@@ -90,7 +91,7 @@ fn tasks(world: &WorldFile, facts: &BTreeSet<&GroundAtomText>) -> Result<Vec<Vec
     for kind in &world.task_kinds {
         for objects in bindings(world, kind, MOST_TASKS - tasks.len())? {
             let atoms: Vec<GroundAtomText> = kind.atoms().iter().filter_map(|atom| ground(atom, &objects)).collect();
-            // `swapped(?a) & swapped(?b)` is one task for two objects, whichever comes first.
+            // `swapped(?a) & swapped(?b)` is one task for two objects, in either order.
             let is_known = atoms.len() > 1 && !known.insert(atoms.iter().cloned().collect::<BTreeSet<_>>());
             if !is_known && !atoms.iter().all(|atom| facts.contains(atom)) {
                 tasks.push(atoms);
@@ -139,24 +140,24 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
     Ok(all)
 }
 
-/// What can be said of each object.
+/// The tokens for each object.
 struct Scene<'w> {
     objects: BTreeMap<&'w str, Vec<(usize, String)>>,
-    /// The sort of what holds of an object.
+    /// The sort of tokens for facts.
     last: usize,
     before: &'w [Arc<Step>],
 }
 
 impl<'w> Scene<'w> {
     fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>, before: &'w [Arc<Step>]) -> Self {
-        // An odd sort belongs to the objects that are at a goal, and training begins with no word for its values. So sorts are even, unless
-        // a class has so many attributes that most would share the last one.
+        // An odd sort belongs to objects at a goal, and training begins with no word for its values. So sorts are even, unless a class has
+        // so many attributes that most would share the last one.
         let carried = |class: &String| world.attributes.iter().filter(|(_, classes)| classes.contains(class)).count();
         let most = world.classes.iter().map(carried).max().unwrap_or(0);
         let step = if most <= VALUE_SORTS / 2 + 1 { 2 } else { 1 };
         let numbers = (0..).step_by(step);
         let sorts: BTreeMap<&str, usize> = world.attributes.iter().zip(numbers).map(|((name, _), sort)| (name.as_str(), sort)).collect();
-        // What holds of an object alone, by its name.
+        // The propositions that hold for an object alone, by its name.
         let mut alone: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
         for fact in facts {
             if let [object] = fact.arguments() {
@@ -169,7 +170,7 @@ impl<'w> Scene<'w> {
             for (attribute, value) in &object.attributes {
                 let sort = sorts.get(attribute.as_str()).copied().unwrap_or(last);
                 said.push((sort.min(last), token(attribute, value)));
-                // A value can be the name of another object, such as the room that a lamp is in: what holds there is said of the lamp.
+                // A value can be the name of another object, such as a lamp's room. The facts of the room then count for the lamp.
                 for fact in alone.get(value.as_str()).into_iter().flatten() {
                     said.push((last, token(attribute, fact)));
                 }
@@ -224,7 +225,7 @@ impl<'w> Scene<'w> {
     }
 }
 
-/// `color` and `red` make `colorRed`; what is too long for a token is cut.
+/// `color` and `red` make `colorRed`. A token that is too long is cut.
 fn token(attribute: &str, value: &str) -> String {
     let mut token = attribute.to_owned();
     let mut letters = value.chars();
@@ -255,7 +256,7 @@ mod tests {
     use super::*;
     use goodbot_formats::world::{Line, WorldReader};
 
-    /// The sorts of what is said of a lamp with this many attributes.
+    /// The sorts in the description of a lamp with this many attributes.
     fn sorts(attributes: usize) -> Vec<u8> {
         let names = || (0..attributes).map(|number| format!("a{number}"));
         let carried: Vec<String> = names().map(|name| format!(r#""{name}":["lamp"]"#)).collect();

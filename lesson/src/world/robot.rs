@@ -1,11 +1,11 @@
 //! A robot from a world file: a [`Domain`] whose states are numbers.
 //!
-//! What actions change are variables: a proposition that the file lists among its `variables` has one value for each choice of its first
-//! arguments, the object in its last; any other proposition that an effect names holds or does not. A state is the number whose digits
-//! are the values.
+//! The state consists of variables. A proposition that the file lists among its `variables` has one value for each choice of its first
+//! arguments: the object in its last. Any other proposition that an effect names is true or false. A state is a number whose digits are the
+//! values.
 //!
-//! Every choice of objects has its digit, so that a session may begin with what no action brings about. Only where that makes too many states or
-//! actions, what can never come about from the file's facts is left out.
+//! Every choice of objects has a digit, so a session may begin in a state that no action leads to. If that makes too many states or
+//! actions, values and actions that can never occur from the file's facts on are left out.
 
 use crate::home::full;
 use crate::name::task_name;
@@ -26,13 +26,13 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
 
-/// Why a world file is no robot's.
+/// Why a world file makes no robot.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("field \"{field}\": {message}")]
 pub struct Flaw {
     /// The field at fault.
     pub field: String,
-    /// What is wrong, and what to do.
+    /// The fault, and the remedy.
     pub message: String,
 }
 
@@ -42,20 +42,20 @@ pub(super) fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> R
 
 /// The most objects that a robot's world may have.
 pub const MOST_OBJECTS: usize = 255;
-/// The most tasks that a robot that acts may have.
+/// The most tasks of a robot that acts.
 pub const MOST_TASKS_OF_A_ROBOT: usize = Capacities::STANDARD.tasks;
 /// The bytes of all names and values.
 const NAME_BYTES_TOGETHER: usize = 60_000;
-/// The most variables, each for a choice of objects.
+/// The most digits of a state, one for each choice of objects.
 const MOST_DIGITS: usize = 1 << 16;
-/// The most ways to apply an action's conditions and effects to objects, of all actions together.
+/// The most choices of objects to try for the conditions and effects of all actions.
 const MOST_CASES: usize = 1 << 20;
 
-/// What a robot from a world file is made of.
+/// The tables of a robot from a world file.
 #[derive(Debug)]
 pub struct Tables {
     file: Arc<WorldFile>,
-    /// How the attribute of each class is called.
+    /// The prefix of an attribute's values, for each class.
     prefixes: Vec<Vec<String>>,
     parameters: Vec<Vec<ClassId>>,
     rows: Vec<Object>,
@@ -66,7 +66,7 @@ pub struct Tables {
     start: u64,
 }
 
-/// The names of the tables, as a schema has them.
+/// The names in the tables, as a schema borrows them.
 struct Names<'t> {
     classes: Vec<Class<'t>>,
     carriers: Vec<Vec<Carrier<'t>>>,
@@ -101,7 +101,7 @@ impl Tables {
     /// The tables of a world file.
     ///
     /// # Errors
-    /// A [`Flaw`] where the world is too large for the core, or has nothing to do.
+    /// A [`Flaw`] if the world is too large for the core, or has no actions.
     pub fn of(file: Arc<WorldFile>) -> Result<Self, Flaw> {
         if file.actions.is_empty() {
             return flaw("actions", "is missing: commands can be learned and asked in this world, but no robot can act in it; add actions");
@@ -152,7 +152,7 @@ impl Tables {
         Ok(set.count())
     }
 
-    /// The state that the file describes.
+    /// The state in the file.
     pub const fn start(&self) -> u64 {
         self.start
     }
@@ -162,14 +162,14 @@ impl Tables {
         &self.file
     }
 
-    /// Lends the robot.
+    /// Lends the robot to a function.
     pub fn lend<R>(&self, use_it: impl FnOnce(&Robot<'_>) -> R) -> R {
         let names = Names::of(self);
         let attributes = names.attributes(&self.file);
         use_it(&Robot::of(self, &names, &attributes))
     }
 
-    /// The robot, for as long as the program runs: its tables are never freed. For programs that meet few worlds.
+    /// The robot until the program ends: its tables are never freed. For programs that meet few worlds.
     pub fn keep(self) -> Robot<'static> {
         let tables: &'static Self = Box::leak(Box::new(self));
         let names: &'static Names<'static> = Box::leak(Box::new(Names::of(tables)));
@@ -177,7 +177,7 @@ impl Tables {
     }
 }
 
-/// Makes the robot of a world file, and hands it over with the state that it starts in.
+/// Builds the robot of a world file, and passes it on with its initial state.
 ///
 /// ```
 /// use goodbot::oomdp::check;
@@ -193,7 +193,7 @@ impl Tables {
 /// ```
 ///
 /// # Errors
-/// As [`Tables::of`].
+/// The errors of [`Tables::of`].
 pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, Flaw> {
     let tables = Tables::of(Arc::new(file.clone()))?;
     Ok(tables.lend(|robot| use_it(robot, tables.start)))
@@ -204,7 +204,7 @@ fn capitalised(name: &str) -> String {
     letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
 }
 
-/// Why an object was refused, without a name of the library's.
+/// The reason why an object was refused, without the library's names.
 fn refused(error: &ObjectError) -> String {
     match error {
         ObjectError::Capacity(error) => full(error).unwrap_or_else(|| error.to_string()),
@@ -215,7 +215,7 @@ fn refused(error: &ObjectError) -> String {
 /// The kinds of task of a robot's world.
 ///
 /// # Errors
-/// A [`Flaw`] that names the kind, or says that all kinds together give too many tasks.
+/// A [`Flaw`] of one kind, or of all kinds if they have too many tasks together.
 pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
     if file.task_kinds.len() > LIFTED_TASKS {
         let message = format!("are {}, and {LIFTED_TASKS} are the most for a robot that acts; leave out some", file.task_kinds.len());
@@ -257,15 +257,15 @@ impl<'w> Robot<'w> {
         self.file
     }
 
-    /// The state in which these propositions hold, and no others.
+    /// The state in which exactly these propositions hold.
     ///
     /// # Errors
-    /// A [`Flaw`] where a variable has no value or two, or where what no action changes is not as the file says.
+    /// A [`Flaw`] if a variable has no value or two, or if a proposition that no action changes differs from the file.
     pub fn state_of(&self, facts: &[GroundAtomText]) -> Result<u64, Flaw> {
         self.mechanism.state_of(facts, &self.file.variables, &self.schema, self.objects)
     }
 
-    /// What holds in a state, in the order of the propositions and their objects.
+    /// The facts of a state, in the order of the propositions and their objects.
     pub fn facts(&self, state: u64) -> Vec<GroundAtomText> {
         let changing = self.mechanism.places.iter().filter(|&(_, &(digit, value))| self.mechanism.has(state, digit, value));
         let all: BTreeSet<&Key> = changing.map(|(key, _)| key).chain(&self.mechanism.fixed).collect();
@@ -277,21 +277,22 @@ impl<'w> Robot<'w> {
         all.iter().filter_map(text).collect()
     }
 
-    /// What can hold, and where: all that is not listed never does. In the order of the propositions and their objects.
+    /// The propositions that can hold, and the digits' values with which they do; all others never hold. In the order of the propositions
+    /// and their objects.
     pub fn where_facts_hold(&self) -> Vec<FactAt> {
         let Mechanism { places, fixed, digits, .. } = self.mechanism;
         let mut facts: Vec<FactAt> = Vec::new();
         for (&(proposition, arguments), &(digit, value)) in places {
             facts.extend(digits.get(digit).map(|&digit| FactAt { proposition, arguments, at: DigitAt { digit, value } }));
         }
-        // What no action changes is the only value of a digit.
+        // A proposition that always holds is the only value of a digit.
         let always = DigitAt { digit: Digit { unit: 1, values: 1 }, value: 0 };
         facts.extend(fixed.iter().map(|&(proposition, arguments)| FactAt { proposition, arguments, at: always }));
         facts.sort_by_key(|fact| (fact.proposition, fact.arguments));
         facts
     }
 
-    /// What each action needs and does: of its rules, the first whose conditions hold is what happens.
+    /// The rules of each action: the first rule whose conditions hold takes effect.
     pub fn rules(&self) -> Vec<Vec<Rule>> {
         let at = |digit: usize, value| self.mechanism.digits.get(digit).map(|&digit| DigitAt { digit, value });
         let rule = |case: &Case| Rule {
@@ -301,7 +302,7 @@ impl<'w> Robot<'w> {
         self.mechanism.actions.iter().map(|action| action.cases.iter().map(rule).collect()).collect()
     }
 
-    /// Whether an action changes whether a proposition holds.
+    /// Whether any action can change a proposition.
     pub fn changes(&self, proposition: &GroundAtomText) -> bool {
         self.mechanism.places.contains_key(&key(&self.schema, self.objects, proposition))
     }
@@ -320,13 +321,13 @@ impl Place for Robot<'_> {
     }
 }
 
-/// What can hold of objects, by name and arguments.
+/// A proposition with its objects.
 type Key = (PropositionId, [ObjectId; ARGUMENTS]);
 
-/// A digit of the state's number: `state / unit % values`.
+/// A digit of the state number: `state / unit % values`.
 #[derive(Clone, Copy, Debug)]
 pub struct Digit {
-    /// What the digits before it count together.
+    /// The number of combinations of the digits before it.
     pub unit: u64,
     /// How many values it has.
     pub values: u64,
@@ -341,7 +342,7 @@ pub struct DigitAt {
     pub value: u64,
 }
 
-/// A proposition, and the value of a digit with which it holds.
+/// A proposition, and the digit's value with which it holds.
 #[derive(Clone, Copy, Debug)]
 pub struct FactAt {
     /// The proposition.
@@ -352,12 +353,12 @@ pub struct FactAt {
     pub at: DigitAt,
 }
 
-/// What an action needs, and what it does then.
+/// A rule of an action: its conditions and effects.
 #[derive(Clone, Debug)]
 pub struct Rule {
-    /// Values that digits must have, or must not have where that is false.
+    /// Values that digits must have (`true`) or must not have (`false`).
     pub conditions: Vec<(DigitAt, bool)>,
-    /// Values that digits take, one after the other.
+    /// Values that digits get, one after the other.
     pub effects: Vec<DigitAt>,
 }
 
@@ -377,7 +378,7 @@ struct Mechanism {
     states: u64,
     /// For each fact that can change: its digit, and the value with which it holds.
     places: HashMap<Key, (usize, u64)>,
-    /// What holds and cannot change.
+    /// The facts that hold and cannot change.
     fixed: BTreeSet<Key>,
     actions: Vec<Grounded>,
 }
@@ -387,7 +388,7 @@ struct Mechanism {
 struct Grounded {
     name: String,
     cost: u8,
-    /// In order: the first whose conditions hold is what happens.
+    /// In order: the first case whose conditions hold takes effect.
     cases: Vec<Case>,
 }
 
@@ -398,7 +399,7 @@ struct Case {
 }
 
 impl Case {
-    /// Whether its conditions hold with some of the values that each digit may have.
+    /// Whether its conditions hold with some of the possible values of each digit.
     fn is_possible(&self, possible: &[BTreeSet<u64>]) -> bool {
         self.conditions.iter().all(|&(digit, value, wanted)| {
             let is_as_wanted = |&it: &u64| (it == value) == wanted;
@@ -472,10 +473,10 @@ impl Mechanism {
         Ok(self.digits.len() - 1)
     }
 
-    /// Gives each digit its place in the number of a state.
+    /// Gives each digit its unit in the state number.
     ///
     /// # Errors
-    /// The digit with which the numbers are too large.
+    /// The digit at which the numbers become too large.
     fn number(&mut self) -> Result<(), usize> {
         self.states = 1;
         for (position, digit) in self.digits.iter_mut().enumerate() {
@@ -485,8 +486,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Leaves out what can never be, from these values of the digits on: digits that keep their value, other values that never come about, and
-    /// what can be done with those alone.
+    /// Leaves out all that is impossible from these values of the digits on: digits that keep their value, values that never occur, and
+    /// actions that need them.
     fn keep_possible(&mut self, start: &[u64]) {
         let possible = self.possible(start);
         self.actions.iter_mut().for_each(|action| action.cases.retain(|case| case.is_possible(&possible)));
@@ -501,7 +502,7 @@ impl Mechanism {
         };
         let is_value = |digit: usize, value: u64| possible.get(digit).is_some_and(|values| values.contains(&value));
         for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
-            // A condition on a value that never comes about says nothing, where it is possible: it is that the value is another.
+            // Only possible cases are left, so a condition on an impossible value demands another value, and always holds.
             case.conditions.retain(|&(digit, value, _)| is_kept(digit) && is_value(digit, value));
             case.effects.retain(|&(digit, _)| is_kept(digit));
             let conditions = case.conditions.iter_mut().map(|(digit, value, _)| (digit, value));
@@ -517,7 +518,7 @@ impl Mechanism {
         self.digits = kept.map(|values| Digit { unit: 0, values: values.len() as u64 }).collect();
     }
 
-    /// The values that each digit may come to have, and perhaps more: as if each effect left the value before it as well.
+    /// The possible values of each digit, and perhaps more: each effect counts as if the old value stayed possible too.
     fn possible(&self, start: &[u64]) -> Vec<BTreeSet<u64>> {
         let mut possible: Vec<BTreeSet<u64>> = start.iter().map(|&value| BTreeSet::from([value])).collect();
         let mut left: Vec<&Case> = self.actions.iter().flat_map(|action| &action.cases).collect();
@@ -538,13 +539,13 @@ impl Mechanism {
         }
     }
 
-    /// The state that facts describe.
+    /// The state with these facts.
     fn state_of(&self, facts: &[GroundAtomText], variables: &[String], schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
         let values = self.values_of(facts, variables, schema, objects)?;
         Ok(self.digits.iter().zip(values).map(|(digit, value)| digit.unit * value).sum())
     }
 
-    /// The values of the digits that facts describe.
+    /// The values of the digits with these facts.
     fn values_of(
         &self,
         facts: &[GroundAtomText],
@@ -568,7 +569,7 @@ impl Mechanism {
             start.iter_mut().skip(digit).take(1).for_each(|slot| *slot = value);
         }
         if fixed.len() < self.fixed.len() {
-            return flaw("facts", "leave out what holds in the world and no action changes; add it");
+            return flaw("facts", "leave out a proposition that holds in the world and that no action changes; add it");
         }
         let mut places: Vec<(&Key, &(usize, u64))> = self.places.iter().collect();
         places.sort();
@@ -616,7 +617,7 @@ impl Mechanism {
         each_binding(objects, &bound, &BTreeMap::new(), &tries, &mut one)
     }
 
-    /// What happens with these objects, where that can ever be.
+    /// The case of an action with these objects, if its fixed conditions hold.
     fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &Binding<'_>) -> Option<Case> {
         let key = |literal: &Literal| -> Option<Key> {
             let mut arguments = [ObjectId::new(0); ARGUMENTS];
@@ -669,7 +670,7 @@ fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; A
 /// The object of each variable.
 type Binding<'v> = BTreeMap<&'v str, ObjectId>;
 
-/// How many more choices of an object are tried, and what is at fault where that is not enough.
+/// How many more objects may be tried, and the fault to report when none are left.
 struct Tries {
     left: Cell<usize>,
     field: String,
@@ -692,7 +693,8 @@ impl Tries {
     }
 }
 
-/// Each choice of objects for variables beside those that have theirs; different variables have different objects.
+/// Calls `each` for each choice of objects for the variables, beside those that have objects already. Different variables have different
+/// objects.
 fn each_binding<'v>(
     objects: Objects<'_>,
     variables: &[(&'v str, ClassId)],
@@ -742,7 +744,7 @@ impl Domain for Robot<'_> {
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &u64) -> bool {
-        // Beyond its parameters, a proposition's arguments say nothing.
+        // Arguments beyond the parameters have no meaning.
         let mut arguments = proposition.arguments;
         let count = self.schema.parameters(proposition.proposition).len();
         arguments.iter_mut().skip(count).for_each(|slot| *slot = ObjectId::new(0));
@@ -766,11 +768,10 @@ impl Domain for Robot<'_> {
     }
 }
 
-/// The actions that make a task hold, from the state that a world file describes, as one of the cheapest plans; nothing where it cannot be
-/// made to hold, or is no task there.
+/// One of the cheapest plans that make a task hold, from the state in the world file; `None` if that is impossible, or it is no task there.
 ///
 /// # Errors
-/// A [`Flaw`], as [`with`].
+/// The errors of [`with`].
 pub fn plan(file: &WorldFile, task: &GroundTaskText) -> Result<Option<Vec<String>>, Flaw> {
     with(file, |robot, start| {
         let lifted = tasks(file, robot)?;
@@ -781,7 +782,7 @@ pub fn plan(file: &WorldFile, task: &GroundTaskText) -> Result<Option<Vec<String
 fn planned(robot: &Robot<'_>, start: u64, lifted: &[LiftedTask], task: &GroundTaskText) -> Result<Option<Vec<String>>, AgentError> {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::DEFAULT)?;
     let is_meant = |grounded: &GroundedTask, lifted: &LiftedTask| task_name(robot, lifted, grounded).is_ok_and(|name| name.is_same(task));
-    // The words say nothing: the task is told.
+    // The words mean nothing; the prior alone gives the task.
     match agent.hear_with_prior(robot, &start, "do", |grounded, lifted| f32::from(u8::from(is_meant(grounded, lifted)))) {
         Err(AgentError::NoPrior | AgentError::NoTask) => return Ok(None),
         heard => heard?,

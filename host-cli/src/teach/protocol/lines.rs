@@ -1,17 +1,17 @@
-//! Lines of an input, each of a bounded length.
+//! Reads lines of bounded length.
 
 use std::io::{self, BufRead, Read as _};
 
-/// The longest line that is taken, in bytes.
+/// The longest accepted line, in bytes.
 const LONGEST_LINE: u64 = 1 << 20;
 
-/// After this many bytes more without an end of line, no end is waited for.
+/// After this many further bytes without a line end, reading stops.
 const NO_LINE: u64 = 64 << 20;
 
-/// Lines of an input, each of a bounded length.
+/// Lines of bounded length.
 pub struct Lines<R> {
     input: R,
-    /// The input has no lines.
+    /// Whether the input turned out to have no line end.
     endless: bool,
 }
 
@@ -21,7 +21,7 @@ impl<R: BufRead> Lines<R> {
         Self { input, endless: false }
     }
 
-    /// The next line, or why it cannot be read.
+    /// The next line, or the reason why it cannot be read.
     pub fn next(&mut self) -> io::Result<Option<Result<String, &'static str>>> {
         let mut line = Vec::new();
         if self.endless || self.input.by_ref().take(LONGEST_LINE + 1).read_until(b'\n', &mut line)? == 0 {

@@ -1,4 +1,4 @@
-//! Teaching without a terminal: one request a line comes in, one JSON object a line goes out. docs/teach.md describes both.
+//! Teaching without a terminal: one request on each input line, one JSON object on each output line. docs/teach.md describes both.
 
 mod lines;
 
@@ -23,14 +23,14 @@ use std::io::{self, BufRead, Write};
 /// The version of the protocol.
 const PROTOCOL: u32 = 2;
 
-/// How it ended.
+/// The end of the protocol.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Spoken {
     /// How many lines were refused.
     pub refused: usize,
 }
 
-/// Why a line was refused, and what to send instead.
+/// A refused line: the reason, and the request to send instead.
 struct Misunderstood {
     message: String,
     instead: &'static str,
@@ -51,27 +51,27 @@ impl Misunderstood {
 type Answers = Result<Vec<Value>, Misunderstood>;
 
 const REQUESTS: &[(&str, &str)] = &[
-    ("command WORDS", "say a command; in the tour the lesson's own where no words are given"),
+    ("command WORDS", "say a command; in the tour, without words, the lesson's own command"),
     ("say WORDS", "say anything: praise, blame, stop, undo, again, an answer, a correction, or a command"),
     ("step", "let the robot take its next step"),
     ("good [WORDS]", "reward the last step; words said along with it are praise from then on"),
     ("bad [WORDS]", "punish the last step; words said along with it are blame from then on"),
     ("silence", "say nothing to the last step"),
-    ("ask", "tell the robot's question, if one teaches it more than its next steps"),
+    ("ask", "let the robot ask a question, if one teaches it more than its next steps"),
     ("answer yes|no|NUMBER", "answer its last question; among several choices by number, or no for none of these"),
     ("intended TASK", "note in the log what the command means, as its task or in words; nothing is learned from it"),
-    ("auto", "let a simulated trainer judge the last step; in lessons of the tour"),
-    ("back", "take back the last step and what was said to it"),
-    ("finish", "end the session and learn from it; the next part of what was said begins, if there is one"),
+    ("auto", "let a simulated trainer judge the last step: in lessons of the tour, or after intended"),
+    ("back", "take back the last step and its feedback"),
+    ("finish", "end the session and learn from it; then the next part of the utterance begins, if there is one"),
     ("forget", "end the session and do not learn from it"),
-    ("undo", "take back what the last session taught"),
+    ("undo", "unlearn the last session"),
     ("conversation [ID]", "go on with another conversation in this home; without an id, a new one"),
-    ("next", "tell what to teach next, and why"),
+    ("next", "propose the next lesson, with the reason"),
     ("home JSON", "move to another home, one environment on one line; or: home random SEED"),
     ("reset", "put everything back to where it was"),
-    ("state", "tell the places of everything, and the robot's beliefs"),
-    ("words", "tell what the robot calls things"),
-    ("help", "tell these requests"),
+    ("state", "tell the places of all things, and the robot's beliefs"),
+    ("words", "list the robot's words for each machine token"),
+    ("help", "list these requests"),
     ("quit", "leave"),
 ];
 
@@ -79,10 +79,10 @@ fn is_request(word: &str) -> bool {
     REQUESTS.iter().any(|(request, _)| request.split(' ').next() == Some(word))
 }
 
-/// Reads requests to the end of the input, and answers each.
+/// Reads requests until the input ends, and answers each.
 ///
 /// # Errors
-/// Where the input cannot be read or the output not be written.
+/// An error if the input cannot be read or the output cannot be written.
 pub fn speak(classroom: &mut Classroom, seed: u64, input: impl BufRead, mut output: impl Write) -> io::Result<Spoken> {
     let mut speaker = Speaker { classroom, seed };
     let mut spoken = Spoken::default();
@@ -121,7 +121,7 @@ fn error(message: &str, instead: &str) -> Value {
     json!({"type": "error", "message": message, "do": instead})
 }
 
-/// The last line of each answer: who reads up to it never waits in vain.
+/// The last line of each answer. A program that reads up to it never waits in vain.
 fn done() -> Value {
     json!({"type": "done"})
 }
@@ -180,7 +180,7 @@ impl Speaker<'_> {
     }
 
     fn farewell(&mut self) -> Value {
-        // A session under way is written down, and what cannot be written is told.
+        // A session under way goes to the log, and a write error is reported.
         let failure = self.classroom.leave().err();
         let places = self.classroom.kept().map(|kept| kept.places());
         let mut bye = json!({
@@ -219,7 +219,7 @@ impl Speaker<'_> {
         Ok(answers)
     }
 
-    /// The result of a command.
+    /// The answer to a command.
     fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
         let pupil = &self.classroom.pupil;
         let (certainty, meant) = (pupil.certainty(), pupil.taken_for().to_string());
@@ -248,7 +248,7 @@ impl Speaker<'_> {
         Ok(heard)
     }
 
-    /// Whatever a person says.
+    /// Handles any utterance.
     fn say(&mut self, words: &str) -> Answers {
         if words.is_empty() {
             return Err(Misunderstood {
@@ -285,7 +285,7 @@ impl Speaker<'_> {
         }
     }
 
-    /// A word to the last step, and what was said along with it.
+    /// Judges the last step, and learns the words said along with the feedback.
     fn judge_saying(&mut self, feedback: Feedback, words: &str) -> Answers {
         let judged = self.judge(feedback)?;
         self.classroom.pupil.learn_word(words, feedback)?;
@@ -505,7 +505,7 @@ impl Speaker<'_> {
         json!({"type": "words", "ideas": self.classroom.pupil.ideas().into_iter().map(idea).collect::<Vec<_>>()})
     }
 
-    /// The tour's current lesson or test, as a line of its own; nothing outside of it.
+    /// The tour's current lesson or test, as a line of its own; no line outside the tour.
     fn lesson(&self) -> impl Iterator<Item = Value> + use<> {
         let mut lesson = json!({"type": "lesson"});
         self.add_lesson(&mut lesson);
@@ -539,7 +539,7 @@ impl Speaker<'_> {
         }
     }
 
-    /// Where the robot and the blocks are; in a world from a file, what holds there.
+    /// The cells of the robot and the blocks; in a world from a file, the facts.
     fn add_cells(&self, answer: &mut Value) {
         if let Some(table) = self.classroom.pupil.table() {
             answer["facts"] = facts(&table);
@@ -559,12 +559,12 @@ impl Speaker<'_> {
     }
 }
 
-/// What holds in a world, and its robot can change.
+/// The facts of a world that its robot can change.
 fn facts(table: &Table) -> Value {
     table.facts.iter().map(ToString::to_string).collect()
 }
 
-/// The shortest number that is read as the same probability again.
+/// The shortest number that reads back as the same probability.
 fn number(probability: f32) -> Value {
     probability.to_string().parse::<f64>().map_or(Value::Null, |number| json!(number))
 }

@@ -1,4 +1,4 @@
-//! What the robot asks, and what it is answered.
+//! The robot's questions in words.
 
 use super::{Pupil, no_session};
 use crate::teach::plain_names::{in_plain_words, object_words, task_words};
@@ -9,19 +9,19 @@ use goodbot::oomdp::Domain;
 use goodbot::task::{LiftedTask, Part};
 use goodbot_console::outcome::Failure;
 
-/// A question as a person hears it.
+/// A question in words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Asks {
     /// The question: `Do you mean the red room?`
     pub text: String,
-    /// What there is to choose from, beside "none of these"; nothing where the answer is yes or no.
+    /// The choices, beside "none of these"; empty for a question with yes or no.
     pub choices: Vec<String>,
-    /// The tasks for which the answer is yes, by position; where there is something to choose, all that can be chosen.
+    /// The positions of the tasks for which the answer is yes; for choices, of all tasks that can be chosen.
     pub tasks: Vec<usize>,
 }
 
 impl Pupil {
-    /// What the robot asks here, where a question teaches it more than acting does. The plan must be done.
+    /// The question to ask here, if it teaches the robot more than acting does. The plan must be done.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Failure> {
         if !self.lesson.is_under_way() {
             return Err(no_session());
@@ -63,14 +63,15 @@ impl Pupil {
     }
 }
 
-/// Asks for a kind of task of a world from a file: `Is it about lamp on?`.
+/// The question for a kind of task in a world from a file: `Is it about lamp on?`.
 fn kind_in_world<D: Domain>(domain: &D, kind: &LiftedTask) -> String {
     let schema = domain.world().schema;
     let names: Vec<String> = kind.propositions().iter().map(|part| in_plain_words(schema.proposition_name(part.proposition))).collect();
     format!("Is it about \"{}\"?", names.join("\" and \""))
 }
 
-/// Asks for a kind of task, one of those that the command may mean: `Shall I go somewhere myself, and not through a certain room?`.
+/// The question for a kind of task, among the kinds that the command may mean: `Shall I go somewhere myself, and not through a certain
+/// room?`.
 fn kind_question(all: &[LiftedTask], kind: &LiftedTask) -> String {
     let carries = kind.propositions().iter().any(|part| part.proposition == BLOCK_IN_ROOM);
     let mut text = if carries { "Shall I carry something" } else { "Shall I go somewhere myself" }.to_owned();

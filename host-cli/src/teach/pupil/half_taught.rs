@@ -1,6 +1,6 @@
-//! A robot that is half taught from the start: a starter's sentences beside its own sessions, the fewer the more those are.
+//! A robot with a starter: it has the starter's sentences beside its own sessions. The more own sessions, the fewer sentences.
 //!
-//! The sentences are in the robot's mind alone. What is saved of it are its own sessions, as without a starter.
+//! The sentences are in the agent's memory only. Its saved model has its own sessions, as without a starter.
 
 use goodbot::memory::AgentHeap;
 use goodbot::session::Finished;
@@ -10,18 +10,18 @@ use goodbot_console::starter::Starter;
 use goodbot_console::training_data::training;
 use std::ops::Range;
 
-/// The sentences, and where they are in a mind.
+/// The sentences, and their places in the agent's training data.
 #[derive(Debug, Default)]
 pub struct HalfTaught {
     starter: Starter,
-    /// Their positions among the sessions of the mind.
+    /// Their positions among the agent's sessions.
     places: Range<usize>,
-    /// The mind without them, as the bytes of a model file.
+    /// The agent without them, as the bytes of a model file.
     own: Vec<u8>,
 }
 
 impl HalfTaught {
-    /// A starter, which is in no mind yet.
+    /// A starter that is in no agent yet.
     pub fn new(starter: Starter) -> Self {
         Self { starter, ..Self::default() }
     }
@@ -30,27 +30,27 @@ impl HalfTaught {
         !self.starter.lessons().is_empty()
     }
 
-    /// Room for these capacities and the sentences together.
+    /// Capacities for the agent's own data and the sentences.
     pub fn room(&self, own: Capacities) -> Capacities {
         self.starter.room(own)
     }
 
-    /// How many possible tasks the sentences have together.
+    /// The total number of possible tasks of the sentences.
     pub fn tasks(&self) -> usize {
         training::tasks(self.starter.lessons())
     }
 
-    /// How many sentences are in the mind.
+    /// The number of sentences in the agent's training data.
     pub fn count(&self) -> usize {
         self.places.len()
     }
 
-    /// The mind without the sentences, as the bytes of a model file; `None` where there is no starter.
+    /// The agent without the sentences, as the bytes of a model file; `None` without a starter.
     pub fn own(&self) -> Option<&[u8]> {
         self.is_on().then_some(&self.own)
     }
 
-    /// Takes the sentences into a mind that has its own sessions alone.
+    /// Adds the sentences to an agent that has only its own sessions.
     pub fn join(&mut self, mind: &mut Agent<AgentHeap>) -> Result<(), Failure> {
         if !self.is_on() {
             return Ok(());
@@ -62,14 +62,14 @@ impl HalfTaught {
         Ok(())
     }
 
-    /// The mind has learned from a session of its own, and others may have given way: it keeps fewer sentences.
+    /// Removes sentences after the agent has learned from a session of its own. Older sessions may have given way.
     pub fn fade(&mut self, mind: &mut Agent<AgentHeap>, finished: &Finished) -> Result<(), Failure> {
         if !self.is_on() {
             return Ok(());
         }
         let gone = finished.gave_way.positions();
         if gone.len() < finished.gave_way.count() {
-            // It is not known where the sentences are now. Those that are left stay, as sessions like all others.
+            // The places of the sentences are unknown now. The sentences that are left stay, as sessions like all others.
             *self = Self::default();
             return Ok(());
         }

@@ -1,4 +1,4 @@
-//! The robot's mind and its home, each made anew when it is replaced during a visit.
+//! Makes the robot's agent and its home, at the start and whenever they are replaced during a visit.
 
 use crate::teach::site::{Setting, Site, SiteState};
 use goodbot::feedback::population;
@@ -13,7 +13,7 @@ use goodbot_lesson::home as homes;
 use goodbot_lesson::world::robot::{self, Flaw, Tables};
 use std::sync::Arc;
 
-/// What commands may mean in a place. `ways` says whether that is tasks with a way too, in a home.
+/// The kinds of task of a place. With `ways`, kinds with a way too; only homes have them.
 pub fn kinds_of_task(site: &Site, ways: bool) -> Result<Vec<LiftedTask>, Failure> {
     match site {
         Site::Floor(_) => {
@@ -25,8 +25,8 @@ pub fn kinds_of_task(site: &Site, ways: bool) -> Result<Vec<LiftedTask>, Failure
     }
 }
 
-/// A mind that has learned nothing yet, and commands may mean `lifted`. `believes` is what it expects of its trainer, where that is not what real
-/// people do. `tasks` is how many possible tasks it keeps of all sessions together.
+/// An agent without training, for the kinds of task `lifted`. `believes` is its expected trainer, by default real people. `tasks` is the
+/// total number of possible tasks that it keeps for all sessions.
 pub fn new_mind(
     capacities: &Capacities,
     tasks: usize,
@@ -39,7 +39,7 @@ pub fn new_mind(
     Ok(mind)
 }
 
-/// Makes a mind expect this of its trainer, or else what real people do: it knows that the trainer ends its sessions.
+/// Sets the trainer that an agent expects, by default real people: the trainer's end of a session is then evidence.
 pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Result<(), Failure> {
     let believes = believes.unwrap_or(&Believes::Population);
     let options = Options { drift: Options::DEFAULT.drift, ending: Options::DEFAULT.ending, ..*mind.options() };
@@ -47,7 +47,7 @@ pub fn expect(mind: &mut Agent<AgentHeap>, believes: Option<&Believes>) -> Resul
     Ok(mind.set_strategies(believes.strategies().unwrap_or(&population::STRATEGIES))?)
 }
 
-/// The place of a file, and where everything is in it.
+/// Builds the place of a file, with its initial state.
 pub fn build(file: &Setting) -> Result<(Site, SiteState), Failure> {
     match file {
         Setting::Floor(file) => {

@@ -1,12 +1,13 @@
-//! One robot, one home, and the session under way. All that this command asks of the core is asked here.
+//! One robot, one home, and the session under way: all calls of this command to the core.
 //!
-//! [`Pupil::hear`], then over and over [`Pupil::plan`] until it is done, [`Pupil::act`], [`Pupil::judge`], [`Pupil::go_on`]; at the
-//! end [`Pupil::finish`] and [`Pupil::learn`] until it is done, or [`Pupil::forget`].
+//! Call [`Pupil::hear`]. Then repeat [`Pupil::plan`] until it is done, [`Pupil::act`], [`Pupil::judge`] and [`Pupil::go_on`]. At the end
+//! call [`Pupil::finish`], and [`Pupil::learn`] until it is done; or call [`Pupil::forget`].
 //!
-//! What the trainer says counts at once, and of several words to one step the last one counts. To take a step back, the session is walked
-//! again up to there: the same actions and the same feedback give the same belief.
+//! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
+//! the same actions and the same feedback give the same belief.
 //!
-//! - [`asking`]: what the robot asks; [`half_taught`]: a starter in its mind; [`mind`]: the robot's mind and its home in memory; [`thoughts`]: what the robot thinks.
+//! - [`asking`]: the robot's questions; [`half_taught`]: a robot with a starter; [`mind`]: the robot's agent and its home in memory;
+//!   [`thoughts`]: its beliefs and words.
 
 mod asking;
 mod half_taught;
@@ -58,36 +59,36 @@ fn no_session() -> Failure {
 pub enum Heard {
     /// A session has begun.
     Command,
-    /// The task that is meant, in words, is done already. No session has begun.
+    /// The intended task, in words, is done already. No session has begun.
     Done(String),
-    /// The words are taken for something that the robot does not do. No session has begun.
+    /// The words ask for something that the robot does not do. No session has begun.
     Nothing(Hypothesis),
 }
 
 /// One robot, one home or other world, and the session under way.
 pub struct Pupil {
     lesson: Lesson<Site>,
-    /// Where everything is at first.
+    /// The initial state.
     start: SiteState,
-    /// The name of the session under way, and the task that its trainer means, where they are known.
+    /// The id of the session under way, and the position of its intended task, if they are known.
     id: Option<String>,
     intended: Option<usize>,
     random: Pcg32,
-    /// What it expects of its trainer, where that was told.
+    /// The trainer that it expects, if one was given.
     believes: Option<Believes>,
-    /// What it knew before its first session.
+    /// The starter.
     half_taught: HalfTaught,
-    /// What the robot took the words of the last command for, where it listens.
+    /// The result of listening to the last command, if the robot listens.
     listened: Option<Listened>,
-    /// How many words of the last command it did not read.
+    /// How many words of the last command were not read.
     unread: usize,
-    /// Words that the robot hears as words that it knows.
+    /// The synonyms that replace unknown words.
     synonyms: Synonyms<'static>,
 }
 
 impl Pupil {
-    /// A robot that has learned nothing yet, in a home or another world. `seed` decides its draws among what is equally good, `ways` whether commands may mean
-    /// ways too, and `believes` what it expects of its trainer, where that is not what real people do.
+    /// A robot without training, in a home or another world. `seed` determines its choices among equal actions. `ways` says whether
+    /// commands may mean ways. `believes` is its expected trainer, by default real people.
     pub fn new(file: &Setting, seed: u64, ways: bool, believes: Option<Believes>) -> Result<Self, Failure> {
         let (rooms, start) = build(file)?;
         let lifted = kinds_of_task(&rooms, ways)?;
@@ -108,33 +109,33 @@ impl Pupil {
         })
     }
 
-    /// The same robot, whose commands mean tasks of these kinds: it has learned nothing yet.
+    /// The same robot with these kinds of task, and without training.
     pub fn with_kinds(mut self, lifted: &[LiftedTask]) -> Result<Self, Failure> {
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, lifted, self.believes.as_ref())?;
         self.lesson.replace_agent(mind);
         Ok(self)
     }
 
-    /// The same robot, half taught from the start: it begins anew, with the sentences of a starter.
+    /// The same robot with a starter, and without training of its own.
     pub fn with_starter(mut self, starter: Starter) -> Result<Self, Failure> {
         self.half_taught = HalfTaught::new(starter);
         self.start_anew()?;
         Ok(self)
     }
 
-    /// The same robot, with these words that speak about commands.
+    /// The same robot with these closed words.
     pub const fn with_closed_words(mut self, closed: ClosedWords<'static>) -> Self {
         self.lesson.closed = closed;
         self
     }
 
-    /// The same robot, which hears unknown words as known ones of their line in a table.
+    /// The same robot with these synonyms: it replaces unknown words by known ones.
     pub const fn with_synonyms(mut self, synonyms: Synonyms<'static>) -> Self {
         self.synonyms = synonyms;
         self
     }
 
-    /// What was said, as the robot hears it.
+    /// The words, with unknown words replaced by known synonyms.
     fn in_known_words<'w>(&self, words: &'w str) -> Result<Cow<'w, str>, Failure> {
         if self.synonyms == Synonyms::NONE {
             return Ok(Cow::Borrowed(words));
@@ -142,13 +143,13 @@ impl Pupil {
         Ok(said_in_known_words(self.synonyms, self.lesson.agent.language(), words)?)
     }
 
-    /// A mind that has learned nothing yet, with these capacities and room for a starter.
+    /// An agent without training, with these capacities and room for the starter.
     fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Failure> {
         let (capacities, tasks) = (self.half_taught.room(*capacities), tasks + self.half_taught.tasks());
         new_mind(&capacities, tasks, self.lesson.agent.lifted(), self.believes.as_ref())
     }
 
-    /// Gives the robot a mind that has its own sessions alone: a starter's sentences come beside them.
+    /// Replaces the agent by one that has only its own sessions, and adds the starter's sentences.
     fn take_mind(&mut self, mut mind: Agent<AgentHeap>) -> Result<(), Failure> {
         self.half_taught.join(&mut mind)?;
         learn_fully(&mut mind);
@@ -156,14 +157,14 @@ impl Pupil {
         Ok(())
     }
 
-    /// Replaces what the robot has learned by a model file. A session under way ends unlearned.
+    /// Replaces the robot's training by a model file. A session under way ends unlearned.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Failure> {
         let contents = Contents::read(bytes)?;
         let mut mind = self.new_mind(&room_for(&contents), room_for_tasks(&contents))?;
         if contents.vocabulary == 0 || contents.vocabulary == mind.vocabulary() {
             mind.restore(bytes)?;
         } else {
-            say!("this model was learned elsewhere: what it knows of words is taken along, and what it believes of its trainer is not");
+            say!("this model was learned elsewhere: its words are taken along, its belief about the trainer is not");
             let _ = mind.join(&restored::words(bytes)?)?;
         }
         if self.believes.is_some() {
@@ -172,19 +173,20 @@ impl Pupil {
         self.take_mind(mind)
     }
 
-    /// A new robot, which has learned nothing, in the same home. A session under way ends unlearned.
+    /// Replaces the robot by one without training, in the same home. A session under way ends unlearned.
     pub fn start_anew(&mut self) -> Result<(), Failure> {
         let mind = self.new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs)?;
         self.take_mind(mind)
     }
 
-    /// What the robot has learned, as the bytes of a model file with its kinds of task. It must not be learning. A starter's sentences are not in it.
+    /// The robot's training as the bytes of a model file, with its kinds of task and without the starter's sentences. It must not be
+    /// learning.
     pub fn save(&self) -> Result<Vec<u8>, Failure> {
         let model = match self.half_taught.own() {
             Some(own) => own.to_vec(),
             None => self.lesson.agent.saved()?,
         };
-        // A world names its kinds of task itself.
+        // A world names its own kinds of task.
         Ok(if self.lesson.home().as_floor().is_some() { with_kinds(model, self.lesson.agent.lifted()) } else { model })
     }
 
@@ -200,7 +202,7 @@ impl Pupil {
         Ok(())
     }
 
-    /// Puts everything back to where it was when the home was entered. A session under way ends unlearned.
+    /// Puts everything back to its place at the start. A session under way ends unlearned.
     pub fn put_back(&mut self) {
         self.lesson.put(self.start);
     }
@@ -226,17 +228,17 @@ impl Pupil {
         &self.lesson
     }
 
-    /// The same, to plan, to judge and to go on.
+    /// The same, to plan, to judge and to continue.
     pub const fn lesson_mut(&mut self) -> &mut Lesson<Site> {
         &mut self.lesson
     }
 
-    /// The position of the task that the trainer means, where that is known.
+    /// The position of the intended task, if it is known.
     pub fn intended(&self) -> Option<usize> {
         self.intended.filter(|_| self.lesson.is_under_way())
     }
 
-    /// Notes what is meant by the command under way, by position.
+    /// Records the intended task of the command under way, by position.
     pub fn mean(&mut self, position: usize) {
         self.intended = Some(position);
     }
@@ -246,16 +248,16 @@ impl Pupil {
         self.lesson.agent.language().bitext().sessions() - self.half_taught.count()
     }
 
-    /// In how many of the sessions that it has learned from the robot heard a word.
+    /// How many of the robot's training sessions had a word.
     pub fn times_heard(&self, word: &str) -> u32 {
         times_heard(&self.lesson.agent, word)
     }
 
-    /// Hears a command where everything is now. A session under way ends unlearned. `intention` is what the trainer means, where that is
-    /// known: it is written down, and never learned from.
+    /// Hears a command in the present state. A session under way ends unlearned. `intention` is the intended task, if it is known: it goes
+    /// to the log, and is never learned from.
     ///
-    /// With some lessons, the robot listens: it begins with what there is to do. Said once more, words for which there was nothing to do are a
-    /// command all the same, unless they say what shall not be.
+    /// After some lessons, the robot listens, and begins with the first part that is still to do. If the same words are said twice and
+    /// there was nothing to do, they count as a command too, unless they forbid something.
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Failure> {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
@@ -275,7 +277,7 @@ impl Pupil {
         // A robot that listens reads a long utterance in parts.
         let told = if tells_talk(&self.lesson.agent) { command } else { read.words };
         self.listened = match self.lesson.tell(told, environment.clone()) {
-            // Said once more, it is a command all the same.
+            // A long command that is said again is heard by its first words.
             Err(LiveError::Agent(AgentError::Capacity(full))) if full.capacity == Capacity::WordsPerCommand => {
                 self.lesson.hear(read.words, environment)?;
                 None
@@ -288,7 +290,7 @@ impl Pupil {
         Ok(self.listened.map_or(Heard::Command, |listened| self.heard(&listened)))
     }
 
-    /// Hears the rest of the utterance, where the robot is now; `None` if there is no rest.
+    /// Hears the rest of the utterance in the present state; `None` if there is no rest.
     pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Failure> {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
@@ -297,7 +299,7 @@ impl Pupil {
         Ok(listened.map(|listened| self.heard(&listened)))
     }
 
-    /// The effect of words that the robot has listened to.
+    /// The effect of an utterance that the robot has listened to.
     fn heard(&self, listened: &Listened) -> Heard {
         if self.lesson.is_under_way() {
             return Heard::Command;
@@ -309,12 +311,12 @@ impl Pupil {
         }
     }
 
-    /// How many words of the last command were not read: it had more than are read.
+    /// How many words of the last command were not read, because it was too long.
     pub const fn unread(&self) -> usize {
         self.unread
     }
 
-    /// How sure the robot is of the last command: `sure`, `unsure`, `done` or `none`, as `goodbot ask` says it.
+    /// The verdict on the last command: `sure`, `unsure`, `done` or `none`, as in `goodbot ask`.
     pub fn certainty(&self) -> &'static str {
         let is_sure = || self.meanings().first().is_some_and(|meaning| meaning.probability >= SURE);
         match self.listened.map(|listened| listened.verdict) {
@@ -326,30 +328,30 @@ impl Pupil {
         }
     }
 
-    /// What the robot takes the last command for.
+    /// The kind of the last utterance.
     pub fn taken_for(&self) -> Hypothesis {
         self.listened.map_or(Hypothesis::Command, |listened| listened.hypothesis)
     }
 
-    /// What a person's words ask for, at this point of the conversation.
+    /// Reads a person's words at this point of the conversation.
     pub fn said(&self, words: &str) -> Result<Said, Failure> {
-        // In a session, words that are too long are refused: their first ones could end it.
+        // In a session, words that are too long are refused: their first words alone could end the session.
         let words = if self.lesson.is_under_way() { words } else { words_read(words) };
         Ok(self.lesson.said(&self.in_known_words(words)?)?)
     }
 
-    /// Takes in words that turn the robot on its way round.
+    /// Takes a correction of the robot on its way.
     pub fn correct(&mut self, words: &str) -> Result<Evidence, Failure> {
         let words = &self.in_known_words(words)?;
         Ok(self.lesson.correct(words)?)
     }
 
-    /// Learns what is said along with a button.
+    /// Counts the words said along with a feedback button.
     pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Failure> {
         Ok(self.lesson.learn_voice(words, feedback)?)
     }
 
-    /// Begins another conversation, or goes on with one, by its name.
+    /// Begins another conversation, or continues one by its name.
     pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         match id {
             None => self.lesson.converse_anew(),
@@ -364,24 +366,24 @@ impl Pupil {
         Ok(())
     }
 
-    /// Decides on an action and does it. The plan must be done, and what was done before must be over: [`go_on`](Self::go_on).
+    /// Chooses an action and does it. The plan must be done, and the last step must be over: see [`go_on`](Self::go_on).
     pub fn act(&mut self) -> Result<&Acted, Failure> {
         Ok(self.lesson.act(&mut self.random)?)
     }
 
-    /// What a simulated trainer who means the intended task says to the last step; `None` where nothing is intended or done.
+    /// The feedback of a simulated trainer to the last step; `None` without an intended task or a step.
     pub fn simulated_word(&mut self) -> Option<Feedback> {
         let right = self.lesson.acted()?.is_right(self.intended()?) == Some(true);
         Some(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random))
     }
 
-    /// What the plan says for the intended task, as [`Acted::plan`] does.
+    /// How far the plan for the intended task is known, as in [`Acted::plan`].
     pub fn intended_plan(&self) -> Option<OptimalSet> {
         Some(self.lesson.agent.planned().optimal(self.intended()?))
     }
 
-    /// Ends the session and begins to learn from it. Gives its record, and which older sessions gave way because memory was full. A step
-    /// to which nothing was said is left out.
+    /// Ends the session and begins to learn from it. Returns its record, and the older sessions that gave way because memory was full. A
+    /// last step without feedback is left out.
     pub fn finish(&mut self) -> Result<(Recorded, Finished), Failure> {
         self.lesson.walk_on()?;
         let record = self.record(true).ok_or_else(no_session)?;
@@ -390,12 +392,12 @@ impl Pupil {
         Ok((record, finished))
     }
 
-    /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
+    /// Continues to learn, with a budget of about `budget` table cells. Returns `true` when it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
         self.lesson.agent.learn(budget) == Progress::Done
     }
 
-    /// Ends the session, if one is under way, without learning from it. Gives its record where anything was judged.
+    /// Ends the session, if one is under way, without learning from it. Returns its record if it has any step or answer.
     pub fn forget(&mut self) -> Option<Recorded> {
         let record = self.record(false).filter(|record| !session(record).steps.is_empty() || !session(record).answers.is_empty());
         self.lesson.forget();
@@ -405,7 +407,7 @@ impl Pupil {
     fn record(&self, learn: bool) -> Option<Recorded> {
         let mut record = self.lesson.recorded(learn)?;
         session_mut(&mut record).header.id = self.id.clone();
-        // A log tells what was meant where it is a task of the paper's kind that is to be done.
+        // A log records only an intended task that is a plain task and still to do.
         let is_to_do =
             |position: &usize| !self.lesson.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));

@@ -1,4 +1,4 @@
-//! What the robot thinks: the tasks, which word speaks for which, and what it calls things.
+//! The robot's beliefs and words: the tasks, the support of each word for each task, and the words for each machine token.
 
 use super::{Pupil, no_session};
 use crate::teach::plain_names::{task_words, token_words};
@@ -13,47 +13,47 @@ use goodbot_lesson::first_words::heard;
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meaning {
-    /// Its position, which stays for the session.
+    /// Its position, which does not change during the session.
     pub position: usize,
-    /// As logs write it: `agentInRoom(agent0,room1)`.
+    /// The task as in logs: `agentInRoom(agent0,room1)`.
     pub name: String,
-    /// As a person says it: `go to the green room`.
+    /// The task in everyday words: `go to the green room`.
     pub words: String,
-    /// How probable it is now.
+    /// Its present probability.
     pub probability: f32,
 }
 
-/// What a word of the command said: for each task, its share of the word. A word that tells nothing is spread evenly.
+/// The support of a word of the command: its share for each task. A word without information has even shares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WordSupport {
-    /// The word as it was said.
+    /// The word as in the command.
     pub word: String,
-    /// Whether it was learned from before.
+    /// Whether the robot has learned from this word before.
     pub known: bool,
-    /// For each task, by position, its share; together 1.
+    /// Its share for each task, by position; the sum is 1.
     pub shares: Vec<f32>,
 }
 
-/// What the robot calls one idea.
+/// A machine token, and the robot's words for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Idea {
     /// The machine token: `roomIsRed`.
     pub token: String,
-    /// In plain words: `room is red`.
+    /// The token in plain words: `room is red`.
     pub words: String,
-    /// The words that it expects for it, the likeliest first, with their probabilities.
+    /// The words that the robot expects for it, the most probable first, with their probabilities.
     pub called: Vec<(String, f32)>,
 }
 
 impl Pupil {
-    /// A task as a person says it.
+    /// A task in everyday words.
     pub(super) fn words_of(&self, position: usize) -> Option<String> {
         let agent = &self.lesson.agent;
         let task = agent.tasks().get(position)?;
         Some(task_words(self.lesson.home(), agent.lifted().get(usize::from(task.lifted))?, task))
     }
 
-    /// The tasks that the command may mean, the likeliest first. None where no command was heard.
+    /// The tasks that the command may mean, the most probable first; empty without a command.
     pub fn meanings(&self) -> Vec<Meaning> {
         let agent = &self.lesson.agent;
         let tasks = if self.lesson.is_under_way() { agent.tasks() } else { &[] };
@@ -72,8 +72,7 @@ impl Pupil {
         meanings
     }
 
-    /// Which word of the command speaks for which task: for each word and task, how probable the word alone is under the task, the mean
-    /// over the task's machine commands.
+    /// The support of each word for each task: the probability of the word alone under the task, averaged over the task's machine commands.
     pub fn word_support(&self) -> Result<Vec<WordSupport>, Failure> {
         let command = self.lesson.command().ok_or_else(no_session)?;
         let (agent, home) = (&self.lesson.agent, self.lesson.home());
@@ -96,7 +95,7 @@ impl Pupil {
             let find = |command: &Vec<String>| command.iter().map(|token| language.tokens().find(token)).collect::<Option<Vec<_>>>();
             let commands: Vec<Vec<Symbol>> = commands.iter().filter_map(find).collect();
             for (at, row) in rows.iter_mut().enumerate() {
-                // A word that is left out keeps its place in the sentence and says nothing.
+                // The other words keep their places in the sentence, but count as unknown.
                 let alone: Vec<Option<Symbol>> =
                     sentence.iter().enumerate().map(|(other, word)| if other == at { *word } else { None }).collect();
                 let sum = commands.iter().fold(Scaled::ZERO, |sum, command| sum.plus(language.likelihood(&alone, command)));
@@ -113,8 +112,8 @@ impl Pupil {
         Ok(said.into_iter().zip(rows).zip(sentence.iter()).map(support).collect())
     }
 
-    /// What the robot calls things, as it was last learned: for each idea the words that it expects. Only beginnings of words may be known:
-    /// see [`word_letters`](Self::word_letters).
+    /// The words that the robot expects for each machine token, after its last training. Only the beginnings of words may be known: see
+    /// [`word_letters`](Self::word_letters).
     pub fn ideas(&self) -> Vec<Idea> {
         let language = self.lesson.agent.language();
         let tables = language.tables();
@@ -128,7 +127,7 @@ impl Pupil {
         language.tokens().iter().take(tables.tokens()).map(idea).collect()
     }
 
-    /// How many letters of a word the robot keeps; all of them where it is 0.
+    /// How many letters of a word the robot keeps; 0 for all.
     pub fn word_letters(&self) -> usize {
         self.lesson.agent.options().language.letters_kept()
     }

@@ -1,6 +1,6 @@
-//! The screen: the home, what the robot thinks, which word spoke for what, and the keys.
+//! The screen: the home, the robot's beliefs, the support of each word, and the keys.
 //!
-//! - [`plan`]: the home; [`table`](mod@table): another world; [`thoughts`]: beliefs, words; [`page`]: pages that lie over everything.
+//! - [`plan`]: the home; [`table`](mod@table): another world; [`thoughts`]: beliefs and words; [`page`]: pages that cover the screen.
 
 mod page;
 mod plan;
@@ -19,14 +19,14 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
 
-/// The smallest screen on which anything can be seen.
+/// The smallest usable screen: columns and rows.
 const LEAST: (u16, u16) = (24, 8);
-/// The rows that the likeliest guesses have below a home, with their heading.
+/// The rows of the likeliest tasks below a home, with their heading.
 const GUESSES: u16 = 5;
-/// From this size on, thoughts are drawn beside the home.
+/// From this number of columns on, beliefs are beside the home.
 const BESIDE: u16 = 60;
 
-/// Draws everything.
+/// Draws the screen.
 pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
     let area = frame.area();
     if area.width < LEAST.0 || area.height < LEAST.1 {
@@ -51,7 +51,7 @@ pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
     }
 }
 
-/// What is to be told, and what the robot did.
+/// Draws the robot's last action, and the message.
 fn draw_message(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let told = Line::styled(visit.told(), palette.quiet());
     let message = Line::styled(visit.message.as_str(), palette.strong());
@@ -99,7 +99,7 @@ fn draw_middle(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     thoughts::draw_words(frame, below, visit, palette);
 }
 
-/// Where the robot is.
+/// The place of the robot.
 enum Shown {
     Home(Scene),
     World(Table),
@@ -121,7 +121,7 @@ fn draw_place(frame: &mut Frame<'_>, area: Rect, place: &Shown, visit: &Visit, p
     }
 }
 
-/// A line with a heading above what belongs together.
+/// A block with a heading on a line above it.
 fn framed(heading: &str, palette: Palette) -> Block<'_> {
     Block::new()
         .borders(Borders::TOP)
@@ -137,7 +137,7 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
         None => visit.prompt.text(),
     };
     let lead = if command.is_some() { "Command: " } else { "Tell it: " };
-    // Where the command is longer than the line, its end is what is being written.
+    // If the text is longer than the line, the part before the cursor is shown.
     let room = usize::from(area.width).saturating_sub(lead.len() + 1);
     let before = if command.is_some() { text.chars().count() } else { visit.prompt.before().chars().count() };
     let skipped = if command.is_some() { 0 } else { before.saturating_sub(room) };
@@ -150,7 +150,7 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     }
 }
 
-/// The keys that can be pressed now, the most important ones first: what does not fit is in the explanation.
+/// The keys that can be pressed now, the most important ones first. Those that do not fit are on the explanation's page.
 fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
     match (visit.focus(), visit.phase()) {
         (Focus::Page, _) => vec![("any key", "back"), ("↑ ↓", "move")],

@@ -1,4 +1,4 @@
-//! Pages that lie over everything: the explanation, and all words.
+//! Pages that cover the screen: the explanation, and all words.
 
 use super::super::palette::Palette;
 use super::super::visit::{Page, Visit};
@@ -11,7 +11,7 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Clear, Paragraph, Widget, Wrap};
 
-/// The most rows that a page is looked at for.
+/// The most rows of a page.
 const MOST_ROWS: usize = 2_000;
 
 const KEYS: [(&str, &str); 17] = [
@@ -34,7 +34,7 @@ const KEYS: [(&str, &str); 17] = [
     ("q, ctrl-c", "leave; all that was learned is kept"),
 ];
 
-/// Draws a page from its given line on.
+/// Draws a page from a line on.
 pub fn draw(frame: &mut Frame<'_>, area: Rect, visit: &Visit, page: Page, first: u16, palette: Palette) {
     let (heading, lines) = match page {
         Page::Explanation => ("Explanation (any key: back)", explanation(visit, palette)),
@@ -47,7 +47,7 @@ pub fn draw(frame: &mut Frame<'_>, area: Rect, visit: &Visit, page: Page, first:
     frame.render_widget(Paragraph::new(lines).block(block).wrap(Wrap { trim: false }).scroll((first.min(last), 0)), area);
 }
 
-/// The rows that lines take where words are not cut: they are drawn on a screen that is high enough.
+/// The rows that lines take if words are not cut. To find them, the lines are drawn on a screen that is high enough.
 fn rows_of(lines: &[Line<'_>], width: u16) -> u16 {
     let most = lines.iter().map(|line| 1 + line.width() * 2 / usize::from(width.max(1))).sum::<usize>().min(MOST_ROWS);
     let area = Rect::new(0, 0, width, u16::try_from(most).unwrap_or(u16::MAX));

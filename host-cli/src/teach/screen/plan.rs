@@ -1,5 +1,5 @@
-//! The home from above: two columns a cell where there is room, one where there is less. A home that is larger still is seen through a
-//! window that goes with the robot.
+//! The home from above: two columns for each cell if they fit, otherwise one. A home that is still too large is seen through a window
+//! around the robot.
 
 use super::super::palette::Palette;
 use super::super::scene::{Ground, Scene};
@@ -9,17 +9,17 @@ use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-/// The columns that the legend takes at least.
+/// The least columns of the legend.
 const LEAST_COLUMNS: u16 = 24;
 
-/// The columns and rows that the home takes with its legend, at its best.
+/// The columns and rows of the home with its legend.
 pub fn wanted(scene: &Scene) -> (u16, u16) {
     let columns = scene.ground.iter().map(Vec::len).max().unwrap_or(0) * 2;
     let rows = scene.ground.len() + legend(scene, columns.max(usize::from(LEAST_COLUMNS))).len();
     (u16::try_from(columns).unwrap_or(u16::MAX).max(LEAST_COLUMNS), u16::try_from(rows).unwrap_or(u16::MAX))
 }
 
-/// A letter for each word, of its own while there are any: the first of its letters, or else of the alphabet, that no word before it has.
+/// A letter for each word: the first of its letters, or else of the alphabet, that no earlier word has.
 fn letters<'a>(words: impl Iterator<Item = &'a str>) -> Vec<(&'a str, char)> {
     let mut letters: Vec<(&str, char)> = Vec::new();
     for word in words {
@@ -37,7 +37,7 @@ fn letter_of(letters: &[(&str, char)], word: &str) -> char {
     letters.iter().find(|(known, _)| *known == word).map_or('.', |(_, letter)| *letter)
 }
 
-/// Letters for the colours of rooms, and for those of blocks among them.
+/// Letters for the colours of rooms and blocks.
 fn colors(scene: &Scene) -> Vec<(&str, char)> {
     letters(scene.room_colors().chain(scene.blocks().map(|(_, _, color, _)| color)))
 }
@@ -46,7 +46,7 @@ fn shapes(scene: &Scene) -> Vec<(&str, char)> {
     letters(scene.blocks().map(|(_, _, _, shape)| shape))
 }
 
-/// What a block looks like: the letter of its shape and that of its colour.
+/// A block's two letters: its shape and its colour.
 fn block_letters(scene: &Scene, color: &str, shape: &str) -> [char; 2] {
     let shape = letter_of(&shapes(scene), shape);
     [shape.to_uppercase().next().unwrap_or(shape), letter_of(&colors(scene), color)]

@@ -1,4 +1,4 @@
-//! A world from a file: its places as a plan, where they have coordinates; and its objects, below each what holds of it.
+//! A world from a file: its places as a plan, if they have coordinates; and its objects, with the facts about each.
 
 use super::super::palette::Palette;
 use super::super::table::{Row, Spot, Table};
@@ -7,10 +7,10 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 use ratatui::widgets::Paragraph;
 
-/// The columns that a table takes at least.
+/// The least columns of a table.
 const LEAST_COLUMNS: u16 = 24;
 
-/// An object as it is called: by its looks, or by its name where it has none.
+/// An object's looks; its name if it has none.
 fn called(row: &Row) -> &str {
     if row.looks.is_empty() { &row.name } else { &row.looks }
 }
@@ -18,14 +18,14 @@ fn called(row: &Row) -> &str {
 /// The indent of an object's facts.
 const INDENT: &str = "  ";
 
-/// The columns that a place takes, with the gap to the next.
+/// The columns of a place, with the gap to the next.
 const PLACE: usize = 12;
-/// The rows that a place takes: what it is called, and what is there.
+/// The rows of a place: its name, and the things in it.
 const PLACE_ROWS: usize = 2;
-/// A larger plan is not drawn.
+/// The most columns and rows of a plan. A larger one is not drawn.
 const MOST_PLACES: i32 = 16;
 
-/// The places, row by row, the northernmost first; nothing where they have no coordinates, or are too far apart.
+/// The places row by row, the northernmost first; empty if they have no coordinates, or are too far apart.
 fn plan(table: &Table) -> Vec<Vec<Option<&Spot>>> {
     let [xs, ys]: [Vec<i32>; 2] = [table.places.iter().map(|it| it.at.0).collect(), table.places.iter().map(|it| it.at.1).collect()];
     let bounds = |of: &[i32]| Some((*of.iter().min()?, *of.iter().max()?));
@@ -43,7 +43,7 @@ fn cell(text: &str) -> String {
     format!("{shown:PLACE$}")
 }
 
-/// The columns and rows that the table takes at its best.
+/// The columns and rows of the whole table.
 pub fn wanted(table: &Table) -> (u16, u16) {
     let plan = plan(table);
     let told = |row: &Row| row.holds.iter().map(|fact| INDENT.len() + fact.chars().count()).chain([called(row).chars().count()]).max();

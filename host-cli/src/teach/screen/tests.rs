@@ -1,4 +1,4 @@
-//! The screen, looked at.
+//! The screen's contents.
 
 use super::*;
 use crate::teach::classroom::Classroom;
@@ -20,7 +20,7 @@ fn visit(home: &EnvironmentFile, tour: bool) -> Visit {
     Visit::new(Classroom::new(pupil, None, tour).unwrap(), Pace::Normal, 1)
 }
 
-/// A visit in a world from a file, as it begins.
+/// The beginning of a visit in a world from a file.
 fn in_world(text: &str) -> Visit {
     let world = std::sync::Arc::new(goodbot_formats::world::WorldFile::parse(text).unwrap());
     Visit::new(Classroom::new(Pupil::new(&Setting::Other(world), 1, false, None).unwrap(), None, None).unwrap(), Pace::Normal, 1)
@@ -38,7 +38,7 @@ fn text(backend: &TestBackend) -> String {
     rows.map(|row| row.iter().map(|cell| cell.symbol()).collect::<String>().trim_end().to_owned() + "\n").collect()
 }
 
-/// A visit in its first lesson, after one step that was called good.
+/// A visit in its first lesson, after one rewarded step.
 fn first_lesson() -> Visit {
     let mut visit = visit(&first_home().unwrap(), true);
     visit.take(Intent::Say, Duration::ZERO);

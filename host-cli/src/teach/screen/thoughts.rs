@@ -1,4 +1,4 @@
-//! What the robot thinks: the tasks as bars, which word spoke for which task, and what it calls things.
+//! The robot's beliefs and words: the tasks as bars, the support of each word, and the words for each machine token.
 
 use super::super::palette::Palette;
 use super::super::plain_names::percent;
@@ -13,24 +13,24 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-/// How many tasks the table of words has.
+/// The most tasks in the table of words.
 const TABLED: usize = 3;
-/// How many steps leave a mark beside a task.
+/// The most steps with a mark beside a task.
 const MARKS: usize = 8;
-/// A word speaks for a task if it gives it this many times an even share.
+/// A word supports a task if the task's share is this many times an even share.
 const SPEAKS: f32 = 1.25;
-/// By how much a word must be more probable for an idea than on average, to be the idea's own.
+/// A word belongs to a machine token if its probability there exceeds its mean over all tokens by more than this.
 const STANDS_OUT: f32 = 0.05;
-/// The shortest bar that is worth drawing.
+/// The least columns of a bar.
 const LEAST_BAR: usize = 5;
 
-/// The rows that the words take.
+/// The rows of the table of words.
 pub fn wanted(visit: &Visit) -> u16 {
     let tasks = visit.classroom.pupil.meanings().len().min(TABLED);
     u16::try_from(tasks.max(2)).unwrap_or(2) + 2
 }
 
-/// Draws how probable each task is.
+/// Draws the probability of each task.
 pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let block = framed("What it thinks you mean", palette);
     let inner = block.inner(area);
@@ -83,7 +83,7 @@ fn belief<'a>(
     Line::from(spans)
 }
 
-/// What a step said of a task: for it, against it, or nothing.
+/// The mark of a step beside a task: support, counter-evidence or neither.
 fn mark<'a>((feedback, judgements): (Feedback, &[Judgement]), task: usize, palette: Palette) -> Span<'a> {
     match (feedback, judgements.get(task)) {
         (Feedback::Reward, Some(Judgement::Correct)) | (Feedback::Punish, Some(Judgement::Incorrect)) => Span::styled("▲", palette.good()),
@@ -92,7 +92,7 @@ fn mark<'a>((feedback, judgements): (Feedback, &[Judgement]), task: usize, palet
     }
 }
 
-/// A bar, fine to an eighth of a column.
+/// A bar, with a resolution of an eighth of a column.
 fn bar(share: f32, width: usize) -> String {
     let eighths = (share.clamp(0.0, 1.0) * width as f32 * 8.0).round() as usize;
     let part = ["", "▏", "▎", "▍", "▌", "▋", "▊", "▉"].get(eighths % 8).copied().unwrap_or("");
@@ -112,7 +112,7 @@ fn introduction(visit: &Visit) -> &'static str {
     }
 }
 
-/// Draws which word spoke for which of the likeliest tasks; where nothing was said, what the robot calls things.
+/// Draws the support of each word for the likeliest tasks; between sessions, the words for each machine token.
 pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let meanings = visit.classroom.pupil.meanings();
     if meanings.is_empty() {
@@ -152,8 +152,7 @@ pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Pal
     frame.render_widget(Paragraph::new(lines), inner);
 }
 
-/// The word that the robot expects more for an idea than for others, by the largest difference, with its probability. None where no word
-/// stands out.
+/// The word with the largest excess over its mean for all machine tokens, with its probability; `None` if no excess is large enough.
 fn own_word<'a>(idea: &'a Idea, all: &[Idea]) -> Option<(&'a Idea, &'a str, f32)> {
     let elsewhere = |word: &str| {
         let shares = all.iter().flat_map(|idea| &idea.called).filter(|(known, _)| known == word).map(|(_, share)| share);
@@ -187,7 +186,7 @@ fn draw_ideas(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette
     frame.render_widget(Paragraph::new(lines.collect::<Vec<_>>()), inner);
 }
 
-/// What the robot calls things, an idea a line.
+/// The words for each machine token, one token on a line.
 pub fn all_ideas<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
     let ideas = visit.classroom.pupil.ideas();
     if ideas.is_empty() {

@@ -1,4 +1,4 @@
-//! A visit on the screen: what keys do, and what happens by itself as time goes by. Nothing here knows a terminal or a clock.
+//! A visit on the screen: the effects of keys, and of time. This module knows neither a terminal nor a clock.
 
 mod talking;
 mod telling;
@@ -22,33 +22,33 @@ use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use std::time::Duration;
 
-/// How much of the work is done between two looks at the keyboard.
+/// The work between two checks of the keyboard.
 const PLAN_BUDGET: u32 = 20_000;
 const LEARN_BUDGET: u32 = 60_000;
-/// How long another word can still replace the one that was said, where the robot waits for one.
+/// How long feedback can still be corrected, if the robot waits for it.
 const SECOND_THOUGHTS: Duration = Duration::from_millis(450);
 /// How long the result of a test is shown.
 const RESULT_STANDS: Duration = Duration::from_millis(1_500);
 
-/// What goes on.
+/// The phases of a visit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
-    /// Nothing: a command is awaited.
+    /// The visit waits for a command.
     Idle,
     /// The robot makes its plan.
     Planning,
-    /// The robot waits for a word; it goes on then, where that is not `None`.
+    /// The robot waits for feedback, until this time; `None` waits without a limit.
     Waiting(Option<Duration>),
     /// The robot learns.
     Learning,
 }
 
-/// A page that lies over everything.
+/// A page that covers the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Page {
-    /// What is seen, and the keys.
+    /// The explanation of the screen, and the keys.
     Explanation,
-    /// What the robot calls things.
+    /// The words for each machine token.
     Words,
 }
 
@@ -60,13 +60,13 @@ pub struct Visit {
     pub prompt: Prompt,
     /// How fast the robot goes.
     pub pace: Pace,
-    /// The page that lies over everything, and its first line.
+    /// The page that covers the screen, and its first line.
     pub page: Option<(Page, u16)>,
-    /// What is to be told.
+    /// The message to the trainer.
     pub message: String,
-    /// Which word spoke for what, in the last command.
+    /// The support of each word in the last command.
     pub support: Vec<WordSupport>,
-    /// Whether the robot waits until it is told to go on.
+    /// Whether the robot is paused.
     pub paused: bool,
     /// Whether a simulated trainer judges.
     pub auto: bool,
@@ -79,12 +79,12 @@ pub struct Visit {
     rests: u8,
     word_at: Option<Duration>,
     homes: u64,
-    /// How many older sessions gave way to the one that is being learned.
+    /// How many older sessions gave way to the present one.
     gave_way: usize,
 }
 
 impl Visit {
-    /// A visit begins.
+    /// Begins a visit.
     pub fn new(classroom: Classroom, pace: Pace, seed: u64) -> Self {
         let mut visit = Self {
             classroom,
@@ -114,12 +114,12 @@ impl Visit {
         visit
     }
 
-    /// What goes on.
+    /// The present phase.
     pub const fn phase(&self) -> Phase {
         self.phase
     }
 
-    /// Where keys go.
+    /// The part of the screen that gets the keys.
     pub fn focus(&self) -> Focus {
         match self.page {
             Some(_) => Focus::Page,
@@ -143,12 +143,12 @@ impl Visit {
         self.classroom.lesson().acted()
     }
 
-    /// The steps of the session that were judged.
+    /// The judged steps of the session.
     pub fn done(&self) -> impl ExactSizeIterator<Item = (Feedback, &[Judgement])> {
         self.classroom.lesson().done()
     }
 
-    /// When something happens by itself; now where there is work.
+    /// The time of the next event; zero if there is work to do.
     pub fn next(&self) -> Option<Duration> {
         match self.phase {
             Phase::Planning | Phase::Learning => Some(Duration::ZERO),
@@ -169,14 +169,14 @@ impl Visit {
         }
     }
 
-    /// Takes in a text that was pasted.
+    /// Writes a pasted text.
     pub fn paste(&mut self, text: &str) {
         if self.focus() == Focus::Command {
             text.chars().map(|letter| if letter.is_control() { ' ' } else { letter }).for_each(|letter| self.prompt.write(letter));
         }
     }
 
-    /// Does what the person wants, at a time since the visit began.
+    /// Handles an intent, at a time since the visit began.
     pub fn take(&mut self, intent: Intent, now: Duration) {
         if let Err(refusal) = self.obey(intent, now) {
             self.message = sentence(&refusal.to_string());
@@ -280,7 +280,7 @@ impl Visit {
         Ok(())
     }
 
-    /// Writes what to teach next, goes where it can be taught, and says why.
+    /// Writes the proposed lesson, goes to its home, and gives the reason.
     fn propose(&mut self) -> Result<(), Failure> {
         self.message = match self.classroom.next_lesson()? {
             Next::NothingWanted => "Teach it something first. Then this proposes the lesson that teaches it most.".to_owned(),
@@ -301,7 +301,7 @@ impl Visit {
     fn command(&mut self, command: &str) -> Result<(), Failure> {
         let heard = self.classroom.say(command)?;
         if heard != Heard::Command {
-            // What was under way is over.
+            // The session before is over.
             self.phase = Phase::Idle;
             self.message = telling::declined(&heard);
             return Ok(());
@@ -319,7 +319,7 @@ impl Visit {
         Ok(())
     }
 
-    /// A session begins.
+    /// Begins a session.
     fn begin(&mut self) -> Result<(), Failure> {
         self.support = self.classroom.pupil.word_support()?;
         (self.phase, self.message, self.rests) = (Phase::Planning, String::new(), 0);
@@ -327,12 +327,12 @@ impl Visit {
         Ok(())
     }
 
-    /// Whether the robot waits until it is told to go on, or until what is being written is said.
+    /// Whether the robot is paused, or the trainer is writing.
     const fn holds(&self) -> bool {
         self.paused || self.typing
     }
 
-    /// What the trainer says to the last step, if it can be judged.
+    /// Gives feedback to the last step, if it can be judged.
     fn judge(&mut self, feedback: Feedback, now: Duration) -> Result<(), Failure> {
         if self.tested.is_some() {
             self.message = "This is a test: it hears no good and no bad. Enter goes on.".to_owned();
@@ -372,7 +372,7 @@ impl Visit {
         Ok(())
     }
 
-    /// Asks, where a question teaches more than the next steps do. It does not wait for the answer.
+    /// Asks a question if it teaches more than the next steps do. The robot does not wait for the answer.
     fn ask(&mut self) -> Result<(), Failure> {
         if self.auto || self.tested.is_some() {
             return Ok(());
@@ -396,7 +396,7 @@ impl Visit {
         Ok(())
     }
 
-    /// How long the robot waits after a step. At its goal it waits for a word.
+    /// How long the robot waits after a step. At its goal it waits for feedback without a limit.
     fn wait(&self, acted: &Acted) -> Option<Duration> {
         let longest = Duration::from_millis(2_600);
         match () {

@@ -1,4 +1,4 @@
-//! What the person says in words: the one field takes commands and all that is said to a robot on its way.
+//! The text field: it takes commands, and everything that is said to a robot on its way.
 
 use super::{Phase, Visit, telling};
 use crate::teach::pupil::Heard;
@@ -10,7 +10,7 @@ use goodbot_console::outcome::Failure;
 use std::time::Duration;
 
 impl Visit {
-    /// Says what is written.
+    /// Says the written text.
     pub(super) fn say(&mut self, now: Duration) -> Result<(), Failure> {
         let words = self.prompt.text().trim().to_owned();
         let in_session = self.classroom.lesson().is_under_way();
@@ -24,7 +24,7 @@ impl Visit {
             return self.command(&words);
         }
         self.prompt.said();
-        // What was said is about the robot on its way: it goes on.
+        // The words were about the robot on its way, so it continues.
         self.typing = !in_session;
         match said {
             Said::Judgement(feedback) => self.judge(feedback, now),
@@ -55,7 +55,7 @@ impl Visit {
         }
     }
 
-    /// Words turn the robot round.
+    /// Corrects the robot by words.
     fn correct(&mut self, words: &str) -> Result<(), Failure> {
         if self.tested.is_some() {
             self.message = "This is a test: it hears no words. Enter goes on.".to_owned();
@@ -67,14 +67,14 @@ impl Visit {
             Evidence::Used => format!("It thinks again: \"{best}\"."),
             Evidence::Impossible | Evidence::SaysNothing => "That tells it nothing.".to_owned(),
         };
-        // Where it waited at its goal, it goes on.
+        // A robot that waited at its goal continues.
         if let (Phase::Waiting(None), false) = (self.phase, self.paused) {
             self.go_on()?;
         }
         Ok(())
     }
 
-    /// "Stop": it waits, and ends the session where it waits already.
+    /// "Stop" pauses the robot. If it is paused already, it ends the session.
     fn stop_it(&mut self) -> Result<(), Failure> {
         if !self.classroom.lesson().is_under_way() {
             self.message = "It is doing nothing.".to_owned();
@@ -88,7 +88,7 @@ impl Visit {
         Ok(())
     }
 
-    /// A part of what was said is over: the next one begins. Gives `false` where there is none.
+    /// Begins the next part of the utterance. Returns `false` if there is none.
     pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Failure> {
         let rest = self.classroom.lesson().rest().map(str::to_owned);
         let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };

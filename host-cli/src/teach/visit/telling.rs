@@ -1,4 +1,4 @@
-//! What the robot did, in words.
+//! The robot's actions in words.
 
 use super::{Phase, Visit};
 use crate::teach::plain_names::{action_words, percent};
@@ -7,15 +7,15 @@ use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::talk::Hypothesis;
 
-/// From here on a step is right for all guesses, and a guess the only one.
+/// From this probability on, a step counts as right for all guesses, and a guess as the only one.
 const ALL: f32 = 0.995;
 
-/// The effect of words for which there is nothing to do.
+/// The message for words without anything to do.
 pub fn declined(heard: &Heard) -> String {
     match heard {
         Heard::Command => String::new(),
         Heard::Done(words) => format!("That is done already: \"{words}\". Say it once more, and it tries."),
-        Heard::Nothing(Hypothesis::Negated) => "It takes that for what shall not be, and waits. Say what it shall do.".to_owned(),
+        Heard::Nothing(Hypothesis::Negated) => "It takes that for a prohibition, and waits. Say what it shall do.".to_owned(),
         Heard::Nothing(taken_for) => format!("It takes that for {taken_for}, and waits. Say it once more, and it tries."),
     }
 }
@@ -26,9 +26,9 @@ impl Visit {
         self.classroom.pupil.meanings().first().is_some_and(|best| best.probability < ALL)
     }
 
-    /// What the robot did last, and what was said to that.
+    /// The robot's last action, and the feedback to it.
     pub fn told(&self) -> String {
-        // Not the likeliest now: a word to its step may have changed that.
+        // The task that it followed, which may no longer be the likeliest after feedback.
         let followed = |task| self.classroom.pupil.meanings().into_iter().find(|meaning| meaning.position == task);
         match (self.phase, self.acted()) {
             (Phase::Idle, _) => self.stop().map_or_else(String::new, |stop| stop.hint().to_owned()),

@@ -1,4 +1,4 @@
-//! What happens by itself as time goes by.
+//! The events of a visit that come with time.
 
 use super::{LEARN_BUDGET, PLAN_BUDGET, Phase, Visit, sentence};
 use goodbot::planning::OptimalSet;
@@ -8,10 +8,10 @@ use goodbot_course::lesson::{MOST_STEPS, RESTS};
 use std::time::Duration;
 
 impl Visit {
-    /// Lets happen what happens by itself, up to a time since the visit began.
+    /// Runs the events up to a time since the visit began.
     pub fn tick(&mut self, now: Duration) {
         if let Err(refusal) = self.advance(now) {
-            // What cannot go on is over; what was learned before is kept.
+            // A session that cannot continue is ended. Earlier training stays.
             if self.phase != Phase::Idle {
                 let _ = self.classroom.forget();
                 self.idle(sentence(&refusal.to_string()));

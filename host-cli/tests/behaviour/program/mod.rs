@@ -1,11 +1,11 @@
-//! The program as its users run it, and the lines that they feed it.
+//! The program as its users run it, and lines for its input.
 
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-/// What a run of the program gave.
+/// The result of a run.
 pub struct Run {
-    /// The exit code; a program that panicked or was killed has another than 0, 1 and 2.
+    /// The exit code. A program that panicked or was killed has a code other than 0, 1 and 2.
     pub code: i32,
     /// Standard output.
     pub output: String,
@@ -24,7 +24,7 @@ pub fn goodbot(arguments: &[&str], input: &[u8]) -> Run {
         .expect("the program runs");
     let mut stdin = child.stdin.take().expect("an input");
     let input = input.to_vec();
-    // A program that refuses early does not read to the end.
+    // A program that refuses early does not read all its input.
     let writer = std::thread::spawn(move || drop(stdin.write_all(&input)));
     let output = child.wait_with_output().expect("the program ends");
     writer.join().expect("the input is written");
@@ -32,7 +32,7 @@ pub fn goodbot(arguments: &[&str], input: &[u8]) -> Run {
     Run { code: output.status.code().unwrap_or(-1), output: text(output.stdout), messages: text(output.stderr) }
 }
 
-/// Runs the program with an output that is closed before it has said a word. Gives the exit code and the messages.
+/// Runs the program with an output that is closed before its first word. Returns the exit code and the messages.
 #[allow(dead_code, reason = "each test file uses what it needs")]
 pub fn goodbot_unheard(arguments: &[&str], input: &[u8]) -> (i32, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_goodbot"));

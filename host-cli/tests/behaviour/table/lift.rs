@@ -15,7 +15,7 @@ use goodbot::oomdp::{
 use goodbot::task::{LiftedTask, TaskTextError};
 
 goodbot::memory! {
-    /// Memory for the robot and its mind: every lesson is kept, and every plan is exact.
+    /// Memory for the robot and its agent: every lesson is kept, and every plan is exact.
     pub struct RobotMemory = goodbot::Capacities {
         objects: 5,
         names: 9,
@@ -79,7 +79,7 @@ const OBJECTS: [(u8, &str, [&str; 1]); 5] = [
     (1, "floor3", ["roof"]),
 ];
 
-/// What can hold: a proposition of objects, where `state / unit % values == value`, given as `[unit, values, value]`.
+/// Facts: a proposition of these objects holds where `state / unit % values == value`, given as `[unit, values, value]`.
 const FACTS: [(u8, [u8; 3], [u32; 3]); 8] = [
     (0, [0, 1, 0], [1, 4, 0]),
     (0, [0, 2, 0], [1, 4, 1]),
@@ -91,7 +91,7 @@ const FACTS: [(u8, [u8; 3], [u32; 3]); 8] = [
     (2, [4, 3, 0], [1, 1, 0]),
 ];
 
-/// A part of a rule that says what an action needs and does; digits as in `FACTS`.
+/// A part of an action's rule: a condition or an effect; digits as in `FACTS`.
 enum Part {
     /// A rule begins.
     Begin,
@@ -104,7 +104,7 @@ enum Part {
     Takes([u32; 3]),
 }
 
-/// The rules of all actions, by the action's number: of each action the first that fits is what happens.
+/// The rules of all actions, by the action's number: the first rule of an action that fits applies.
 const PARTS: [(usize, Part); 30] = [
     (0, Part::Begin),
     (0, Part::Has([1, 4, 0])),
@@ -138,9 +138,9 @@ const PARTS: [(usize, Part); 30] = [
     (3, Part::Takes([4, 2, 0])),
 ];
 
-/// The state that the world begins in.
+/// The initial state.
 pub const START: u32 = 1;
-/// How many states there are.
+/// The number of states.
 pub const STATES: u32 = 8;
 
 /// The robot. Its objects are in memory that the caller lends: `memory.home.lend().objects`.
@@ -152,7 +152,7 @@ impl<'m> Robot<'m> {
     /// The robot and its world.
     ///
     /// # Errors
-    /// Where the memory is smaller than `RobotMemory`.
+    /// An error if the memory is smaller than `RobotMemory`.
     pub fn new(memory: ObjectTables<'m>) -> Result<Self, ObjectError> {
         let mut objects = ObjectSet::new(memory);
         for (class, name, values) in OBJECTS {
@@ -161,7 +161,7 @@ impl<'m> Robot<'m> {
         Ok(Self { objects: objects.into_objects() })
     }
 
-    /// What commands may mean.
+    /// The kinds of task that commands may mean.
     ///
     /// # Errors
     /// None: the texts were checked.

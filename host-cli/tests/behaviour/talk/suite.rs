@@ -1,5 +1,5 @@
-//! A suite of sentences in several languages: what people say to a robot, in words that lessons had and in others. Half of it is for choosing
-//! settings: the homes with even numbers, and in each kind of sentence the first, the third and so on. The other half is kept aside: homes with
+//! A suite of sentences in several languages: utterances to a robot, in words of the lessons and in others. Half of it is for choosing
+//! settings: the homes with even numbers, and the first, third and so on of each kind of sentence. The other half is kept aside: homes with
 //! odd numbers, and the sentences between.
 
 use super::{COLORS, Home, SHAPES, asked_with, go, not, take, then};
@@ -12,7 +12,7 @@ const GERMAN: &str = include_str!("de.txt");
 const FRENCH: &str = include_str!("fr.txt");
 const SPANISH: &str = include_str!("es.txt");
 const CHINESE: &str = include_str!("zh.txt");
-/// Sentences of other authors: the language, the words of the lessons and what is otherwise in them, the author, and the sentences.
+/// Sentences of other authors: the language, the words of the lessons, the lines that differ from them, the author, and the sentences.
 const BY_OTHERS: [(&str, &str, &str, &str, &str); 12] = [
     ("en", ENGLISH, "", "stranger", include_str!("stranger.en.tsv")),
     ("de", GERMAN, "", "stranger", include_str!("stranger.de.tsv")),
@@ -36,19 +36,19 @@ const HOMES: u64 = 6;
 /// The number of them in which every run of the tests asks.
 const FEW_HOMES: u64 = 1;
 
-/// Which half of the suite.
+/// The halves of the suite.
 #[derive(Clone, Copy, PartialEq)]
 enum Half {
     /// For choosing settings.
     Tuning,
-    /// Looked at when all is chosen.
+    /// Looked at after all settings are chosen.
     KeptAside,
 }
 
-/// Which closed classes of words the robot knows.
+/// The closed words of the robot.
 #[derive(Clone, Copy, PartialEq)]
 enum Table {
-    /// Those that are built in.
+    /// The built-in ones.
     Of5Languages,
     /// None.
     Empty,
@@ -107,7 +107,7 @@ impl Wording {
         Self { lines: lines.collect() }
     }
 
-    /// The same, with these lines in the place of its own for the same.
+    /// The same, with these lines in place of lines with the same key.
     fn with(self, others: &'static str) -> Self {
         let mut lines = Self::of(others).lines;
         let own = self.lines.into_iter().filter(|(key, _)| lines.iter().all(|(other, _)| other != key)).collect::<Vec<_>>();
@@ -123,7 +123,7 @@ impl Wording {
         self.lines.iter().find(|(known, _)| *known == key).map_or_else(|| panic!("no line for {key}"), |(_, text)| text)
     }
 
-    /// The words for a color, in the place of `{color}` and its other forms.
+    /// Replaces `{color}` and its other forms by the words for a color.
     fn colored(&self, text: &str, color: &str) -> String {
         let forms: Vec<&str> = self.one(&format!("color {color}")).split(' ').collect();
         let form = |position: usize| forms.get(position).unwrap_or(&forms[0]);
@@ -139,7 +139,7 @@ impl Wording {
         self.lines.iter().find(|(known, _)| *known == key).map_or_else(String::new, |(_, text)| self.colored(text, color))
     }
 
-    /// Lessons in homes of their own: commands for what is still to do.
+    /// Lessons in homes of their own: commands for tasks that are still to do.
     fn lessons(&self, count: usize) -> String {
         let mut numbers = Numbers(7);
         let (going, taking) = (self.all("taught go"), self.all("taught take"));
@@ -161,7 +161,7 @@ impl Wording {
         log
     }
 
-    /// A sentence with two rooms and two things of a home in its slots.
+    /// Fills the slots of a sentence with two rooms and two things of a home.
     fn filled(&self, template: &str, home: &Home, rooms: &[usize; 2], blocks: &[usize; 2]) -> String {
         let mut text = template.to_owned();
         for (number, (&room, &block)) in ["", "2"].iter().zip(rooms.iter().zip(blocks)) {
@@ -178,7 +178,7 @@ impl Wording {
     }
 }
 
-/// What was said, what kind of sentence it is, and what is meant: nothing, or tasks, in order or not.
+/// A sentence, its kind, and its meaning: nothing, or tasks, with or without an order.
 struct Said {
     kind: &'static str,
     text: String,
@@ -279,7 +279,7 @@ fn mistyped(text: &str, numbers: &mut Numbers) -> String {
     words.iter().map(|word| word.iter().collect::<String>()).collect::<Vec<_>>().join(" ")
 }
 
-/// How many of the sentences got what they should.
+/// How many sentences had the right answer.
 #[derive(Clone, Copy, Default)]
 struct Tally {
     follow: usize,
@@ -374,7 +374,7 @@ fn judge_all(half: Half, table: Table, lessons: &[usize], homes: u64) -> Vec<(&'
     })
 }
 
-/// At most 1 of 40 answers may be sure of something else than was meant, after 24 lessons 1 of 30. At least this many of 100 sentences must be followed
+/// At most 1 of 40 answers may be sure of a wrong meaning; after 24 lessons, 1 of 30. At least this many of 100 sentences must be followed
 /// after 120 and after 24 lessons.
 fn check(half: Half, least: [usize; 2]) {
     for (name, lessons, tally) in judge_all(half, Table::Of5Languages, &[120, 24], HOMES) {
@@ -385,7 +385,7 @@ fn check(half: Half, least: [usize; 2]) {
     }
 }
 
-/// A home of each half tells where something broke; the ignored tests tell the figures.
+/// A home of each half shows where something broke; the ignored tests give the figures.
 #[test]
 fn a_part_of_the_suite_is_followed_in_five_languages() {
     for half in [Half::Tuning, Half::KeptAside] {
@@ -408,8 +408,8 @@ fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
     check(Half::KeptAside, [80, 74]);
 }
 
-/// A robot that knows no closed words is sure of what was not meant in at most 2 of 25 answers, and follows at least a tenth. The tuning half, which is
-/// better, would take as long once more.
+/// A robot without closed words is sure of a wrong meaning in at most 2 of 25 answers, and follows at least a tenth. The tuning half, which
+/// is better, would take as long again.
 #[test]
 #[ignore = "takes half a minute of a processor"]
 fn without_closed_words_little_harm_is_done() {
@@ -419,8 +419,8 @@ fn without_closed_words_little_harm_is_done() {
     }
 }
 
-/// Asks the sentences of an author who knew neither the program nor its rules, in the home that they were written for. They are much harder than
-/// the suite's: at least two in five are followed, and at most a tenth of all answers are sure of what was not meant.
+/// Sentences of an author who knew neither the program nor its rules, in the home that they were written for. They are much harder than the
+/// suite's: at least two in five are followed, and at most a tenth of all answers are sure of a wrong meaning.
 #[test]
 #[ignore = "asks 1,359 sentences"]
 fn sentences_of_other_authors_are_often_followed_and_seldom_mistaken() {

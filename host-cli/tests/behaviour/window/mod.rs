@@ -1,4 +1,4 @@
-//! A window with a program in it: a pseudo-terminal, keys to press, and a screen to look at.
+//! A window with a program in it: a pseudo-terminal with keys and a screen.
 
 use portable_pty::{Child, CommandBuilder, ExitStatus, MasterPty, PtySize, native_pty_system};
 use std::io::{Read, Write};
@@ -7,10 +7,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// How long to wait for anything.
+/// The longest wait for anything.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// A running program. It ends with the test, however that ends.
+/// A running program. It ends with the test, however the test ends.
 struct Program(Box<dyn Child + Send + Sync>);
 
 impl Program {
@@ -78,17 +78,17 @@ impl Window {
         self.keys.write_all(keys.as_bytes()).and_then(|()| self.keys.flush()).expect("the keyboard works");
     }
 
-    /// What is on the screen.
+    /// The screen's text.
     pub fn text(&self) -> String {
         self.seen.lock().expect("a screen").screen.screen().contents()
     }
 
-    /// All that was ever written to the screen.
+    /// Everything that was ever written to the screen.
     pub fn bytes(&self) -> Vec<u8> {
         self.seen.lock().expect("a screen").bytes.clone()
     }
 
-    /// Waits until something is so.
+    /// Waits until a condition holds.
     pub fn wait(&self, what: &str, is_so: impl Fn(&Self) -> bool) {
         let begun = Instant::now();
         while !is_so(self) {
@@ -108,7 +108,7 @@ impl Window {
         self.master.resize(PtySize { rows, cols: columns, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
     }
 
-    /// Whether the terminal is as a shell left it: its own screen, a cursor, and keys that are echoed line by line.
+    /// Whether the terminal is as a shell left it: the shell's screen, a cursor, and keys that are echoed line by line.
     pub fn is_as_found(&self) -> bool {
         let termios = format!("{:?}", self.master.get_termios().expect("a terminal").local_flags);
         let seen = self.seen.lock().expect("a screen");
@@ -122,12 +122,12 @@ impl Window {
         self.seen.lock().expect("a screen").screen.screen().alternate_screen()
     }
 
-    /// The program's number.
+    /// The program's process id.
     pub fn number(&self) -> u32 {
         self.child.0.process_id().expect("a program")
     }
 
-    /// Sends the program a signal, by its name.
+    /// Sends a signal to the program, by the signal's name.
     pub fn signal(&self, name: &str) {
         let sent = std::process::Command::new("kill").args([format!("-{name}"), self.number().to_string()]).status();
         assert!(sent.expect("kill runs").success());
@@ -149,8 +149,8 @@ impl Window {
     pub fn close(self) {
         let Self { mut child, master, keys, closed, .. } = self;
         closed.store(true, Ordering::Relaxed);
-        // The program draws once more, and the one who looks on goes. A terminal that cannot be asked any more is taken to have this size:
-        // nothing changes then, and nothing is drawn.
+        // The program draws once more when the window closes. If a terminal does not answer, the program assumes this size: so nothing
+        // changes then, and nothing is drawn.
         master.resize(PtySize { rows: 24, cols: 80, pixel_width: 0, pixel_height: 0 }).expect("the window changes");
         drop((master, keys));
         let begun = Instant::now();

@@ -1,5 +1,5 @@
-//! Who learns: an [`inference`], which turns what the trainer says in a lesson into a belief of what is meant, and a [`language`], which
-//! learns from that belief what words mean. Each inference goes with each language. [`whole`] has goodbot as it is used.
+//! The agents. An [`inference`] turns the feedback of a lesson into a belief about the intended task. A [`language`] learns from that
+//! belief the meaning of words. Each inference is combined with each language. [`whole`] has goodbot as it is used.
 
 pub mod inference;
 pub mod language;
@@ -17,23 +17,23 @@ use language::{Language, Speak, loglinear};
 use rand_pcg::Pcg32;
 use std::fmt;
 
-/// No task is held for less likely than this when a command is heard: feedback can still bring it back.
+/// The least probability of a task when a command is heard, so that feedback can still raise it.
 const LEAST: f32 = 1e-6;
 
-/// The state that an agent must act in.
+/// The situation in which an agent must act.
 #[derive(Clone, Copy, Debug)]
 pub struct Now<'p> {
-    /// The command, and where it was given.
+    /// The command in its home.
     pub place: &'p Place,
     /// The state.
     pub state: &'p HomeState,
-    /// What is right here for each task. What is right for the one that is meant, it must not ask.
+    /// The right actions for each task. Reading those of the intended task would be cheating.
     pub outlook: &'p Outlook,
-    /// Whether this is a test: no word will come, so nothing is gained by trying.
+    /// Whether this is a test: no feedback will come, so exploring is useless.
     pub is_test: bool,
 }
 
-/// Someone who learns.
+/// An agent that learns.
 pub trait Learner {
     /// Hears a command.
     ///
@@ -41,19 +41,19 @@ pub trait Learner {
     /// [`CourseError`].
     fn hear(&mut self, place: &Place) -> Result<(), CourseError>;
 
-    /// Decides what to do.
+    /// Chooses an action.
     ///
     /// # Errors
     /// [`CourseError`].
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError>;
 
-    /// Hears what the trainer says, if anything, after the action.
+    /// Takes the trainer's feedback to the action.
     ///
     /// # Errors
     /// [`CourseError`].
     fn told(&mut self, word: Feedback) -> Result<(), CourseError>;
 
-    /// What it asks before it acts, if anything. It is asked again after each answer.
+    /// The agent's question before it acts, if it has one. This is called again after each answer.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -61,7 +61,7 @@ pub trait Learner {
         Ok(None)
     }
 
-    /// Takes the answer to what it asked.
+    /// Takes the answer to its question.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -69,10 +69,10 @@ pub trait Learner {
         Ok(())
     }
 
-    /// How probable it holds each task.
+    /// The probability of each task.
     fn belief(&self) -> Vec<f32>;
 
-    /// The lesson is over, and is learned from.
+    /// Ends the lesson, and learns from it.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -89,10 +89,10 @@ pub enum Learns {
 }
 
 impl Learns {
-    /// One that knows nothing yet, with a generator of its own.
+    /// An agent without training, with a generator of its own.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] where it cannot be made.
+    /// [`CourseError::Agent`] if it cannot be created.
     pub fn begin(&self, random: Pcg32) -> Result<Box<dyn Learner>, CourseError> {
         Ok(match *self {
             Self::Whole(settings) => Box::new(whole::Goodbot::new(settings, random)?),
@@ -100,7 +100,7 @@ impl Learns {
         })
     }
 
-    /// All settings that are tried for this inference, or for this language, itself included; none where there is nothing to choose.
+    /// All settings to try for this inference or this language, including the chosen ones; empty if there is nothing to choose.
     pub fn grid(&self) -> Vec<Self> {
         match *self {
             Self::Whole(_) => Vec::new(),
@@ -159,7 +159,7 @@ impl Learner for Factors {
 pub struct Contestant {
     /// Its name, as it is typed.
     pub name: &'static str,
-    /// What it is, in a few words.
+    /// Its description, in a few words.
     pub is: &'static str,
     /// How it learns.
     pub learns: Learns,

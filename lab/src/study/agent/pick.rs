@@ -1,9 +1,9 @@
-//! How a candidate is picked by its score.
+//! Picks a candidate by its score.
 
 use goodbot::random::{below, unit};
 use rand_core::Rng;
 
-/// The one with the highest score. On a tie the one before stays, else the generator draws.
+/// The candidate with the highest score. In a tie the earlier choice stays; otherwise one is drawn.
 pub fn best<R: Rng + ?Sized>(scores: &[f32], before: Option<usize>, random: &mut R) -> usize {
     let most = scores.iter().copied().fold(f32::NEG_INFINITY, f32::max);
     let tied: Vec<usize> = (0..scores.len()).filter(|&at| scores[at] >= most).collect();
@@ -21,7 +21,7 @@ pub fn softmax(scores: &[f32]) -> Vec<f32> {
     parts.into_iter().map(|part| part / sum).collect()
 }
 
-/// One at random, with these probabilities.
+/// A random candidate, with these probabilities.
 pub fn draw<R: Rng + ?Sized>(probabilities: &[f32], random: &mut R) -> usize {
     let mut left = unit(random);
     let found = probabilities.iter().position(|&probability| {

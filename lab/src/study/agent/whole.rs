@@ -1,4 +1,4 @@
-//! goodbot as it is used. It is not told which trainer it has: it expects the paper's balanced one, or people as they are.
+//! goodbot as it is used. It does not know its trainer: it expects the paper's balanced trainer, or real people.
 
 use super::{Learner, Now};
 use crate::study::place::{CAPACITIES, Place};
@@ -12,24 +12,24 @@ use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 use std::fmt;
 
-/// How it understands, whom it expects, and whether it asks.
+/// Its options, the trainer that it expects, and when it asks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// How it understands and learns.
+    /// Its options.
     pub options: Options,
-    /// Whether it expects people as they are; otherwise the paper's balanced trainer.
+    /// Whether it expects real people; otherwise it expects the paper's balanced trainer.
     pub people: bool,
     /// When it asks.
     pub asking: Asking,
 }
 
-/// As it comes.
+/// The default options.
 pub const DEFAULT: Settings = Settings { options: Options::DEFAULT, people: false, asking: Asking::NEVER };
-/// It expects people as they are.
+/// It expects real people.
 pub const PEOPLE: Settings = Settings { options: Options::DEFAULT.for_people(), people: true, ..DEFAULT };
-/// It expects people, and asks.
+/// It expects real people, and asks.
 pub const ASKING: Settings = Settings { asking: Asking::DEFAULT, ..PEOPLE };
-/// As in the paper.
+/// The paper's options.
 pub const PAPER: Settings = Settings { options: Options::PAPER, ..DEFAULT };
 
 impl fmt::Display for Settings {
@@ -40,7 +40,7 @@ impl fmt::Display for Settings {
     }
 }
 
-/// Room for what is expected of people, and for the words of all courses.
+/// Capacities for the strategies of real people, and for the words of all courses.
 pub const ROOM: Capacities = TWICE.plus(TWICE).plus(Capacities { strategies: 16, beliefs: 256, ..Capacities::NONE });
 const TWICE: Capacities = CAPACITIES.plus(CAPACITIES);
 
@@ -53,10 +53,10 @@ pub struct Goodbot {
 }
 
 impl Goodbot {
-    /// One that has learned nothing yet.
+    /// A robot without training.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] where an option is out of range.
+    /// [`CourseError::Agent`] if an option is out of range.
     pub fn new(settings: Settings, random: Pcg32) -> Result<Self, CourseError> {
         let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
         let mut agent = Agent::new(AgentHeap::new(&ROOM), &lifted, settings.options)?;

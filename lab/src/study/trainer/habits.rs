@@ -1,31 +1,31 @@
-//! What a trainer does, in numbers, and the words that it says.
+//! A trainer's habits as numbers, and the feedback that follows from them.
 
 use goodbot::feedback::Feedback;
 use goodbot::random::unit;
 use goodbot_course::CourseTrainer;
 use rand_core::Rng;
 
-/// Words come at most this many steps late.
+/// Feedback comes at most this many steps late.
 pub const LATEST: usize = 2;
 
-/// What a trainer does, in numbers.
+/// A trainer's habits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Habits {
-    /// After a right action: the probabilities of reward and of punishment. The rest is silence.
+    /// The probabilities of reward and punishment after a right action. The rest is silence.
     pub right: [f32; 2],
-    /// After a wrong action, the same.
+    /// The same after a wrong action.
     pub wrong: [f32; 2],
-    /// With which probability what it says is meant for the last action, for the one before, for the one before that.
+    /// The probabilities that feedback is about the last action, the one before, and the one before that.
     pub late: [f32; LATEST + 1],
-    /// With which probability it ends the lesson after a step at the goal, and after a step elsewhere.
+    /// The probabilities that it ends the lesson after a step at the goal, and after a step elsewhere.
     pub leaves: [f32; 2],
 }
 
 impl Habits {
-    /// Never a word, and stays.
+    /// It never says a word, and stays.
     pub const MUTE: Self = Self { right: [0.0; 2], wrong: [0.0; 2], late: [1.0, 0.0, 0.0], leaves: [0.0; 2] };
 
-    /// Of a trainer of the course: its words come at once, and it stays to the end.
+    /// The habits of a trainer of the course: its feedback comes at once, and it stays to the end.
     pub fn of(trainer: CourseTrainer) -> Self {
         let after = |correct| {
             let said = |feedback, ever: bool| if ever { trainer.strategy.probability(feedback, correct) } else { 0.0 };
@@ -34,7 +34,7 @@ impl Habits {
         Self { right: after(true), wrong: after(false), late: [1.0, 0.0, 0.0], leaves: [0.0; 2] }
     }
 
-    /// The share of its words that are mistaken, where as many actions are right as wrong; `None` if it never speaks.
+    /// The share of mistaken feedback, if right and wrong actions are equally frequent; `None` if it never speaks.
     pub fn mistaken(&self) -> Option<f32> {
         let ([praise, blame], [spared, blamed]) = (self.right, self.wrong);
         let whole = praise + blame + spared + blamed;
@@ -46,17 +46,17 @@ impl Habits {
 #[derive(Clone, Debug)]
 pub struct Listening {
     habits: Habits,
-    /// Whether the last action was right, the one before, and the one before that; `None` before the first.
+    /// Whether the last three actions were right, the last one first; `None` before the first.
     seen: [Option<bool>; LATEST + 1],
 }
 
 impl Listening {
-    /// At the beginning of a lesson.
+    /// A trainer at the beginning of a lesson.
     pub const fn new(habits: Habits) -> Self {
         Self { habits, seen: [None; LATEST + 1] }
     }
 
-    /// What is said after an action: a word about this one or about an earlier one. Where there is none so early, nothing.
+    /// The feedback after an action, about this action or an earlier one; silence if there is no such earlier action.
     pub fn says<R: Rng + ?Sized>(&mut self, correct: bool, random: &mut R) -> Feedback {
         self.seen.rotate_right(1);
         self.seen[0] = Some(correct);
@@ -79,7 +79,7 @@ impl Listening {
         }
     }
 
-    /// Whether it leaves after a step.
+    /// Whether the trainer leaves after a step.
     pub fn leaves<R: Rng + ?Sized>(&self, at_goal: bool, random: &mut R) -> bool {
         let [goal, elsewhere] = self.habits.leaves;
         unit(random) < if at_goal { goal } else { elsewhere }

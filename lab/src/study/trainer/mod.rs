@@ -1,7 +1,7 @@
-//! Who gives the lessons. A trainer knows what is meant, takes each action for right or wrong, and says "good bot", "bad bot" or nothing.
+//! The trainers. A trainer knows the intended task, takes each action for right or wrong, and says "good bot", "bad bot" or nothing.
 //!
-//! - [`habits`]: what a trainer does, in numbers;
-//! - [`population`]: trainers as real people were.
+//! - [`habits`]: a trainer's habits as numbers;
+//! - [`population`]: trainers like real people.
 
 pub mod habits;
 pub mod population;
@@ -16,22 +16,22 @@ use population::Population;
 pub struct Trainer {
     /// Its name, as it is typed.
     pub name: &'static str,
-    /// What it does, as the rest of a sentence that begins with its name.
+    /// Its description, as the rest of a sentence that begins with its name.
     pub does: &'static str,
-    /// Who it is.
+    /// The kind of trainer.
     pub who: Who,
 }
 
-/// Who a trainer is.
+/// The kind of a trainer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Who {
-    /// A trainer of the course, whose words come at once.
+    /// A trainer of the course, whose feedback comes at once.
     Course(CourseTrainer),
-    /// The balanced trainer, whose words come this many steps late.
+    /// The balanced trainer, with feedback that comes this many steps late.
     Late(usize),
-    /// Silent after a right and after a wrong action with the first probability, mistaken with the second.
+    /// Silent after any action with the first probability, and mistaken with the second.
     Even(f32, f32),
-    /// Another person for each seed.
+    /// A different person for each seed.
     Population {
         /// Whether it may leave before the end of a lesson.
         leaves: bool,
@@ -75,7 +75,7 @@ pub const TRAINERS: [Trainer; 12] = [
 ];
 
 impl Trainer {
-    /// What it does with this seed.
+    /// Its habits with this seed.
     pub fn habits(&self, population: &Population, seed: u64) -> Habits {
         match self.who {
             Who::Course(trainer) => Habits::of(trainer),

@@ -1,9 +1,8 @@
-//! Trainers as real people were: rates fitted to each of them, and other people drawn from the fit.
+//! Trainers like real people: rates fitted to each of them, and other people drawn from the fit.
 //!
-//! A person is silent, rewards or punishes with probabilities of its own after right and after wrong actions; what it says is meant for the
-//! last action or for one of the two before, with shares that are the same for all. Both are fitted together by expectation
-//! maximisation. Few words of a person are little to go by, so its rates are drawn towards those of all, by as much as makes what all
-//! of them did most probable.
+//! A person is silent, rewards or punishes with probabilities of its own after right and after wrong actions. Feedback is about the last
+//! action or one of the two before, with shares that are the same for all people. Both are fitted together by expectation maximisation. A
+//! person with little feedback has uncertain rates, so they are smoothed towards those of all. The weight is the most probable one.
 
 use super::habits::{Habits, LATEST};
 use goodbot::feedback::Feedback;
@@ -14,20 +13,20 @@ use rand_distr::{Distribution, Gamma};
 
 /// Rounds of expectation maximisation.
 const ROUNDS: usize = 200;
-/// How many observations the rates of all may count as, beside those of one person.
+/// The weights to choose from, in observations: how much the rates of all count beside those of one person.
 const STRENGTHS: [f64; 7] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0];
 
-/// Sets the generator of people apart from the others of a seed.
+/// Separates the generator of people from the others of a seed.
 const PEOPLE: u64 = 0x7065_6f70_6c65;
 
 /// One step of a recorded lesson.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Observed {
-    /// Whether the action was right for what was meant.
+    /// Whether the action was right for the intended task.
     pub correct: bool,
     /// Whether the goal was reached before it.
     pub at_goal: bool,
-    /// What was said before the next action.
+    /// The feedback before the next action.
     pub said: Feedback,
 }
 
@@ -36,12 +35,12 @@ pub struct Observed {
 pub struct Record {
     /// The steps of each lesson.
     pub lessons: Vec<Vec<Observed>>,
-    /// Whether each lesson was the end of what was taught with it: the same was not gone on with in the same home.
+    /// Whether each lesson was the last with its command: it was not continued in the same home.
     pub ended: Vec<bool>,
 }
 
-/// Counts of one person's rewards, punishments and silences, and of steps after which it left and stayed. They need not be whole: a
-/// word that may have been meant for two actions counts as a part for each.
+/// Counts of one person's rewards, punishments and silences, and of steps after which it left or stayed. They need not be whole: feedback
+/// that may be about two actions counts in part for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Counts {
     /// After right actions.
@@ -57,9 +56,9 @@ pub struct Counts {
 /// A fit to several people.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Population {
-    /// The counts of each.
+    /// The counts of each person.
     pub people: Vec<Counts>,
-    /// The share of what is said that is meant for the last action, for the one before, for the one before that.
+    /// The shares of feedback that are about the last action, the one before, and the one before that.
     pub late: [f64; LATEST + 1],
 }
 
@@ -67,7 +66,7 @@ const fn person(right: [f64; 3], wrong: [f64; 3], at_goal: [f64; 2], elsewhere: 
     Counts { right, wrong, at_goal, elsewhere }
 }
 
-/// What `goodbot study --fit` gives for the recorded sessions.
+/// The result of `goodbot study --fit` for the recorded sessions.
 #[rustfmt::skip]
 const FITTED: [Counts; 12] = [
     person([0.0, 0.5, 22.1], [0.0, 2.5, 16.9], [0.0, 0.0], [6.0, 36.0]),
@@ -83,7 +82,7 @@ const FITTED: [Counts; 12] = [
     person([7.0, 2.0, 24.6], [6.0, 1.0, 30.4], [1.0, 5.0], [3.0, 62.0]),
     person([5.8, 1.1, 67.5], [0.2, 5.9, 13.5], [4.0, 22.0], [0.0, 68.0]),
 ];
-/// The same, of when words are said.
+/// The same, for the delay of feedback.
 const FITTED_LATE: [f64; LATEST + 1] = [0.659, 0.297, 0.043];
 
 const fn column(said: Feedback) -> usize {
@@ -96,7 +95,7 @@ const fn column(said: Feedback) -> usize {
 
 /// The sums of all people's counts, as shares.
 fn shares<const N: usize>(counts: impl Iterator<Item = [f64; N]>) -> [f64; N] {
-    // One of each beside them: nothing that was never seen is impossible.
+    // One more of each, so that an unseen event is not impossible.
     let mut sums = [1.0; N];
     for one in counts {
         sums.iter_mut().zip(one).for_each(|(sum, count)| *sum += count);
@@ -105,8 +104,8 @@ fn shares<const N: usize>(counts: impl Iterator<Item = [f64; N]>) -> [f64; N] {
     sums.map(|sum| sum / whole)
 }
 
-/// The logarithm of the probability of counts, if rates are distributed as Dirichlet with this mean and strength; without what does not
-/// depend on these.
+/// The log likelihood of counts, if rates have a Dirichlet distribution with this mean and strength; without terms that do not depend on
+/// these.
 fn likelihood<const N: usize>(counts: [f64; N], mean: [f64; N], strength: f64) -> f64 {
     let whole: f64 = counts.iter().sum();
     let parts = counts.into_iter().zip(mean).map(|(count, mean)| libm::lgamma(count + strength * mean) - libm::lgamma(strength * mean));
@@ -120,7 +119,7 @@ fn dirichlet<const N: usize, R: Rng + ?Sized>(weights: [f64; N], random: &mut R)
     if whole > 0.0 { draws.map(|draw| draw / whole) } else { shares([weights].into_iter()) }
 }
 
-/// One person's counts with those of all, which count as `strength` observations.
+/// One person's counts plus those of all, which count as `strength` observations.
 fn with_all<const N: usize>(counts: [f64; N], mean: [f64; N], strength: f64) -> [f64; N] {
     std::array::from_fn(|at| counts[at] + strength * mean[at])
 }
@@ -151,7 +150,7 @@ impl Population {
                         let whole: f64 = parts.iter().sum();
                         for (lag, part) in parts.into_iter().enumerate() {
                             let share = part / whole;
-                            // The first actions tell nothing of lags: there is nothing earlier that a word could be meant for.
+                            // The first actions tell nothing about delays: no earlier action could be meant.
                             if step >= LATEST {
                                 late[lag] += share;
                             }
@@ -176,7 +175,7 @@ impl Population {
         fit
     }
 
-    /// As how many observations the rates of all count beside those of one person: what makes all that was observed most probable.
+    /// The most probable weight of all people's rates beside those of one person, in observations.
     fn strength<const N: usize>(&self, of: impl Fn(&Counts) -> [f64; N]) -> f64 {
         let mean = shares(self.people.iter().map(&of));
         let all = |strength: f64| self.people.iter().map(|person| likelihood(of(person), mean, strength)).sum::<f64>();
@@ -188,7 +187,7 @@ impl Population {
         dirichlet(with_all(of(person), mean, self.strength(of)), random)
     }
 
-    /// The person of a seed: like one of those that were fitted, who is drawn.
+    /// The person of a seed, similar to a random one of the fitted people.
     pub fn person(&self, seed: u64) -> Habits {
         let mut random = generator(seed ^ PEOPLE);
         match self.people.get(below(self.people.len(), &mut random)) {
@@ -197,7 +196,7 @@ impl Population {
         }
     }
 
-    /// Another person, as far as one is known who is like this.
+    /// A new person, similar to this one.
     pub fn another<R: Rng + ?Sized>(&self, like: &Counts, random: &mut R) -> Habits {
         let mut words = |of: fn(&Counts) -> [f64; 3]| {
             let [reward, punish, _] = self.draw(like, of, random);
@@ -209,14 +208,14 @@ impl Population {
         Habits { right, wrong, late: self.late.map(|share| share as f32), leaves }
     }
 
-    /// A number that another fit does not have.
+    /// A number that differs between fits.
     pub fn digest(&self) -> u64 {
         let counts = self
             .people
             .iter()
             .flat_map(|person| person.right.into_iter().chain(person.wrong).chain(person.at_goal).chain(person.elsewhere));
         let mixed = |digest: u64, number: f64| (digest.rotate_left(7) ^ number.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        // A whole number that every reader of JSON keeps.
+        // A whole number that every JSON reader keeps exactly.
         self.late.into_iter().chain(counts).fold(0, mixed) >> 11
     }
 }
@@ -226,7 +225,7 @@ mod tests {
     use super::*;
     use crate::study::trainer::habits::Listening;
 
-    /// Lessons of a person of these habits.
+    /// The lessons of a person with these habits.
     fn record(habits: Habits, seed: u64) -> Record {
         let mut random = generator(seed);
         let lesson = |_| {

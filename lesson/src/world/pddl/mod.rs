@@ -1,12 +1,11 @@
 //! A world from PDDL: from a domain and a problem.
 //!
-//! A world from a file has at most 15 actions with their objects, so an action keeps no parameter that the others settle: a robot is in one room,
-//! so where it goes from need not be said. Which are settled is seen in the states that the problem can come to: `sweep` looks at all of
-//! them.
+//! A world from a file has at most 15 actions with their objects. So an action drops each parameter that the others determine: a robot is
+//! in one room, so a move needs only its goal. To find these parameters, `sweep` visits all states that the problem can reach.
 //!
-//! - Types that have one above them are one class; a proposition such as `is-truck` says which of them an object is.
-//! - Predicates without arguments, such as `handempty`, are about one object more.
-//! - Each predicate of the goal is a kind of task, and so is the goal.
+//! - The class of a type is the highest type above it. A proposition such as `is-truck` gives the object's own type.
+//! - Predicates without arguments, such as `handempty`, get an extra object as argument.
+//! - Each predicate of the goal becomes a kind of task, and so does the whole goal.
 
 mod sweep;
 
@@ -18,13 +17,13 @@ use goodbot_formats::world::{ActionOfWorld, Literal, ObjectOfWorld, Term, WorldF
 use std::collections::{BTreeMap, BTreeSet};
 use sweep::{Named, Swept, costs, sweep};
 
-/// What predicates without arguments are about.
+/// The object that predicates without arguments get.
 const WHOLE: &str = "whole";
-/// The attribute that has an object's name, for words to mean.
+/// The attribute with an object's name, so that words can mean it.
 const NAME: &str = "name";
 /// The most parameters of an action.
 const MOST_PARAMETERS: usize = 32;
-/// The most propositions that a kind of task has here.
+/// The most propositions of the whole goal as a kind of task.
 const MOST_GOALS: usize = 4;
 
 struct Converter<'p> {
@@ -47,7 +46,7 @@ struct Converter<'p> {
 /// ```
 ///
 /// # Errors
-/// A [`Flaw`]: what a world from a file cannot say.
+/// A [`Flaw`] for a domain or problem that a world file cannot express.
 pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, Flaw> {
     let named = Named { objects: domain.constants.iter().chain(&problem.objects).collect(), domain };
     check(&named, problem)?;
@@ -57,7 +56,7 @@ pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, Flaw> {
     Converter { named, problem, swept }.world()
 }
 
-/// Whether all that is named is known, and each predicate has as many terms as it should.
+/// Checks that every name is known, and that each predicate has the right number of terms.
 fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
     let Domain { name, constants, .. } = named.domain;
     if !problem.domain.is_empty() && problem.domain != *name {
@@ -101,14 +100,14 @@ fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
     }
 }
 
-/// Why a proposition of one object for two arguments never changes.
+/// Why a proposition cannot have one object for two arguments.
 const TWICE: &str = "has one object twice, and in a world from a file the objects of what changes differ";
 
 fn has_one_twice<T: PartialEq>(terms: &[T]) -> bool {
     terms.iter().enumerate().any(|(position, term)| terms.iter().take(position).any(|other| other == term))
 }
 
-/// Whether each type that is named is declared: of another there would be no object.
+/// Checks that each type is declared: an undeclared type would have no objects.
 fn check_types(named: &Named<'_>) -> Result<(), Flaw> {
     let Domain { types, predicates, actions, .. } = named.domain;
     let is_known = |kind: &str| kind == "object" || types.iter().any(|it| it.name == kind || it.kind == kind);
@@ -129,7 +128,7 @@ fn check_types(named: &Named<'_>) -> Result<(), Flaw> {
 }
 
 impl Converter<'_> {
-    /// The class of a type: the highest type above it.
+    /// The class of a type: the highest type above it, or `object` if anything may be any object.
     fn class<'k>(&'k self, kind: &'k str) -> &'k str {
         if self.is_mixed() {
             return "object";
@@ -144,7 +143,7 @@ impl Converter<'_> {
         kind
     }
 
-    /// Whether something may be any object: then there is one class.
+    /// Whether something may be any object. There is one class then.
     fn is_mixed(&self) -> bool {
         let Domain { predicates, actions, .. } = self.named.domain;
         let parameters =
@@ -162,7 +161,7 @@ impl Converter<'_> {
             .map_err(|error| Flaw { field: "predicates".to_owned(), message: error.to_string() })
     }
 
-    /// The proposition that an object is of a type, where its class has others.
+    /// The proposition that an object is of a type, if its class has other types too.
     fn type_test(&self, kind: &str) -> Option<String> {
         let class = self.class(kind);
         let is_other = |object: &&&Typed| self.class(&object.kind) == class && !self.named.is_a(&object.kind, kind);
@@ -195,7 +194,7 @@ impl Converter<'_> {
             let classes: Vec<String> = parameters.iter().map(|it| self.class(&it.kind).to_owned()).collect();
             if let Some((_, firsts)) = classes.split_last() {
                 let choices = firsts.iter().enumerate().map(|(at, class)| {
-                    // Different arguments of a class have different objects.
+                    // Arguments of one class have different objects.
                     self.of_class(class).saturating_sub(firsts.iter().take(at).filter(|other| *other == class).count())
                 });
                 let differ = firsts.iter().all(|class| Some(class) != classes.last());
@@ -228,7 +227,7 @@ impl Converter<'_> {
         self.named.domain.actions.iter().any(|action| action.adds.iter().chain(&action.deletes).any(|atom| atom.predicate == predicate))
     }
 
-    /// The proposition of a name, which is added where it is new, and holds of these objects.
+    /// Adds a proposition that no action changes, with its facts, unless it is known.
     fn add_fixed(world: &mut WorldFile, name: &str, classes: Vec<String>, facts: Vec<GroundAtomText>) {
         if world.propositions.iter().all(|(known, _)| known != name) {
             world.propositions.push((name.to_owned(), classes));
@@ -236,9 +235,9 @@ impl Converter<'_> {
         }
     }
 
-    /// An action for each cost that a schema has.
+    /// Adds an action for each cost of a schema.
     fn add_actions(&self, schema: &Schema, world: &mut WorldFile) -> Result<(), Flaw> {
-        // Terms that are the same are one.
+        // Terms that must be equal become one.
         let mut renamed: BTreeMap<&str, &str> = BTreeMap::new();
         for (a, b, _) in schema.equal.iter().filter(|(_, _, same)| *same) {
             let (from, to) = if schema.parameters.iter().any(|it| it.name == *b) { (b, a) } else { (a, b) };
@@ -268,7 +267,7 @@ impl Converter<'_> {
                 conditions.push(Literal { negated: false, proposition: test, terms: vec![term(&parameter.name)] });
             }
         }
-        // A variable has one value: what it takes ends what it had.
+        // A variable has one value: a new value ends the old one.
         let ended = schema.deletes.iter().filter(|atom| !world.variables.contains(&atom.predicate));
         let effects: Vec<Literal> =
             ended.map(|atom| literal(atom, true)).chain(schema.adds.iter().map(|atom| literal(atom, false))).collect();
@@ -304,10 +303,10 @@ impl Converter<'_> {
         Ok(())
     }
 
-    /// The parameters that the others do not settle.
+    /// The parameters that the others do not determine.
     fn kept<'t>(&self, schema: &Schema, parameters: &[&'t Typed]) -> Vec<&'t Typed> {
         let mut kept: Vec<&Typed> = parameters.to_vec();
-        // Of which there are most is left out first.
+        // Parameters with the most objects are dropped first.
         let mut order: Vec<&Typed> = parameters.to_vec();
         order.sort_by_key(|it| std::cmp::Reverse(self.of_class(self.class(&it.kind))));
         for parameter in order {
@@ -319,7 +318,7 @@ impl Converter<'_> {
         kept
     }
 
-    /// All that the conditions settle, given these parameters.
+    /// The terms that the conditions determine, given these parameters.
     fn settles<'t>(&self, schema: &'t Schema, mut given: BTreeSet<&'t str>) -> BTreeSet<&'t str> {
         loop {
             let before = given.len();
@@ -339,7 +338,7 @@ impl Converter<'_> {
         }
     }
 
-    /// The goal, and each of its predicates, as kinds of task.
+    /// Adds the goal and each of its predicates as kinds of task.
     fn add_kinds(&self, world: &mut WorldFile) -> Result<(), Flaw> {
         let refused = |error: &dyn std::fmt::Display| Flaw { field: "task_kinds".to_owned(), message: error.to_string() };
         let lifted = |atoms: &[Atom]| -> Result<LiftedTaskText, Flaw> {

@@ -1,16 +1,16 @@
-//! All states that a problem can come to, one by one: what follows from what, and what is so in each of them.
+//! Visits all states that a problem can reach, and finds which arguments determine others in all of them.
 
 use crate::world::robot::{Flaw, flaw};
 use goodbot_formats::pddl::{Atom, Cost, Domain, Problem, Schema, Typed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
-/// The most states, and the most actions with their objects, that are visited.
+/// The most states to visit, and the most actions with their objects.
 const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
-/// The most choices of an object that are tried, for all actions together.
+/// The most objects to try as parameters, for all actions together.
 const MOST_TRIES: usize = 100_000;
 
-/// A proposition of objects, all by their positions.
+/// A predicate and its objects, by their positions.
 type Fact = (usize, Vec<usize>);
 
 /// An action with objects for its parameters.
@@ -19,26 +19,26 @@ struct Ground {
     forbids: Vec<usize>,
     adds: Vec<usize>,
     deletes: Vec<usize>,
-    /// The schema, and two of its parameters that have one object.
+    /// The schema and two of its parameters, if both have the same object.
     twice: Option<(usize, [usize; 2])>,
 }
 
-/// What is so in every state that the problem can come to.
+/// The findings that hold in every reachable state.
 #[derive(Debug)]
 pub struct Swept {
-    /// For each predicate and each argument, whether the others leave one object at most.
+    /// For each predicate and each argument: whether the other arguments leave at most one object for it.
     at_most_one: Vec<Vec<bool>>,
-    /// For each predicate, how often its last argument has an object, where that is always as often: for each choice of the others.
+    /// For each predicate: how many of its facts hold, if the number is the same in all states.
     always: Vec<Option<usize>>,
 }
 
 impl Swept {
-    /// Whether the other arguments of a predicate always leave one object at most for this one.
+    /// Whether the other arguments of a predicate always leave at most one object for this one.
     pub fn is_settled(&self, predicate: usize, argument: usize) -> bool {
         self.at_most_one.get(predicate).and_then(|arguments| arguments.get(argument)).copied().unwrap_or(false)
     }
 
-    /// Whether the last argument of a predicate has exactly one object for each of the `choices` of the others.
+    /// Whether the last argument of a predicate always has exactly one object for each of the `choices` of the others.
     pub fn is_variable(&self, predicate: usize, choices: usize) -> bool {
         let last = self.at_most_one.get(predicate).and_then(|arguments| arguments.last()).copied().unwrap_or(false);
         last && self.always.get(predicate).copied().flatten() == Some(choices)
@@ -47,7 +47,7 @@ impl Swept {
 
 /// The objects and predicates of a problem, by position.
 pub struct Named<'p> {
-    /// Those of the domain, and those of the problem.
+    /// The objects of the domain, then those of the problem.
     pub objects: Vec<&'p Typed>,
     /// The domain.
     pub domain: &'p Domain,
@@ -64,7 +64,7 @@ impl Named<'_> {
         self.objects.iter().position(|known| known.name == name)
     }
 
-    /// Whether a type is another, or below it.
+    /// Whether a type equals another, or is below it.
     pub fn is_a(&self, kind: &str, above: &str) -> bool {
         let mut kind = kind;
         for _ in 0..=self.domain.types.len() {
@@ -85,7 +85,7 @@ impl Named<'_> {
     }
 }
 
-/// The facts of a problem by their numbers.
+/// The facts of a problem, with a number for each.
 #[derive(Default)]
 struct Facts {
     numbers: HashMap<Fact, usize>,
@@ -103,10 +103,10 @@ impl Facts {
     }
 }
 
-/// Looks at all states. Nothing where there are more than can be looked at.
+/// Visits all states. `None` if there are too many.
 ///
 /// # Errors
-/// A [`Flaw`] where an action is done with one object for two parameters: in a world from a file it has two.
+/// A [`Flaw`] if an action can have one object for two parameters: in a world from a file they differ.
 pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, Flaw> {
     let changed: BTreeSet<usize> = named
         .domain
@@ -195,7 +195,7 @@ fn look(state: &[usize], facts: &Facts, swept: &mut Swept, is_first: bool) {
     }
 }
 
-/// Each choice of objects for the parameters that can ever be.
+/// Grounds an action with each choice of objects that is ever possible.
 #[expect(clippy::too_many_arguments, reason = "what is chosen, what it is chosen from, and what comes of it")]
 fn ground<'p>(
     named: &Named<'p>,
@@ -207,7 +207,7 @@ fn ground<'p>(
     actions: &mut Vec<Ground>,
     tries: &mut usize,
 ) {
-    // What no action changes must be as at first, as soon as its objects are chosen.
+    // A proposition that no action changes must hold as at the start. This is checked as soon as its objects are chosen.
     for (atom, holds) in &schema.conditions {
         if let Some(fact) = named.fact(atom, binding)
             && !changed.contains(&fact.0)
@@ -243,7 +243,7 @@ fn ground<'p>(
     };
     let values: Vec<usize> = schema.parameters.iter().filter_map(|it| binding.get(it.name.as_str()).copied()).collect();
     let same = |(b, value): (usize, &usize)| values.iter().take(b).position(|other| other == value).map(|a| [a, b]);
-    // Where the domain says that both are the same, they are one parameter.
+    // Parameters that the domain declares equal count as one.
     let said = |[a, b]: &[usize; 2]| {
         let is = |term: &String, position: usize| schema.parameters.get(position).is_some_and(|it| it.name == *term);
         schema.equal.iter().any(|(one, other, same)| *same && (is(one, *a) && is(other, *b) || is(one, *b) && is(other, *a)))
@@ -257,7 +257,7 @@ fn ground<'p>(
     });
 }
 
-/// The costs that a problem tells of an action: all that the domain's function says.
+/// The costs of an action in a problem, each with the values of the cost function that give it.
 pub fn costs<'p>(problem: &'p Problem, schema: &'p Schema) -> Result<Vec<(u64, Vec<&'p Atom>)>, Flaw> {
     let told = match &schema.cost {
         _ if !problem.minimizes_cost => return Ok(vec![(1, vec![])]),

@@ -1,7 +1,7 @@
-//! COACH: a policy that a person's words move; a word says how much better an action was than what the policy does on average.
+//! COACH: feedback changes a policy. Feedback measures how much better an action was than the policy's average.
 //!
-//! Here the policy is a softmax over tasks, and the probability of an action is that of the tasks that would take it: the gradient reaches
-//! every task, and not only the one that was followed.
+//! Here the policy is a softmax over tasks, and an action's probability is the sum over the tasks that would take it. So the gradient
+//! reaches every task, not only the followed one.
 
 use super::{Infer, Now, Tasks, label};
 use crate::study::place::Place;
@@ -10,31 +10,31 @@ use goodbot::oomdp::Action;
 use goodbot_course::CourseError;
 use std::fmt;
 
-/// Whose idea it is.
+/// The source of the method.
 pub const SOURCE: &str = "J. MacGlashan, M. K. Ho, R. Loftin, B. Peng, G. Wang, D. L. Roberts, M. E. Taylor and M. L. Littman (2017), Interactive learning from policy-dependent human feedback, ICML";
-/// In what this is simpler.
+/// The simplification here.
 pub const SIMPLER: &str = "there is one eligibility trace and no delay of reaction";
 
-/// How COACH learns.
+/// The settings of COACH.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The step size.
     pub rate: f32,
-    /// How much of the trace is left after a step.
+    /// The share of the trace that is left after a step.
     pub trace: f32,
-    /// Whether it does what its policy holds best, instead of drawing.
+    /// Whether it acts for the best task, instead of drawing one.
     pub best: bool,
 }
 
-/// The settings that were chosen.
+/// The chosen settings.
 pub const CHOSEN: Settings = Settings { rate: 1.0, trace: 0.3, best: false };
 
-/// The step sizes that are tried.
+/// The step sizes to try.
 pub const RATES: [f32; 5] = [0.1, 0.3, 1.0, 3.0, 10.0];
-/// What is tried as left of the trace.
+/// The traces to try.
 pub const TRACES: [f32; 4] = [0.0, 0.3, 0.6, 0.8];
 
-/// All settings that are tried.
+/// All settings to try.
 pub fn grid() -> impl Iterator<Item = Settings> {
     let traced = |rate| TRACES.into_iter().flat_map(move |trace| [false, true].map(|best| Settings { rate, trace, best }));
     RATES.into_iter().flat_map(traced)
@@ -56,7 +56,7 @@ pub struct Coach {
 }
 
 impl Coach {
-    /// One that has met no trainer yet.
+    /// An inference at the beginning, before any trainer.
     pub const fn new(settings: Settings, tasks: Tasks) -> Self {
         Self { settings, tasks, trace: Vec::new() }
     }
@@ -72,7 +72,7 @@ impl Infer for Coach {
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
         let policy = self.belief();
         let action = self.tasks.act_by_belief(now, self.settings.best);
-        // The gradient of the logarithm of the action's probability.
+        // The gradient of the action's log probability.
         let takes = |task: usize| {
             let right = now.outlook.right(task);
             if right.contains(action) { 1.0 / right.len() as f32 } else { 0.0 }

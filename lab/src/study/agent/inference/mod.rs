@@ -1,11 +1,11 @@
-//! What is meant in a lesson, from the words of the trainer.
+//! Inferences: they find the intended task of a lesson from the trainer's feedback.
 //!
-//! - [`model`]: goodbot's own, and SABL;
-//! - [`tamer`], [`coach`], [`shaping`]: others, over the tasks of the command.
+//! - [`model`]: goodbot's own inference, and SABL;
+//! - [`tamer`], [`coach`], [`shaping`]: other methods, over the tasks of the command.
 //!
-//! The others choose among the tasks, where the originals choose among actions; a planner acts for the chosen one. Their belief begins with
-//! what the language says, and a word judges every task: it speaks for those that would have done the same, and against the others. Most of
-//! the originals have no such help; it makes them comparable.
+//! The other methods choose among tasks, and a planner acts for the chosen one; the original methods choose among actions. Their belief
+//! begins with that of the language. Feedback judges every task: it supports those that would have taken the same action, and speaks
+//! against the others. Most of the original methods have no such help; it makes them comparable.
 
 pub mod coach;
 pub mod model;
@@ -21,34 +21,34 @@ use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 use std::fmt;
 
-/// Finds out what is meant.
+/// Finds the intended task.
 pub trait Infer {
-    /// A command was heard; its tasks are so probable.
+    /// Begins a command, with the prior of its tasks.
     ///
     /// # Errors
     /// [`CourseError`].
     fn begin(&mut self, place: &Place, prior: &[f32]) -> Result<(), CourseError>;
 
-    /// Decides what to do.
+    /// Chooses an action.
     ///
     /// # Errors
     /// [`CourseError`].
     fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError>;
 
-    /// Hears what the trainer says, if anything, after the action.
+    /// Takes the trainer's feedback to the action.
     ///
     /// # Errors
     /// [`CourseError`].
     fn told(&mut self, word: Feedback) -> Result<(), CourseError>;
 
-    /// How probable it holds each task.
+    /// The probability of each task.
     fn belief(&self) -> Vec<f32>;
 }
 
-/// Which inference, with its settings.
+/// An inference with its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Inference {
-    /// goodbot's own, as on the page: it expects people as they are.
+    /// goodbot's own, as on the page: it expects the strategies of real people.
     This,
     /// The paper's: it expects a balanced trainer.
     Sabl,
@@ -58,15 +58,15 @@ pub enum Inference {
     Coach(coach::Settings),
     /// Policy shaping.
     Shaping(shaping::Settings),
-    /// None: what the language says is believed, whatever the trainer says.
+    /// None: the language's belief stays, whatever the feedback.
     Nothing,
 }
 
 impl Inference {
-    /// One that has met no trainer yet.
+    /// An inference at the beginning, before any trainer.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] where it cannot be made.
+    /// [`CourseError::Agent`] if it cannot be created.
     pub fn begin(self, random: Pcg32) -> Result<Box<dyn Infer>, CourseError> {
         let tasks = Tasks::new(random);
         Ok(match self {
@@ -79,7 +79,7 @@ impl Inference {
         })
     }
 
-    /// All settings that are tried, itself included; none where there is nothing to choose.
+    /// All settings to try, including the chosen ones; empty if there is nothing to choose.
     pub fn grid(self) -> Vec<Self> {
         match self {
             Self::This | Self::Sabl | Self::Nothing => Vec::new(),
@@ -89,7 +89,7 @@ impl Inference {
         }
     }
 
-    /// Whose idea it is, and in what it is simpler here.
+    /// The name of the method, its source, and the simplification here.
     pub const fn source(self) -> Option<(&'static str, &'static str, &'static str)> {
         match self {
             Self::Tamer(_) => Some(("TAMER", tamer::SOURCE, tamer::SIMPLER)),
@@ -113,10 +113,10 @@ impl fmt::Display for Inference {
     }
 }
 
-/// The tasks of the command under way, and the one that is acted for.
+/// The tasks of the present command, and the followed one.
 #[derive(Debug)]
 pub struct Tasks {
-    /// The logarithms of what the language said of them.
+    /// The language's log probabilities.
     logs: Vec<f32>,
     followed: Option<usize>,
     last: Option<Action>,
@@ -133,12 +133,12 @@ impl Tasks {
         (self.followed, self.last) = (None, None);
     }
 
-    /// How probable each task is by the logarithms.
+    /// The probability of each task, by the logarithms.
     fn belief(&self) -> Vec<f32> {
         pick::softmax(&self.logs)
     }
 
-    /// Adds a number to the logarithm of each task, `times` times.
+    /// Adds a number to each task's logarithm, multiplied by `times`.
     fn add(&mut self, times: f32, numbers: &[f32]) {
         for (log, number) in self.logs.iter_mut().zip(numbers) {
             *log += times * number;
@@ -151,8 +151,8 @@ impl Tasks {
         self.act(now, &scores, best)
     }
 
-    /// Acts for the task with the highest score, or for one that is drawn by these as logarithms. It goes straight on where it can, so that
-    /// a late word still judges the right kind of action.
+    /// Acts for the task with the highest score, or for one that is drawn with the scores as logarithms. It keeps its direction if it can,
+    /// so that late feedback still judges the right kind of action.
     fn act(&mut self, now: &Now<'_>, scores: &[f32], best: bool) -> Action {
         let followed = if best || now.is_test {
             pick::best(scores, self.followed, &mut self.random)
@@ -168,7 +168,7 @@ impl Tasks {
     }
 }
 
-/// For each task 1 where it would have done the same, -1 where not, 0 where that is not known.
+/// For each task, 1 if it would have taken the same action, -1 if not, 0 if that is unknown.
 fn signs(outlook: &Outlook, action: Action) -> Vec<f32> {
     let sign = |task: usize| match outlook.right(task) {
         ActionSet::EMPTY => 0.0,
@@ -178,7 +178,7 @@ fn signs(outlook: &Outlook, action: Action) -> Vec<f32> {
     (0..outlook.optimal.len()).map(sign).collect()
 }
 
-/// A word as a number; none for silence.
+/// Feedback as a number; `None` for silence.
 const fn label(word: Feedback) -> Option<f32> {
     match word {
         Feedback::Reward => Some(1.0),
@@ -187,7 +187,7 @@ const fn label(word: Feedback) -> Option<f32> {
     }
 }
 
-/// Believes what the language says.
+/// Keeps the language's belief.
 #[derive(Debug)]
 struct Nothing(Tasks);
 

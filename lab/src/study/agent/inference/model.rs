@@ -1,4 +1,4 @@
-//! goodbot's inference, and the paper's: the probability of each task, given a model of how trainers speak.
+//! goodbot's inference and the paper's: the probability of each task under a model of trainers' feedback.
 
 use super::{Infer, Now, Tasks};
 use crate::study::agent::whole::ROOM;
@@ -10,15 +10,15 @@ use goodbot::planning::OptimalSet;
 use goodbot::probability::Scaled;
 use goodbot_course::CourseError;
 
-/// The library's belief over tasks and strategies. What it believes of its trainer, it remembers from lesson to lesson.
+/// The library's belief over tasks and strategies. Its belief about the trainer is kept between lessons.
 #[derive(Debug)]
 pub struct Model {
     memory: AgentHeap,
     count: BeliefCount,
-    /// How much of what is believed of the trainer is forgotten from lesson to lesson.
+    /// How far the belief about the trainer drifts back between lessons.
     drift: f32,
     tasks: Tasks,
-    /// For each task how it judges the last actions, the last one first.
+    /// For each task, the judgements of the last actions, the last one first.
     judged: Vec<[Judged; LAGS]>,
 }
 
@@ -30,7 +30,7 @@ impl Model {
         Ok(model)
     }
 
-    /// One that expects people as they are.
+    /// A model that expects the strategies of real people.
     ///
     /// # Errors
     /// [`CourseError::Agent`].
@@ -38,7 +38,7 @@ impl Model {
         Self::new(&population::STRATEGIES, population::DRIFT, tasks)
     }
 
-    /// One that expects the paper's balanced trainer.
+    /// A model that expects the paper's balanced trainer.
     ///
     /// # Errors
     /// [`CourseError::Agent`].
@@ -51,7 +51,7 @@ impl Model {
     }
 }
 
-/// What an action is for a task.
+/// The judgement of an action for a task.
 fn judged(now: &Now<'_>, task: usize, action: Action) -> Judged {
     let optimal = now.outlook.optimal[task];
     let rests = action == Action::NOOP;
@@ -96,7 +96,7 @@ impl Infer for Model {
 
     fn belief(&self) -> Vec<f32> {
         let belief = BeliefRef::new(self.memory.read().session.belief, self.count);
-        // As `BeliefRef::probability` gives them; but all are summed up once.
+        // The same values as `BeliefRef::probability`, but with a single sum.
         let whole = belief.whole();
         (0..belief.tasks()).map(|task| belief.weight(task).over(whole)).collect()
     }

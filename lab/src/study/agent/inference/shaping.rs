@@ -1,5 +1,4 @@
-//! Policy shaping, or Advise: a word is a label that is right with a known probability; counted labels give the probability that a task is
-//! meant.
+//! Policy shaping, or Advise: feedback is a label that is right with a known probability. Counted labels give the probability of each task.
 
 use super::{Infer, Now, Tasks, label, signs};
 use crate::study::place::Place;
@@ -8,27 +7,27 @@ use goodbot::oomdp::Action;
 use goodbot_course::CourseError;
 use std::fmt;
 
-/// Whose idea it is.
+/// The source of the method.
 pub const SOURCE: &str = "S. Griffith, K. Subramanian, J. Scholz, C. L. Isbell and A. L. Thomaz (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
-/// In what this is simpler.
+/// The simplification here.
 pub const SIMPLER: &str = "the environment gives no reward, so that only the policy from the labels is left";
 
-/// How it learns.
+/// Its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The probability that a label is right, more than 0.5.
     pub consistency: f32,
-    /// Whether it does what is most probably right, instead of drawing.
+    /// Whether it acts for the most probable task, instead of drawing one.
     pub best: bool,
 }
 
-/// The settings that were chosen.
+/// The chosen settings.
 pub const CHOSEN: Settings = Settings { consistency: 0.9, best: false };
 
-/// The probabilities that are tried.
+/// The probabilities to try.
 pub const CONSISTENCIES: [f32; 8] = [0.52, 0.55, 0.6, 0.7, 0.8, 0.9, 0.97, 0.99];
 
-/// All settings that are tried.
+/// All settings to try.
 pub fn grid() -> impl Iterator<Item = Settings> {
     CONSISTENCIES.into_iter().flat_map(|consistency| [false, true].map(|best| Settings { consistency, best }))
 }
@@ -49,7 +48,7 @@ pub struct Shaping {
 }
 
 impl Shaping {
-    /// One that has met no trainer yet.
+    /// An inference at the beginning, before any trainer.
     pub const fn new(settings: Settings, tasks: Tasks) -> Self {
         Self { settings, tasks, last: Vec::new() }
     }

@@ -1,7 +1,7 @@
-//! TAMER: a model of what the person will say, by regression.
+//! TAMER: a regression model of the person's feedback.
 //!
-//! Here it predicts, for each task, whether the words agree with it: a number from -1 to 1. This number, times a sharpness, is added to
-//! the logarithm of what the language says.
+//! Here it predicts, for each task, whether the feedback agrees with it: a number from -1 to 1. This number, times a sharpness, is added to
+//! the language's log probability.
 
 use super::{Infer, Now, Tasks, label, signs};
 use crate::study::agent::pick;
@@ -12,32 +12,32 @@ use goodbot_course::CourseError;
 use std::collections::VecDeque;
 use std::fmt;
 
-/// Whose idea it is.
+/// The source of the method.
 pub const SOURCE: &str = "W. B. Knox and P. Stone (2009), Interactively shaping agents via human reinforcement: the TAMER framework, K-CAP";
-/// In what this is simpler.
+/// The simplification here.
 pub const SIMPLER: &str = "credit goes to the last three steps by fixed shares, because steps take no time here";
 
-/// How TAMER learns.
+/// The settings of TAMER.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// The step size of the regression.
     pub rate: f32,
-    /// What a prediction of 1 adds to the logarithm of a task's probability.
+    /// The increase of a task's log probability by a prediction of 1.
     pub sharpness: f32,
-    /// The share of a word that is meant for the last step, for the one before, and for the one before that.
+    /// The shares of feedback that are about the last step, the one before, and the one before that.
     pub credit: [f32; 3],
 }
 
-/// The settings that were chosen.
+/// The chosen settings.
 pub const CHOSEN: Settings = Settings { rate: 0.2, sharpness: 30.0, credit: [1.0, 0.0, 0.0] };
 
-/// The step sizes that are tried.
+/// The step sizes to try.
 pub const RATES: [f32; 6] = [0.02, 0.05, 0.1, 0.2, 0.4, 0.8];
-/// The sharpnesses that are tried.
+/// The sharpnesses to try.
 pub const SHARPNESSES: [f32; 6] = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
 const CREDITS: [[f32; 3]; 3] = [[1.0, 0.0, 0.0], [0.7, 0.3, 0.0], [0.5, 0.3, 0.2]];
 
-/// All settings that are tried.
+/// All settings to try.
 pub fn grid() -> impl Iterator<Item = Settings> {
     let sharper = |rate| SHARPNESSES.into_iter().flat_map(move |sharpness| CREDITS.map(|credit| Settings { rate, sharpness, credit }));
     RATES.into_iter().flat_map(sharper)
@@ -56,12 +56,12 @@ pub struct Tamer {
     settings: Settings,
     tasks: Tasks,
     predicted: Vec<f32>,
-    /// Which tasks would have done the same in the last steps, the last one first.
+    /// The tasks that would have taken the same actions in the last steps, the last step first.
     recent: VecDeque<Vec<f32>>,
 }
 
 impl Tamer {
-    /// One that has met no trainer yet.
+    /// An inference at the beginning, before any trainer.
     pub const fn new(settings: Settings, tasks: Tasks) -> Self {
         Self { settings, tasks, predicted: Vec::new(), recent: VecDeque::new() }
     }
@@ -90,7 +90,7 @@ impl Infer for Tamer {
     fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
         let Some(label) = label(word) else { return Ok(()) };
         let steps = || self.recent.iter().zip(self.settings.credit).filter(|(_, credit)| *credit > 0.0);
-        // A word at the beginning is meant for the steps that there were.
+        // At the beginning, feedback is about the steps so far.
         let whole: f32 = steps().map(|(_, credit)| credit).sum();
         for (task, predicted) in self.predicted.iter_mut().enumerate() {
             let claim: f32 = steps().map(|(signs, credit)| signs[task] * credit / whole).sum();

@@ -14,13 +14,13 @@ use goodbot_course::CourseError;
 pub struct Core(Agent<AgentHeap>);
 
 impl Core {
-    /// One that knows no word yet.
+    /// An agent without words.
     ///
     /// # Errors
     /// [`CourseError::Agent`].
     pub fn new(options: Options) -> Result<Self, CourseError> {
         let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
-        // With the paper's weights a session is weighed by its own evidence, and the posterior that it is given would count for nothing.
+        // With the paper's weights, a session would be weighed by its own evidence, and the given posterior would not count.
         Ok(Self(Agent::new(AgentHeap::new(&ROOM), &lifted, Options { weights: Weights::Belief, ..options })?))
     }
 }

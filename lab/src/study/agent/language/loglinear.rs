@@ -1,5 +1,5 @@
-//! A log-linear model: a weight for each pair of a word of the command, or two neighbours, or none, and a fact of a task. Commands share
-//! words and tasks share facts, so what was learned of one command speaks for another.
+//! A log-linear model. It has a weight for each pair of a word of the command (or two neighbours, or no word) and a fact of a task.
+//! Commands share words and tasks share facts, so training on one command helps with others.
 
 use super::{Speak, wordless};
 use crate::study::agent::pick;
@@ -8,22 +8,22 @@ use goodbot_course::CourseError;
 use std::collections::HashMap;
 use std::fmt;
 
-/// How it is trained.
+/// The settings of the model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Whether two words that follow each other count too.
+    /// Whether pairs of neighbouring words count too.
     pub neighbours: bool,
-    /// The size of the step that it takes after each lesson.
+    /// The step size after each lesson.
     pub rate: f32,
 }
 
-/// The settings that were chosen. More steps than one a lesson were tried, with and without a decay of weights, and were worse.
+/// The chosen settings. More than one step for each lesson was tried, with and without a decay of weights, and was worse.
 pub const CHOSEN: Settings = Settings { neighbours: true, rate: 1.0 };
 
-/// The step sizes that are tried.
+/// The step sizes to try.
 pub const RATES: [f32; 7] = [0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
 
-/// All settings that are tried.
+/// All settings to try.
 pub fn grid() -> Vec<Settings> {
     RATES.into_iter().flat_map(|rate| [false, true].map(|neighbours| Settings { neighbours, rate })).collect()
 }
@@ -35,13 +35,13 @@ impl fmt::Display for Settings {
     }
 }
 
-/// A command with its tasks, in weights.
+/// A command with its tasks, as weights.
 #[derive(Debug)]
 struct Read {
-    /// For each task the weights that it adds up, each times the same value.
+    /// For each task, the weights of its sum, all with the same factor.
     tasks: Vec<Vec<usize>>,
     value: f32,
-    /// The logarithms of the tasks' shares without words.
+    /// The logarithms of the tasks' priors without words.
     logs: Vec<f32>,
 }
 
@@ -54,14 +54,14 @@ pub struct LogLinear {
 }
 
 impl LogLinear {
-    /// One that knows no word yet.
+    /// A model without words.
     pub fn new(settings: Settings) -> Self {
         Self { settings, known: HashMap::new(), weights: Vec::new() }
     }
 
     fn read(&mut self, place: &Place) -> Read {
         let neighbours = place.words.windows(2).map(|two| two.join(" ")).filter(|_| self.settings.neighbours);
-        // The empty word is a bias: what is true of a fact whatever is said.
+        // The empty word is a bias: a fact's weight for any command.
         let said: Vec<String> = place.words.iter().cloned().chain(neighbours).chain([String::new()]).collect();
         let mut tasks = Vec::new();
         for facts in &place.facts {
@@ -84,7 +84,7 @@ impl LogLinear {
     }
 }
 
-/// How probable the tasks are.
+/// The probabilities of the tasks.
 fn probabilities(weights: &[f32], lesson: &Read) -> Vec<f32> {
     let score = |task: &Vec<usize>| task.iter().map(|&at| weights[at]).sum::<f32>() * lesson.value;
     pick::softmax(&lesson.tasks.iter().zip(&lesson.logs).map(|(task, log)| log + score(task)).collect::<Vec<_>>())

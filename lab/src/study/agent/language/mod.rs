@@ -1,4 +1,4 @@
-//! What the words of a command mean, from what was believed to be meant by earlier commands.
+//! Languages: they learn the meaning of words from the beliefs about earlier commands.
 //!
 //! - [`core`]: goodbot's role model, and the paper's Model 2;
 //! - [`loglinear`]: a weight for each word and each fact of a task.
@@ -11,22 +11,22 @@ use goodbot::Options;
 use goodbot_course::CourseError;
 use std::fmt;
 
-/// Understands commands, and learns.
+/// Understands commands, and learns words.
 pub trait Speak {
-    /// How probable each task of a command is.
+    /// The probability of each task of a command.
     ///
     /// # Errors
     /// [`CourseError`].
     fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError>;
 
-    /// Learns from a lesson at whose end each task was so probable.
+    /// Learns from a lesson, with the belief at its end.
     ///
     /// # Errors
     /// [`CourseError`].
     fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError>;
 }
 
-/// Which language, with its settings.
+/// A language with its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Language {
     /// goodbot's role model.
@@ -40,10 +40,10 @@ pub enum Language {
 }
 
 impl Language {
-    /// One that knows no word yet.
+    /// A language without words.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] where it cannot be made.
+    /// [`CourseError::Agent`] if it cannot be created.
     pub fn begin(self) -> Result<Box<dyn Speak>, CourseError> {
         Ok(match self {
             Self::Roles => Box::new(core::Core::new(Options::DEFAULT)?),
@@ -65,12 +65,12 @@ impl fmt::Display for Language {
     }
 }
 
-/// The share that each task has without words.
+/// The prior of each task, without words.
 fn wordless(place: &Place) -> Vec<f32> {
     place.tasks.iter().map(|task| task.prior).collect()
 }
 
-/// Knows no word.
+/// A language that never learns a word.
 struct Nothing;
 
 impl Speak for Nothing {
