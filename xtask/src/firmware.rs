@@ -123,7 +123,7 @@ fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
     let sh = shell()?;
     let cargo =
         toolchain::cargo(&sh, target, "build")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
-    cargo.args(what).run()?;
+    toolchain::in_any_folder(cargo)?.args(what).run()?;
     Ok(toolchain::artifacts(target, "release"))
 }
 

@@ -62,7 +62,7 @@ enum Task {
 }
 
 fn main() {
-    if let Err(error) = run(Task::parse()) {
+    if let Err(error) = toolchain::as_compiler().unwrap_or_else(|| run(Task::parse())) {
         eprintln!("error: {error:#}");
         std::process::exit(1);
     }

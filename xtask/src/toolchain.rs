@@ -5,7 +5,9 @@
 //! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
 //! set.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -147,6 +149,35 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
     Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
 }
 
+/// Set where this program stands between cargo and the compiler.
+const AS_COMPILER: &str = "GOODBOT_XTASK_AS_COMPILER";
+
+/// The same build, with the same bytes in any folder.
+///
+/// Cargo numbers the crates, and the numbers order what the compiler writes. A crate outside the workspace, as the core is for the firmware, is numbered by
+/// its whole path. So this program calls the compiler, and gives the project's crates their names instead.
+pub fn in_any_folder(cargo: Cmd) -> Result<Cmd> {
+    Ok(cargo.env("RUSTC_WRAPPER", std::env::current_exe()?).env(AS_COMPILER, "1"))
+}
+
+/// Calls the compiler, if cargo calls this program for that.
+pub fn as_compiler() -> Option<Result<()>> {
+    std::env::var_os(AS_COMPILER).map(|_| {
+        let (mut arguments, package) = (std::env::args_os().skip(1), std::env::var("CARGO_PKG_NAME").unwrap_or_default());
+        let mut compiler = Command::new(arguments.next().context("cargo names no compiler")?);
+        let ended = compiler.args(arguments.map(|argument| without_number(argument, &package))).status();
+        let ended = ended.with_context(|| format!("{} could not be started", compiler.get_program().display()))?;
+        ensure!(ended.success(), "the compiler ended with {ended}");
+        Ok(())
+    })
+}
+
+/// An argument for the compiler; a package of the project has its name as its number.
+fn without_number(argument: OsString, package: &str) -> OsString {
+    let is_number = argument.to_str().is_some_and(|text| text.starts_with("metadata="));
+    if is_number && package.starts_with("goodbot") { format!("metadata={package}").into() } else { argument }
+}
+
 /// Where [`cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
@@ -162,4 +193,17 @@ pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     let immediate = format!("profile.{profile}.panic=\"immediate-abort\"");
     let settings = ["unstable.panic-immediate-abort=true", "unstable.build-std-features=[\"optimize_for_size\"]", &immediate];
     Ok(settings.map(|setting| format!("--config={setting}")).to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crate_of_the_project_is_numbered_by_its_name_and_another_crate_as_cargo_says() {
+        let number = OsString::from("metadata=0123456789abcdef");
+        assert_eq!(without_number(number.clone(), "goodbot-microbit"), "metadata=goodbot-microbit");
+        assert_eq!(without_number(number.clone(), "heapless"), number);
+        assert_eq!(without_number("extra-filename=-0123456789abcdef".into(), "goodbot"), "extra-filename=-0123456789abcdef");
+    }
 }

@@ -178,7 +178,7 @@ fn a_fit_tells_what_trainers_of_a_log_do_and_checks_simulated_ones() {
     let file = folder.join("log.jsonl");
     std::fs::write(&file, &log).unwrap();
     let text = output(&["--fit", file.to_str().unwrap(), "--runs", "5"]);
-    for part in ["people", "is meant for the last action", "silence after a wrong action", "not fitted"] {
+    for part in ["people", "judge the last action", "silence after a wrong action", "not fitted"] {
         assert!(text.contains(part), "no {part:?} in {text}");
     }
     let json = output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]);
