@@ -1,7 +1,7 @@
 //! Gives the linker the board's memory.
 //!
-//! The stack lies below everything else in the RAM: a stack that runs over leaves the RAM, which the processor answers with a fault. With the
-//! stack on top, it would run into the statics and change them unseen.
+//! The stack is below everything else in the RAM: a stack that overflows leaves the RAM, and the processor raises a fault. With the stack
+//! on top, it would silently overwrite the statics.
 
 use std::path::PathBuf;
 use std::{env, fs};
@@ -10,12 +10,12 @@ const KIB: u32 = 1024;
 const FLASH: u32 = 256 * KIB;
 
 struct Board {
-    /// As cargo names its feature.
+    /// Its feature, as cargo names it.
     feature: &'static str,
     /// Where the flash and the RAM begin.
     flash: u32,
     ram: u32,
-    /// Bytes of RAM, and those of them that are the stack's.
+    /// Bytes of RAM, and of the stack within it.
     bytes: u32,
     stack: u32,
 }
@@ -27,7 +27,7 @@ const BOARDS: [Board; 5] = [
     // Its secure side, where it starts.
     Board { feature: "MPS2_AN505", flash: 0x1000_0000, ram: 0x3800_0000, ..AN386 },
     Board { feature: "MICROBIT", bytes: 16 * KIB, stack: 5_320, ..AN386 },
-    // All its memory is RAM, from where the stack is; the "flash" is the part after 64 KiB.
+    // All its memory is RAM, and the stack begins it; the "flash" is the part after 64 KiB.
     Board { feature: "VIRT", flash: 0x8001_0000, ram: 0x8000_0000, ..AN386 },
 ];
 

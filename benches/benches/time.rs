@@ -1,4 +1,4 @@
-//! How long each work takes: `cargo bench -p goodbot-benches`.
+//! The time of each benchmark: `cargo bench -p goodbot-benches`.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-"""Trains NLTK's IBM Model 2 from uniform tables on the sentence pairs in standard input, over and over.
+"""Trains NLTK's IBM Model 2 from uniform tables on the sentence pairs in standard input, repeatedly.
 
 Standard input: {"pairs": [[[machine tokens], [English words]], ...], "rounds": 10, "times": 9}
 Standard output: {"seconds": [...], "t": [[token or null, word, probability], ...], "a": [[j, i, l, n, probability], ...]}

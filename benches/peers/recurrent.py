@@ -1,4 +1,4 @@
-"""A recurrent network, for understanding.py: a GRU reads word by word, and its last state chooses among the meanings that were taught.
+"""A recurrent network, for understanding.py: a GRU reads word by word; its last state chooses among the meanings in the training data.
 
     pip install jax==0.10.2 equinox==0.13.8 optax==0.2.8
 """
@@ -11,10 +11,10 @@ import jax.numpy as jnp
 import numpy as np
 import optax
 
-# The part of words, and of the last state, that is left out at random while the network learns; and how many steps it takes.
+# The dropout rate of the last state (words: half of it) during training, and the number of training steps.
 SETTINGS = [(left_out, steps) for left_out in (0.2, 0.5) for steps in (150, 300, 600)]
 EMBEDDED, STATE, BATCH, RATE, NETWORKS = 64, 64, 16, 2e-3, 3
-# Sizes are rounded up, so that few programs are compiled: words in a sentence, words that are known, meanings.
+# Sizes are rounded up to multiples of these, so that few programs are compiled: words in a sentence, known words, meanings.
 LONG, KNOWN, MEANINGS = 16, 128, 16
 PADDING, UNKNOWN = 0, 1
 
@@ -33,7 +33,7 @@ class Network(equinox.Module):
     def __call__(self, sentence, left_out=0.0, key=None):
         if key is not None:
             keys = jax.random.split(key)
-            # A word that is left out is unknown: what an unknown word is to be is learned from these.
+            # A dropped word becomes the unknown word, whose embedding is learned from these.
             forgotten = jax.random.bernoulli(keys[0], left_out / 2, sentence.shape) & (sentence != PADDING)
             sentence = jnp.where(forgotten, UNKNOWN, sentence)
         read = lambda state, word: (jnp.where(word[0] == PADDING, state, self.cell(word[1], state)), None)
@@ -44,7 +44,7 @@ class Network(equinox.Module):
 
 
 def only_taught(scores, count):
-    """The sizes are rounded up, so the last scores are of no meaning."""
+    """The sizes are rounded up, so the scores from `count` on belong to no meaning."""
     return jnp.where(jnp.arange(scores.shape[-1]) < count, scores, -1e9)
 
 
@@ -68,7 +68,7 @@ def shares_of(network, sentences, count):
 
 
 def batches(lengths, random):
-    """Sentences of about one length together, in a random order, without end. The last batch of a length is filled up from the same length."""
+    """Endless batches of sentences of about one length, in random order. The last batch of a length is filled up from the same length."""
     while True:
         ready, waiting = [], collections.defaultdict(list)
         for position in random.permutation(len(lengths)):
@@ -81,7 +81,7 @@ def batches(lengths, random):
 
 
 def answers(taught, asked, settings):
-    """The answers by each setting. While settings are compared one network gives them, and then the mean of three."""
+    """The answers for each setting: of one network while settings are compared, and of the mean of three for a single setting."""
     said = lambda it: re.findall(r"[^\W_]+", it.command.lower())
     words = {word: UNKNOWN + 1 + number for number, word in enumerate(sorted({word for it in taught for word in said(it)}))}
     meanings = {label: number for number, label in enumerate(sorted({it.label() for it in taught}))}
@@ -96,7 +96,7 @@ def answers(taught, asked, settings):
     alike = collections.defaultdict(list)
     for position, it in enumerate(asked):
         alike[len(numbers(it))].append(position)
-    # Questions of about one length together as well.
+    # Questions are batched by length as well.
     questions = [some[start : start + BATCH] for some in alike.values() for start in range(0, len(some), BATCH)]
     shares = {setting: np.zeros((len(asked), len(meanings))) for setting in settings}
     networks = NETWORKS if len(settings) == 1 else 1
@@ -113,6 +113,6 @@ def answers(taught, asked, settings):
                         rows = np.array(shares_of(network, filled, len(meanings)))[: len(some), : len(meanings)]
                         shares[left_out, number][some] += rows / networks
     names = list(meanings)
-    # As with logistic regression, a thousandth is left for all meanings that were never taught.
+    # As with logistic regression, a thousandth is left for all meanings outside the training data.
     share = lambda it, row: 0.999 * row[meanings[it.label()]] if it.label() in meanings else 0.001
     return {key: [(names[row.argmax()] == it.label(), share(it, row)) for it, row in zip(asked, rows)] for key, rows in shares.items()}

@@ -1,14 +1,14 @@
 """The tangrams of SCONE as a log of worlds in which each instruction means one task: `python benches/peers/tangrams.py LOG > tasks.jsonl`.
 
-LOG is a log of worlds, whose commands tell which figures stand where, before and after. Each instruction takes a figure out of the row, exchanges two, or
-puts back one that was taken out. A world here is one row. Its figures, and the places where one can be put back, have their number from the left and from
-the right, and their end. The names of the commands in whose sentence a word of MEMORY is begin with `needs-`. With --alone, no command names those before it.
+LOG is a log of worlds, whose commands record the row of figures before and after. Each instruction removes a figure from the row, exchanges two, or puts
+back a removed one. A world here is one row. Its figures, and the places where one can be put back, have their number from the left and from the right, and
+their end. The names of commands whose sentence has a word of MEMORY begin with `needs-`. With --alone, no command names those before it.
 """
 import json
 import re
 import sys
 
-# Words that speak of a step before.
+# Words that refer to an earlier step.
 MEMORY = set(
     "again back before deleted it its other previous previously redo removed repeat replace same step steps swapped that them undo".split()
 )
@@ -44,7 +44,7 @@ def world_of(row, figures, old):
 
 
 def task_of(before, after):
-    """What was done to a row."""
+    """The propositions of the instruction that changed one row into the other."""
     if len(after) < len(before):
         (gone,) = set(before) - set(after)
         return [f"removed({gone})"]

@@ -6,11 +6,11 @@ over the possible tasks.
     python benches/peers/understanding.py [--curve] GOODBOT FILE.jsonl...
     python benches/peers/understanding.py --covered FILE.jsonl...
 
-GOODBOT is the program. Each FILE is a log of homes or of worlds. goodbot answers in ten parts, and its answers tell which sessions were left
-out together; the peers learn from the same sessions and are asked the same. The strength of their pull to 0, and how the network learns, are
-chosen inside the training data, in three parts. Standard output: a table, right (log loss) for each. With --curve: right after 8 to 128
-commands, the means of five orders, which are those of `goodbot evaluate --curve`. That is for logs of homes. With --covered, for logs of
-worlds: of how many commands each part of the meaning is a part of another group's meaning, too.
+GOODBOT is the program. Each FILE is a log of homes or of worlds. goodbot is evaluated in ten parts; the order of its answers gives the parts, and
+the peers learn and are asked the same sessions. Their regularization (the pull to 0) and the network's settings are chosen within the training
+data, in three parts. Standard output: a table of accuracy (log loss). With --curve, for logs of homes: accuracy after 8 to 128 commands, the
+means of five orders, which are those of `goodbot evaluate --curve`. With --covered, for logs of worlds: the number of commands each part of
+whose meaning also occurs in another group's meaning.
 """
 import collections
 import itertools
@@ -32,7 +32,7 @@ ORDERS = 5
 
 
 class Session:
-    """A command, the names of the tasks that it may mean, the parts of each, and the position of what was meant."""
+    """A command, the names of the possible tasks, the parts of each, and the position of the intended one."""
 
     def __init__(self, record, names, parts, group):
         self.name, self.command, self.names, self.parts, self.group = record["id"], record["command"], names, parts, group
@@ -49,7 +49,7 @@ def room_of(thing, rooms):
 
 
 def tasks_of_home(home):
-    """Tasks of the paper's kinds, and of two goals, with values of each object by its role."""
+    """Tasks of the paper's kinds and of two goals, with each object's values by its role."""
     of = lambda kind: [it for it in home["objects"] if it["class"] == kind]
     rooms, blocks, agent = of("room"), of("block"), of("agent")[0]
     tasks = []
@@ -70,7 +70,7 @@ def tasks_of_home(home):
 
 
 def tasks_of_world(world, facts):
-    """Tasks of a world: the words of the proposition's name, and what holds of each object by its place."""
+    """Tasks of a world: the words of the proposition's name, and each object's values and facts by its place."""
     objects, alone = {it["name"]: it for it in world["objects"]}, collections.defaultdict(list)
     for fact in facts:
         function, arguments = re.match(r"(\w+)\((.*)\)$", fact).groups()
@@ -126,7 +126,7 @@ def goodbot(program, path, *options):
 
 
 def parts_of(lines, sessions, count):
-    """The answers come part by part; the first parts have a session or group more where they cannot be equal."""
+    """The answers come part by part. If parts cannot be of equal size, the first ones have one more session or group."""
     by_name = {it.name: it for it in sessions}
     asked = [by_name[line["session"]] for line in lines if line["type"] == "answer"]
     groups = list(dict.fromkeys(it.group for it in asked))
@@ -138,7 +138,7 @@ def parts_of(lines, sessions, count):
 
 
 def logistic(taught, asked, pull):
-    """Logistic regression: the words alone choose among the meanings that were taught."""
+    """Logistic regression: the words alone choose among the meanings in the training data."""
     labels = sorted({it.label() for it in taught})
     if len(labels) == 1:
         return [(it.label() in labels, 0.999 if it.label() in labels else 0.001) for it in asked]
@@ -149,14 +149,14 @@ def logistic(taught, asked, pull):
     place = {label: position for position, label in enumerate(model.classes_)}
     result = []
     for it, row in zip(asked, shares):
-        # What was never taught has no probability; a thousandth is left for all such meanings together.
+        # Meanings outside the training data share a thousandth, because the regression gives them no probability.
         share = 0.999 * row[place[it.label()]] if it.label() in place else 0.001
         result.append((labels[int(row.argmax())] == it.label(), share))
     return result
 
 
 def conditional(taught, asked, pull):
-    """A conditional logit: a weight for each word with each part of a task, over the tasks that are possible in each session."""
+    """A conditional logit: a weight for each word with each part of a task, over the possible tasks of each session."""
     dims, words = {}, {}
     tokens = lambda it: {"#"} | set(re.findall(r"[^\W_]+", it.command.lower()))
     for it in taught + asked:
@@ -208,12 +208,12 @@ def summed(answers):
 
 
 def each(learner):
-    """The answers by each pull."""
+    """The answers for each pull."""
     return lambda taught, asked, pulls: {pull: learner(taught, asked, pull) for pull in pulls}
 
 
 def answers_of(learner, settings, taught, asked):
-    """The answers by the setting of the least loss inside the training data."""
+    """The answers for the setting with the least loss within the training data."""
     groups, losses = list(dict.fromkeys(it.group for it in taught)), collections.Counter()
     for start in range(3):
         left = [it for it in taught if it.group in set(groups[start::3])]
@@ -244,7 +244,7 @@ def table(program, paths):
         parts = parts_of(lines, sessions, PARTS)
         cells = []
         for _, learner, settings, by_words in learners:
-            # Where no meaning is asked that was taught, words alone cannot be right.
+            # In logs of worlds no asked meaning is in the training data, so words alone cannot be right.
             if worlds and by_words:
                 cells.append("-")
                 continue
@@ -256,7 +256,7 @@ def table(program, paths):
 
 
 def order_of(parts):
-    """Parts are dealt like cards, one session each in turn, from the order that a curve with this seed has."""
+    """The order of a curve with this seed. It was dealt into the parts like cards, one session each in turn."""
     return [it for dealt in itertools.zip_longest(*parts) for it in dealt if it]
 
 
@@ -264,7 +264,7 @@ def curves(program, paths):
     print(f"| log | learner | {' | '.join(map(str, SIZES))} |\n|---|---|{'---:|' * len(SIZES)}")
     for path in paths:
         sessions, halves = read(path)[0], ["--k-fold", "2", "--task", TWO_GOALS]
-        # Only the order of these answers counts, and every learner has the same.
+        # Only the order of these answers matters; it is the same for every learner.
         dealt = lambda seed: goodbot(program, path, *halves, "--seed", str(seed), "--learner", "bag-of-words")
         orders = [order_of(parts_of(dealt(seed), sessions, 2)) for seed in range(1, ORDERS + 1)]
         for name, learner, settings, _ in peers():
@@ -273,14 +273,14 @@ def curves(program, paths):
                 rights = [summed(answers_of(learner, settings, order[:size], order[size:]))[0] for order in orders]
                 cells.append(f"{100 * np.mean(rights):.1f}")
             print(f"| {name_of(path)} | {name} | {' | '.join(cells)} |", flush=True)
-        # A picture on standard output sends the text to standard error.
+        # With the picture on standard output, the text goes to standard error.
         told = evaluate(program, path, *halves, "--curve", "-", "--runs", str(ORDERS)).stderr
         points = dict(re.findall(r"^ *(\d+)  ([\d.]+) % ±", told, re.MULTILINE))
         print(f"| {name_of(path)} | goodbot | {' | '.join(points[str(size)] for size in SIZES)} |", flush=True)
 
 
 def covered(paths):
-    """Of how many commands another group has each part of the meaning."""
+    """Counts the commands each part of whose meaning also occurs in another group's meaning."""
     for path in paths:
         meant = [(it.group, it.parts[it.meant]) for it in read(path)[0] if it.meant is not None]
         groups = collections.defaultdict(set)

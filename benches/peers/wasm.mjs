@@ -1,4 +1,4 @@
-// Milliseconds that one work takes in WebAssembly: node wasm.mjs MODULE POSITION. The quickest of nine.
+// Prints the milliseconds of one benchmark in WebAssembly, the quickest of nine: node wasm.mjs MODULE POSITION
 import { readFileSync } from 'node:fs';
 
 const [file, position] = process.argv.slice(2);
@@ -10,7 +10,7 @@ const time = (times) => {
   run(times);
   return performance.now() - begin;
 };
-// So often that the clock's grain does not matter, and the compiler has done its best.
+// Often enough that the clock's resolution does not matter and the compiler has optimized.
 let times = 1;
 while (time(times) < 20 && times < 1 << 20) times *= 2;
 console.log(Math.min(...Array.from({ length: 9 }, () => time(times) / times)));

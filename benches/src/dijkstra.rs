@@ -1,4 +1,4 @@
-//! The same plans by the crate pathfinding.
+//! The same plans, found by the crate pathfinding.
 
 use crate::homes::Scene;
 use goodbot::home::HomeState;
@@ -7,10 +7,10 @@ use goodbot::task::GroundedTask;
 use goodbot_tests::random_homes::Size;
 use pathfinding::directed::dijkstra::dijkstra;
 
-/// The homes of three rooms and two blocks that searches are compared in.
+/// The homes in which searches are compared: three rooms and two blocks.
 pub const HOMES: Size = Size { columns: 3, rows: 1, side: 4, blocks: 2 };
 
-/// The distance of each task by a search of its own, as one writes it with the crate pathfinding.
+/// The distance of each task, found by its own search with the crate pathfinding, as a user of that crate would write it.
 pub fn one_dijkstra_a_task(scene: &Scene) -> Vec<Option<u32>> {
     let next = |state: &HomeState| -> Vec<(HomeState, u32)> {
         (0..4).filter_map(|action| Some((scene.home.step(state, Action::new(action))?, 1))).collect()

@@ -1,4 +1,4 @@
-//! The works for a WebAssembly host, which takes the time: `peers/wasm.mjs`.
+//! The benchmarks for a WebAssembly host, which measures the time: `peers/wasm.mjs`.
 
 use std::cell::RefCell;
 
@@ -8,14 +8,14 @@ thread_local! {
     static RUN: RefCell<Option<Box<dyn FnMut()>>> = const { RefCell::new(None) };
 }
 
-/// Makes a work ready, by its position.
+/// Prepares the benchmark at this position.
 #[unsafe(no_mangle)]
 pub extern "C" fn prepare(position: u32) {
     let work = works::all().into_iter().nth(position as usize);
     RUN.set(work.map(|work| (work.prepare)()));
 }
 
-/// Does it this many times.
+/// Runs the prepared benchmark this many times.
 #[unsafe(no_mangle)]
 pub extern "C" fn run(times: u32) {
     RUN.with_borrow_mut(|run| {

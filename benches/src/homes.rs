@@ -1,4 +1,4 @@
-//! The homes that plans are measured in, with their tasks.
+//! The homes in which plans are measured, with their tasks.
 
 use goodbot::Capacities;
 use goodbot::home::{Home, HomeState, Moves, SCHEMA};
@@ -11,46 +11,47 @@ use goodbot_tests::random_homes::{Size, random_home};
 use goodbot_tests::sweep::Sweep;
 use rand_pcg::Pcg32;
 
-/// Room for four million states looked at one by one.
+/// Room for four million states, stored one by one.
 pub const LARGE: Capacities = Capacities { states: 1 << 22, hashed_states: 1 << 20, ..Capacities::STANDARD };
 
-/// A home of this many rooms and blocks, in words.
+/// The name of a home with this many rooms and blocks.
 pub fn named(rooms: i32, blocks: i32) -> String {
     format!("{rooms} rooms, {blocks} block{}", if blocks == 1 { "" } else { "s" })
 }
 
-/// A home of this many rooms, three cells to a side, and blocks.
+/// The size of a home with this many rooms, three cells wide and high, and this many blocks.
 pub const fn size(rooms: i32, blocks: i32) -> Size {
     let columns = if rooms > 3 { rooms / 2 } else { rooms };
     Size { columns, rows: rooms / columns, side: 3, blocks }
 }
 
-/// A home with tasks and what plans for them.
+/// A home with its tasks and a planner for them.
 #[derive(Debug)]
 pub struct Scene {
     /// The home.
     pub home: Home<HomeHeap>,
-    /// Where all begins.
+    /// The first state.
     pub start: HomeState,
     /// The lifted tasks.
     pub lifted: Vec<LiftedTask>,
     /// The tasks.
     pub tasks: Vec<GroundedTask>,
-    /// What plans.
+    /// The planner.
     pub planner: OwnPlanner,
 }
 
-/// Which tasks a scene has.
+/// The choice of a scene's tasks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tasks {
-    /// The paper's two kinds, all of them.
+    /// All tasks of the paper's two kinds.
     Paper,
-    /// This many, evenly taken from the first 64, or as many as are asked for, of the paper's and those of agent and block together.
+    /// This many tasks of the paper's kinds and of agent and block together, evenly spaced among the first 64; if more are asked for, the
+    /// first ones.
     Count(usize),
 }
 
 impl Scene {
-    /// Of twelve scenes, the one from whose start the search has most to do; the first where exact plans are out of reach.
+    /// Of twelve scenes, the one with the most expansions from its start; the first one if exact plans are out of reach.
     pub fn roomy(size: Size, tasks: Tasks) -> Self {
         let expansions = |seed: u64| {
             let mut scene = Self::seeded(seed, size, tasks);
@@ -72,7 +73,7 @@ impl Scene {
         let lifted: Vec<LiftedTask> = texts.iter().map(|text| LiftedTask::parse(text, &SCHEMA).expect("a lifted task")).collect();
         let mut all = [GroundedTask::UNUSED; TaskSet::MOST];
         let mut grounded = Vec::new();
-        // More tasks than there can be are refused as a whole, so each kind is grounded alone.
+        // Grounding fails as a whole if the tasks are too many, so each kind is grounded alone.
         for (kind, lifted) in lifted.iter().enumerate() {
             let count = ground(&home, std::slice::from_ref(lifted), &start, &mut all).unwrap_or(TaskSet::MOST);
             grounded.extend(all.iter().take(count).map(|task| GroundedTask { lifted: kind as u8, ..*task }));
@@ -85,13 +86,13 @@ impl Scene {
         Self { home, start, lifted, tasks: grounded, planner }
     }
 
-    /// Plans at its start for all its tasks.
+    /// Plans for all tasks from the start.
     pub fn plan(&mut self) -> Plan<'_> {
         let all = self.planner.all();
         self.planner.plan_for(&self.home, &self.start, all, u32::MAX)
     }
 
-    /// Sweeps its whole state space.
+    /// Sweeps the whole state space.
     pub fn sweep(&self) -> Sweep {
         Sweep::new(&self.home, &self.start, &self.lifted, &self.tasks)
     }

@@ -1,4 +1,4 @@
-//! A bitext to learn from, and models that have learned.
+//! A bitext as training data, and models trained on it.
 
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentMemory;
@@ -7,7 +7,7 @@ use goodbot::planning::Progress;
 /// One sentence pair: machine tokens and English words, in which no word occurs twice.
 pub type Pair = (Vec<String>, Vec<String>);
 
-/// This many sessions of commands to go to rooms and to take things there, each with several machine commands of decreasing weight.
+/// Sessions whose commands are to go to rooms and to take things there, each with several machine commands of decreasing weight.
 pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
     const COLOURS: [&str; 6] = ["red", "green", "blue", "yellow", "purple", "orange"];
     const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
@@ -40,7 +40,7 @@ pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
         .collect()
 }
 
-/// A model that holds these sessions, each machine command with this weight, and has not been trained.
+/// An untrained model with these sessions, each machine command with this weight.
 pub fn model<M: AgentMemory>(memory: M, data: &[(Vec<String>, Vec<Vec<String>>)], settings: Settings, weight: f32) -> LanguageModel<M> {
     let mut model = LanguageModel::new(memory, settings).expect("settings to train with");
     for (english, machine) in data {
@@ -54,7 +54,7 @@ pub fn model<M: AgentMemory>(memory: M, data: &[(Vec<String>, Vec<Vec<String>>)]
     model
 }
 
-/// Trains from uniform tables to the end.
+/// Trains completely, from uniform tables.
 pub fn train(model: &mut LanguageModel<impl AgentMemory>) {
     model.begin_training();
     while model.train(u32::MAX) == Progress::Working {}

@@ -1,4 +1,4 @@
-//! The works that are measured, and how: one list for time, instructions, plots and comparisons.
+//! The benchmarks and how they are measured: one list for time, instructions, plots and comparisons.
 
 #![deny(missing_docs)]
 

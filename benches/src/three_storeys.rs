@@ -1,4 +1,4 @@
-//! The home of three storeys that plans with ways are measured in, with every task of one clause.
+//! The home of three storeys in which plans with path constraints are measured, with every task of one clause.
 
 use goodbot::Capacities;
 use goodbot::home::{AGENT_IN_ROOM, Area, Cell, Home, HomeBuilder, HomeState, Moves, SCHEMA, with_routes};
@@ -11,8 +11,8 @@ use pathfinding::directed::dijkstra::dijkstra;
 
 const MEMORY: Capacities = Capacities { states: 4_096, hashed_states: 0, ..Capacities::STANDARD };
 
-/// The home: the robot below, three rooms between, one above; and 50 tasks: each room, through one, through one of two, avoiding one; and back
-/// to where the robot is, through one or one of two.
+/// The home: the robot in the lowest room, three rooms above it, one on top. The 50 tasks: to go to each room, through one, through one
+/// of two, avoiding one; and to return to the robot's room, through one or one of two.
 #[derive(Debug)]
 pub struct ThreeStoreys {
     home: Home<HomeHeap>,
@@ -55,17 +55,17 @@ impl ThreeStoreys {
         Self { home, start, lifted, tasks, planner }
     }
 
-    /// How many tasks there are.
+    /// The number of tasks.
     pub fn tasks(&self) -> usize {
         self.tasks.len()
     }
 
-    /// Plans at the start for all tasks.
+    /// Plans for all tasks from the start.
     pub fn plan(&mut self) -> Plan<'_> {
         self.planner.plan_for_ways(&self.home, &self.start, &self.lifted, &self.tasks, u32::MAX)
     }
 
-    /// The distance of each task by a search of its own in the product of the home and its way, as one writes it with the crate pathfinding.
+    /// The distance of each task, found by its own search in the product of the home and the task's way with the crate pathfinding.
     pub fn one_dijkstra_a_task(&self) -> Vec<Option<u32>> {
         let home = &self.home;
         let distance = |task: &GroundedTask| {

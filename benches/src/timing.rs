@@ -2,23 +2,23 @@
 
 use std::time::{Duration, Instant};
 
-/// How often each side of a comparison runs.
+/// The number of runs of each side of a comparison.
 pub const ROUNDS: usize = 9;
 
-/// How long a work takes, once.
+/// The time of one run.
 pub fn time(work: &mut dyn FnMut()) -> Duration {
     let start = Instant::now();
     work();
     start.elapsed()
 }
 
-/// The middle one.
+/// The median.
 pub fn median(mut times: Vec<Duration>) -> Duration {
     times.sort_unstable();
     times.get(times.len() / 2).copied().unwrap_or_default()
 }
 
-/// The median times of two works that run in turn, so that what else the machine does slows both.
+/// The median times of two pieces of work that run in turn, so that other load of the machine slows both.
 pub fn in_turn(a: &mut dyn FnMut(), b: &mut dyn FnMut()) -> (Duration, Duration) {
     let (mut times_a, mut times_b) = (Vec::new(), Vec::new());
     for _ in 0..ROUNDS {
@@ -28,7 +28,7 @@ pub fn in_turn(a: &mut dyn FnMut(), b: &mut dyn FnMut()) -> (Duration, Duration)
     (median(times_a), median(times_b))
 }
 
-/// How many times as long the first takes as the second.
+/// The first time divided by the second.
 pub fn ratio((a, b): (Duration, Duration)) -> f64 {
     a.as_secs_f64() / b.as_secs_f64().max(1e-9)
 }

@@ -1,4 +1,4 @@
-//! Each work by its name, ready to be done over and over.
+//! The benchmarks, each with its name, ready to be run repeatedly.
 
 use crate::homes::{LARGE, Scene, Tasks, named, size};
 use crate::language::{model, sessions, train};
@@ -15,11 +15,11 @@ use goodbot_tests::random_homes::random_home;
 use rand_pcg::Pcg32;
 use std::hint::black_box;
 
-/// A piece of work.
+/// A benchmark.
 pub struct Work {
     /// Its name.
     pub name: String,
-    /// Makes it ready; each call of what it gives does it once.
+    /// Prepares it; each call of the returned function runs it once.
     pub prepare: Box<dyn Fn() -> Box<dyn FnMut()>>,
 }
 
@@ -27,7 +27,7 @@ fn work(name: impl Into<String>, prepare: impl Fn() -> Box<dyn FnMut()> + 'stati
     Work { name: name.into(), prepare: Box::new(prepare) }
 }
 
-/// All of them, the quick ones first.
+/// All benchmarks, quick ones first.
 pub fn all() -> Vec<Work> {
     let mut works = vec![
         work("hear a command", || hear(Options::DEFAULT)),
@@ -98,7 +98,7 @@ fn em_round(count: usize) -> Box<dyn FnMut()> {
     Box::new(move || train(&mut model))
 }
 
-/// The first plan in one of the course's fixed environments, over and over.
+/// The first plan in one of the course's fixed environments, repeatedly.
 fn plan_of_course(name: HomeName) -> Box<dyn FnMut()> {
     let parts = HeapMemory::new(&Capacities::SMALL);
     let (home, start) = Homes::FIXED.layout(name).build(parts.home).expect("a home");

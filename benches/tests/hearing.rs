@@ -1,4 +1,4 @@
-//! Hearing a command, and learning, where thousands of tasks are possible: in worlds that are told.
+//! Hearing a command and learning among thousands of possible tasks, in worlds given by a log.
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -13,7 +13,7 @@ use serde_json::json;
 /// The commands in a world.
 const COMMANDS: usize = 20;
 
-/// Lessons in a world with this many tasks: lamps to be switched on and off, each in one of up to 125 rooms, on a shelf.
+/// Lessons in a world with this many tasks: to switch lamps on or off, each in one of up to 125 rooms, on a shelf.
 fn lessons(tasks: usize) -> Vec<Lesson> {
     const COLORS: [&str; 8] = ["red", "green", "blue", "yellow", "white", "black", "orange", "brown"];
     let (color, room) = (|lamp: usize| COLORS[lamp % 8], |lamp: usize| format!("room{}", lamp / 8 % 125));
@@ -44,7 +44,7 @@ fn lessons(tasks: usize) -> Vec<Lesson> {
     lessons
 }
 
-/// A model that learned in a world, and what it hears there.
+/// A model trained in a world, and a lesson that it hears there.
 struct Heard<'m> {
     model: LanguageModel<&'m mut AgentHeap>,
     lesson: Lesson,
@@ -77,7 +77,8 @@ fn ten_times_as_many_tasks_take_about_ten_times_as_long_to_hear_and_to_learn_amo
         let heard = ratio(in_turn(&mut || ten.hear(), &mut || one.hear()));
         let times = |lessons: &[Lesson]| median((0..3).map(|_| learn(lessons, settings)).collect());
         let learned = ratio((times(&many), times(&few)));
-        // A cost that grows with the square would be a hundred times as much; a busy machine interrupts the longer work more often.
+        // A quadratic cost would be a hundred times as high. The bound is this loose because a busy machine interrupts longer work more
+        // often.
         assert!(heard < 60.0 && learned < 60.0, "{}: {heard}, {learned}", learner.name());
     }
 }

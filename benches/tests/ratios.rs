@@ -1,4 +1,4 @@
-//! What must not become slower, as ratios of medians taken in one run.
+//! Bounds on costs that must not grow, as ratios of medians taken in one run.
 
 use std::hint::black_box;
 use std::time::Duration;

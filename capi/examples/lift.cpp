@@ -41,7 +41,7 @@ template <class T> bool fine(const good::outcome<T> &outcome) {
     return bool(outcome);
 }
 
-// Whether the work was done to its end, in parts.
+// Does work in parts to its end; false if it failed.
 template <class F> bool to_its_end(F part) {
     good::outcome<void> outcome;
     do {
@@ -74,7 +74,7 @@ int main() {
     auto made = good::robot::of_table(memory.bytes(), *capacities, table);
     if (!fine(made)) return 1;
     good::robot robot = std::move(*made);
-    // What was moved from is no robot, and says so.
+    // A robot that was moved from answers by a status.
     if (made->hear("up").status() != GOODBOT_STATUS_NULL) return 1;
     for (int round = 0; round < 2; round++) {
         if (!lesson(robot, "up to the roof", 0, 3) || !lesson(robot, "take me shopping", 3, 1)) return 1;

@@ -1,5 +1,5 @@
-/* A robot that only obeys: the lift of a world file, with the parameters that its lessons came to: lift_parameters.h is what
-   `goodbot parameters lift.model --c --out lift_parameters.h` writes. */
+/* A robot that only obeys: the lift of a world file, with learned parameters. `goodbot parameters lift.model --c --out lift_parameters.h`
+   writes lift_parameters.h. */
 #include "lift_world.h"
 #include "lift_parameters.h"
 
@@ -15,7 +15,7 @@ static goodbot *robot;
 
 static goodbot_status make(void) {
     goodbot_capacities capacities = lift_capacities;
-    /* Lessons would be kept there. */
+    /* These tables would keep lessons. */
     for (int table = GOODBOT_CAPACITY_COMMANDS; table <= GOODBOT_CAPACITY_PAIRS; table++) capacities.entries[table] = 0;
     TRY(goodbot_init_table(memory, sizeof memory, &capacities, &lift_table, &robot));
     return goodbot_restore_parameters(robot, parameters, sizeof parameters);

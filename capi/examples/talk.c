@@ -5,7 +5,7 @@
 
 GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];
 
-/* Words that speak about commands, in the language that is spoken: a part of what `goodbot example closed-words` prints. */
+/* Words about commands, in the language that is spoken: a part of the output of `goodbot example closed-words`. */
 static const char closed_words[] = "negation: not don't never\n"
                                    "connective: and then\n"
                                    "stop: stop wait\n"
@@ -82,13 +82,13 @@ static int teach(goodbot *robot, const char *wording, const char *color, int doo
     return 0;
 }
 
-/* 3. Between two parts of the work, other work is done: here the parts are counted. A robot that hears no end stops listening. */
+/* 3. Other work between two parts of listening: here the parts are counted. A robot that hears no end stops listening. */
 static bool count(void *context) {
     unsigned *left = context;
     return *left > 0 && (*left)-- > 0;
 }
 
-/* 4. What comes of an utterance, or of the rest of one. */
+/* 4. The verdict on an utterance, or on the rest of one. */
 static int hears(goodbot *robot, const char *said, int is_rest, goodbot_verdict verdict, const char *task, goodbot_listened *listened) {
     char text[64];
     unsigned left = 10000;
@@ -99,7 +99,7 @@ static int hears(goodbot *robot, const char *said, int is_rest, goodbot_verdict 
     return listened->verdict != verdict || (task && strcmp(text, task) != 0);
 }
 
-/* 5. The robot does what it heard, remembers it, and learns its words. */
+/* 5. The robot does what it heard, and remembers it. */
 static int follow(goodbot *robot, uint32_t task) {
     uint8_t action = GOODBOT_NOOP;
     for (int steps = 0; steps < 50; steps++) {
@@ -141,7 +141,7 @@ int main(void) {
     if (hears(robot, both + heard.rest, 1, GOODBOT_VERDICT_SURE, "agentInRoom(agent0,room2)", &heard)) return 1;
     if (follow(robot, heard.task)) return 1;
 
-    /* Memory, what shall not be, what is done already, and what is none of its business. */
+    /* A remembered task, a task that is done already, a negated one, and an utterance that is no command. */
     if (hears(robot, "go back", 0, GOODBOT_VERDICT_SURE, "agentInRoom(agent0,room1)", &heard)) return 1;
     TRY(goodbot_forget(robot));
     if (hears(robot, "go there", 0, GOODBOT_VERDICT_DONE, "agentInRoom(agent0,room2)", &heard)) return 1;

@@ -1,4 +1,4 @@
-/* A robot from a world file: lift_world.h is what `goodbot table docs/examples/worlds/lift.json --c --sessions 6` prints. */
+/* A robot from a world file: lift_world.h is the output of `goodbot table docs/examples/worlds/lift.json --c --sessions 6`. */
 #include "lift_world.h"
 #include <stdio.h>
 #include <string.h>
@@ -12,14 +12,14 @@
         }                                                                                                                                  \
     } while (0)
 
-/* On a controller LIFT_BYTES_32 is enough: pointers are wider here. */
+/* On a controller LIFT_BYTES_32 is enough; on this machine pointers are wider. */
 GOODBOT_ALIGNED static unsigned char memory[2 * LIFT_BYTES_32];
 
 /* As lift_world.h says: the floor, and whether the door is open. */
 static uint32_t floor_of(uint32_t state) { return state % 4; }
 static bool is_open(uint32_t state) { return state / 4; }
 
-/* What a trainer thinks of an action, by its name. */
+/* A trainer's judgement of an action, by its name. */
 static bool is_right(uint32_t state, uint8_t action, uint32_t target) {
     const char *name = action == GOODBOT_NOOP ? "noop" : lift_actions[action].name;
     if (floor_of(state) == target) return !strcmp(name, "noop");

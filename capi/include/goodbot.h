@@ -3,26 +3,26 @@
    The order of calls, each function's own rules beside it:
 
      goodbot_preset, goodbot_init_home          a robot, in your memory; goodbot_init_table for one that is no home
-     goodbot_restore, goodbot_learn ...         what it learned before, if it has
-     goodbot_home_begin ... goodbot_home_build  where it is
+     goodbot_restore, goodbot_learn ...         a saved model, if there is one
+     goodbot_home_begin ... goodbot_home_build  the home
      goodbot_hear                               a command: a session begins
        goodbot_plan ..., goodbot_decide         an action; you do it
-       goodbot_done                             it was done; goodbot_home_sense where things then are elsewhere than described
-       goodbot_feedback                         what the trainer says to it, until the next action is done
-     goodbot_finish, goodbot_learn ...          the session is learned from; goodbot_forget if it shall not be
-     goodbot_save                               what it has learned, as bytes; goodbot_store and goodbot_load for a flash
+       goodbot_done                             it was done; goodbot_home_sense if things are elsewhere than described
+       goodbot_feedback                         the trainer's feedback to it, until the next action is done
+     goodbot_finish, goodbot_learn ...          the session is learned; goodbot_forget if it shall not be
+     goodbot_save                               the model as bytes; goodbot_store and goodbot_load for a flash
 
-   What holds for all of them:
+   Rules for all of them:
 
-   - Every function returns a status; GOODBOT_STATUS_OK is 0. What fails changes nothing, where nothing else is said.
-   - Memory is yours, aligned to 8. It must stay where it is and hold nothing else; nothing has to be given back.
+   - Every function that can fail returns a status; GOODBOT_STATUS_OK is 0. A call that fails changes nothing, unless its text says so.
+   - Memory is yours, aligned to 8. It must stay in place and hold nothing else; nothing has to be freed.
    - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
    - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
      it and calls goodbot_feedback.
-   - goodbot_plan, goodbot_learn, goodbot_hear_on, goodbot_finish_on, goodbot_save_on and goodbot_restore_on do as much as their budget says
-     and no more. goodbot_hear, goodbot_finish, goodbot_save and goodbot_restore do all at once; the others are short, as docs/footprint.md
-     counts. */
+   - A function with a budget does about as much work as the budget says and no more. goodbot_hear, goodbot_hear_one_of, goodbot_listen,
+     goodbot_finish, goodbot_home_build, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once; the others are short,
+     as docs/footprint.md counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -45,11 +45,12 @@
 // The preset for the smallest controllers.
 #define GOODBOT_TINY 1
 
-// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. No home has room.
+// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. It has no room
+// for a home.
 #define GOODBOT_OWN 2
 
-// The preset for hosts, where `goodbot_usage` and `goodbot_least_capacities` tell what a controller needs. Seven megabytes: ask
-// `goodbot_size` or `goodbot_table_size`.
+// The preset for hosts, about seven megabytes: `goodbot_size` and `goodbot_table_size` say how many exactly. With it, `goodbot_usage` and
+// `goodbot_least_capacities` find the capacities that a controller needs.
 #define GOODBOT_STANDARD 3
 
 // Bytes that the small preset takes where a pointer has four bytes.
@@ -73,7 +74,7 @@
 // Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 #define GOODBOT_TABLE_BYTES 1344
 
-// Most tasks.
+// Most kinds of tasks.
 #define GOODBOT_MOST_TASKS 8
 
 // Most classes.
@@ -100,7 +101,7 @@
 // Most actions, doing nothing not counted.
 #define GOODBOT_MOST_ACTIONS 15
 
-// Most texts that `derived` gives for one object in one state.
+// Most texts that `derived` returns for one object in one state.
 #define GOODBOT_MOST_DERIVED 8
 
 // In a table of steps: the action cannot be done there.
@@ -118,7 +119,7 @@
 // Silence.
 #define GOODBOT_NEUTRAL 0
 
-// The plan for the task that the robot follows.
+// The task that the robot follows is done here: the robot does nothing.
 #define GOODBOT_PLAN_GOAL 0
 
 // The action begins a shortest way to the goal.
@@ -127,13 +128,13 @@
 // No goal can be reached any more: the robot does nothing.
 #define GOODBOT_PLAN_DEAD_END 2
 
-// The search was too small to find out: the robot does nothing.
+// The search was too small to tell: the robot does nothing.
 #define GOODBOT_PLAN_UNKNOWN 3
 
-// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+// The action leads to the goal, but a shorter way may exist: feedback to it is no evidence for or against the task.
 #define GOODBOT_PLAN_APPROXIMATE 4
 
-// What the trainer said has been taken in.
+// The evidence was used.
 #define GOODBOT_EVIDENCE_USED 0
 
 // It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
@@ -142,10 +143,10 @@
 // It is impossible whatever the task and the trainer, and was ignored.
 #define GOODBOT_EVIDENCE_IMPOSSIBLE 2
 
-// How late words come at most, in actions, and one more.
+// How many delays a word of feedback may have: 0, 1 or 2 actions.
 #define GOODBOT_LAGS 3
 
-// Numbers of a strategy that are about rests.
+// How many numbers of a strategy are about rests.
 #define GOODBOT_RESTS 4
 
 // Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
@@ -154,13 +155,13 @@
 // Most transcripts of one command.
 #define GOODBOT_MOST_HYPOTHESES 16
 
-// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
+// A meaning's weight is its probability, given the trainer's evidence and the words of the command.
 #define GOODBOT_WEIGHTS_PAPER 0
 
-// By the probability of its task.
+// Its weight is the probability of its task.
 #define GOODBOT_WEIGHTS_BELIEF 1
 
-// By the trainer's evidence alone.
+// Its weight comes from the trainer's evidence alone.
 #define GOODBOT_WEIGHTS_EVIDENCE 2
 
 // There is nothing to ask: act.
@@ -196,7 +197,7 @@
 // Words of 32 bits that a `goodbot_drive` takes beside its first.
 #define GOODBOT_DRIVE_WORDS 24
 
-// What came of a call.
+// The result of a call.
 typedef enum goodbot_status {
   // Done.
   GOODBOT_STATUS_OK = 0,
@@ -204,7 +205,7 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_WORKING = 1,
   // A pointer is null that must not be.
   GOODBOT_STATUS_NULL = 2,
-  // The handle is none, or its memory was moved or written over.
+  // This is no handle, or its memory was moved or overwritten.
   GOODBOT_STATUS_BAD_HANDLE = 3,
   // The memory is too small: ask for its size.
   GOODBOT_STATUS_MEMORY = 4,
@@ -230,13 +231,13 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_STILL_LEARNING = 14,
   // The action cannot be done in this state.
   GOODBOT_STATUS_NOT_APPLICABLE = 15,
-  // A number is none of those allowed.
+  // A number is not one of those allowed.
   GOODBOT_STATUS_NUMBER = 16,
   // There is no object or task of this name or number.
   GOODBOT_STATUS_UNKNOWN = 17,
   // The bytes are no model, or were damaged.
   GOODBOT_STATUS_BAD_MODEL = 18,
-  // The model was learned with another vocabulary.
+  // The model was learned with another machine vocabulary.
   GOODBOT_STATUS_OTHER_DOMAIN = 19,
   // The buffer is too small.
   GOODBOT_STATUS_BUFFER = 20,
@@ -269,7 +270,7 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_UNCHECKED = 33,
 } goodbot_status;
 
-// What comes of an utterance.
+// The robot's verdict on an utterance.
 typedef enum goodbot_verdict {
   // The task is meant: plan and act.
   GOODBOT_VERDICT_SURE,
@@ -277,21 +278,21 @@ typedef enum goodbot_verdict {
   GOODBOT_VERDICT_UNSURE,
   // The task is meant, and is done already.
   GOODBOT_VERDICT_DONE,
-  // None of what the robot can do here is meant.
+  // It means nothing that the robot can do here.
   GOODBOT_VERDICT_NONE,
 } goodbot_verdict;
 
-// What an utterance is most likely taken for.
+// The most likely reading of an utterance.
 typedef enum goodbot_taken_for {
   // A command for one task.
   GOODBOT_TAKEN_FOR_COMMAND,
-  // None of what the robot can do.
+  // Nothing that the robot can do.
   GOODBOT_TAKEN_FOR_NOTHING,
   // A command about a thing that is not here.
   GOODBOT_TAKEN_FOR_ABSENT,
   // A thing, but not what to do with it.
   GOODBOT_TAKEN_FOR_ABOUT,
-  // What shall not be: the session's tasks are negated.
+  // Something that shall not be: the session's tasks are negated.
   GOODBOT_TAKEN_FOR_NEGATED,
   // Perhaps the opposite of a command.
   GOODBOT_TAKEN_FOR_REVERSED,
@@ -299,13 +300,13 @@ typedef enum goodbot_taken_for {
   GOODBOT_TAKEN_FOR_SEVERAL,
   // All things of a kind.
   GOODBOT_TAKEN_FOR_ALL,
-  // The task of before once more.
+  // The previous task once more.
   GOODBOT_TAKEN_FOR_AGAIN,
   // Praise, stop, a greeting and the like: `goodbot_said` says which.
   GOODBOT_TAKEN_FOR_TALK,
 } goodbot_taken_for;
 
-// What words ask for.
+// What words ask the robot to do.
 typedef enum goodbot_said_kind {
   // A command: `goodbot_listen`.
   GOODBOT_SAID_KIND_COMMAND,
@@ -317,7 +318,7 @@ typedef enum goodbot_said_kind {
   GOODBOT_SAID_KIND_FINISH,
   // The answer to the open question, which `answer` is given: `goodbot_answer`.
   GOODBOT_SAID_KIND_ANSWER,
-  // Words that turn the robot round: `goodbot_correct`.
+  // Words that correct the robot on its way: `goodbot_correct`.
   GOODBOT_SAID_KIND_CORRECTION,
   // The robot shall stop: `goodbot_forget`.
   GOODBOT_SAID_KIND_STOP,
@@ -341,9 +342,9 @@ typedef enum goodbot_motion {
   GOODBOT_MOTION_DRIVING = 3,
   // It has stopped in the middle of the cell.
   GOODBOT_MOTION_ARRIVED = 4,
-  // It stops, since nothing was heard; it goes on once something is.
+  // It stops, because nothing was heard or the pose is not a number; it goes on when that is over.
   GOODBOT_MOTION_WAITING = 5,
-  // It has given the action up and stopped. Sense the cell and plan again.
+  // It has given up the action and stopped. Sense the cell and plan again.
   GOODBOT_MOTION_STUCK = 6,
 } goodbot_motion;
 
@@ -375,9 +376,9 @@ enum goodbot_capacity
   GOODBOT_CAPACITY_GROUND_PROPOSITIONS,
   // Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
   GOODBOT_CAPACITY_GOAL_ENTRIES,
-  // States that one search can hold that looks at them one by one, where actions cost 1 each.
+  // States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8.
   GOODBOT_CAPACITY_STATES,
-  // States that one search can hold where the state space is larger than `STATES` and visited states are hashed. 0 turns it off.
+  // States that one search can hold if the state space is larger than `STATES`: visited states are then hashed. 0 turns it off.
   GOODBOT_CAPACITY_HASHED_STATES,
   // Distinct English words. At most 65,534.
   GOODBOT_CAPACITY_WORDS,
@@ -415,13 +416,13 @@ typedef uint8_t goodbot_capacity;
 // A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
 typedef struct goodbot goodbot;
 
-// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
+// The size of each table, one number for each `goodbot_capacity`. Begin with a preset and raise the sizes of full tables.
 typedef struct goodbot_capacities {
   // Entries of each table.
   uint32_t entries[GOODBOT_CAPACITIES];
 } goodbot_capacities;
 
-// How much a robot is to be taught before older lessons may give way.
+// The lessons that a robot shall keep without forgetting any.
 typedef struct goodbot_lessons {
   // How many sessions.
   uint32_t sessions;
@@ -433,17 +434,17 @@ typedef struct goodbot_lessons {
   uint32_t word_bytes;
 } goodbot_lessons;
 
-// Where something was sensed.
+// A thing and the cell where it was sensed.
 typedef struct goodbot_sensed {
   // The robot's own name or a block's.
   const char *name;
-  // The cell.
+  // The cell's column.
   int32_t x;
-  // The cell.
+  // The cell's row.
   int32_t y;
 } goodbot_sensed;
 
-// Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
+// A class that carries an attribute, and the prefix of the capitalised value: `roomIs` makes `roomIsRed`.
 typedef struct goodbot_carrier {
   // The class, by position.
   uint8_t object_class;
@@ -489,26 +490,26 @@ typedef struct goodbot_action {
   uint32_t cost;
 } goodbot_action;
 
-// What an action leads to from a state: gives true and sets `next`, or gives false where it cannot be done. It must always answer the
-// same, and call nothing of goodbot.
+// Sets `next` to the state that an action leads to and returns true, or returns false if the action cannot be done. It must always answer
+// the same, and must not call goodbot.
 typedef bool (*goodbot_step)(void *context, uint32_t state, uint8_t action, uint32_t *next);
 
-// Whether a proposition, by position, holds of the objects, by position, in a state. It must always answer the same, and call nothing
-// of goodbot.
+// Whether a proposition, by position, holds of the objects, by position, in a state. It must always answer the same, and must not call
+// goodbot.
 typedef bool (*goodbot_holds)(void *context,
                               uint32_t state,
                               uint8_t proposition,
                               const uint8_t *arguments);
 
-// Gives what can be said of an object, by position, in a state beside the values of its attributes: the text with this number, counted from 0,
-// such as `leftmost`, or null where there are no more. It must always answer the same, and call nothing of goodbot. Each text must stay until
-// the function is called again.
+// Returns a derived fact about an object, by position, in a state, such as `leftmost`: the text with this number, counted from 0, or
+// null if there are no more. It must always answer the same, and must not call goodbot. Each text must stay until the function is called
+// again.
 typedef const char *(*goodbot_derived)(void *context,
                                        uint32_t state,
                                        uint8_t object,
                                        uint32_t number);
 
-// A kind of task, as `goodbot table --c` has read it: a library without the feature `checks` reads no texts of tasks.
+// A kind of task, parsed by `goodbot table --c`: a library without the feature `checks` parses no texts of tasks.
 typedef struct goodbot_kind {
   // The class of each variable, by position.
   uint8_t classes[GOODBOT_MOST_VARIABLES];
@@ -518,7 +519,7 @@ typedef struct goodbot_kind {
   uint8_t propositions[GOODBOT_MOST_CONJUNCTS];
   // How many.
   uint8_t proposition_count;
-  // The variables of each, by position.
+  // The variables of each propositional function, by position.
   uint8_t variables[GOODBOT_MOST_CONJUNCTS][GOODBOT_MOST_ARGUMENTS];
 } goodbot_kind;
 
@@ -528,7 +529,7 @@ typedef struct goodbot_table {
   const char *const *classes;
   // How many.
   uint32_t class_count;
-  // The attributes; may be null where there is none.
+  // The attributes; may be null if there is none.
   const struct goodbot_attribute *attributes;
   // How many.
   uint32_t attribute_count;
@@ -550,21 +551,21 @@ typedef struct goodbot_table {
   uint32_t task_count;
   // How many states there are. They are numbered from 0.
   uint32_t state_count;
-  // The state that things are in at first.
+  // The first state.
   uint32_t start;
-  // The state that each action leads to from each state, `next[state * action_count + action]`, or `GOODBOT_CANNOT`. Null where `step`
-  // is given.
+  // The state that each action leads to from each state, `next[state * action_count + action]`, or `GOODBOT_CANNOT`. Null if `step` is
+  // given.
   const uint16_t *next;
-  // What an action leads to, where there is no table of steps.
+  // What an action leads to, if there is no table of steps.
   goodbot_step step;
   // Which propositions hold.
   goodbot_holds holds;
-  // What can be said of objects beside their attributes; null for nothing.
+  // Derived facts about objects; null for none.
   goodbot_derived derived;
   // Handed to all functions.
   void *context;
-  // The tasks once more, as `goodbot table --c` has read them, in a table that it has checked; else null. A library with the feature `checks`
-  // reads and checks all by itself.
+  // The tasks once more, parsed by `goodbot table --c`, in a table that it has checked; else null. A library with the feature `checks`
+  // parses and checks everything itself.
   const struct goodbot_kind *kinds;
 } goodbot_table;
 
@@ -578,10 +579,11 @@ typedef struct goodbot_strategy {
   float epsilon;
   // The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
   float lags[GOODBOT_LAGS];
-  // What is said to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking the one for the other,
-  // and how far a move inside the goal counts as a rest there. Who judges rests as moves has mu+, mu-, epsilon and 0.
+  // Feedback to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking one for the other,
+  // and how far a move inside the goal counts as a rest there. A trainer who judges rests like moves has `mu_plus`, `mu_minus`,
+  // `epsilon` and 0.
   float rests[GOODBOT_RESTS];
-  // How probable it is that the trainer is such a one, in any unit.
+  // The prior probability that the trainer is like this, in any unit.
   float prior;
 } goodbot_strategy;
 
@@ -589,7 +591,7 @@ typedef struct goodbot_strategy {
 typedef struct goodbot_hypothesis {
   // The command, in UTF-8.
   const char *command;
-  // How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+  // The recogniser's probability of it, in any unit: a number of 0 or more.
   float weight;
 } goodbot_hypothesis;
 
@@ -601,38 +603,39 @@ typedef struct goodbot_hazard {
   float rested;
   // After a later rest in a row, where nothing was said.
   float resting;
-  // So many times as probable it is where the last word was "good bot".
+  // The factor if the last word was "good bot".
   float praised;
-  // So many times as probable it is where the last word was "bad bot".
+  // The factor if the last word was "bad bot".
   float scolded;
 } goodbot_hazard;
 
 // How a robot takes evidence and acts: `goodbot_current_options` gives it, `goodbot_set_options` takes it.
 typedef struct goodbot_options {
-  // Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
+  // Among the actions that lead on, choose the one whose feedback says most about the task; otherwise any of them.
   bool telling;
   // The share of the belief about the trainer that is forgotten at each new command, from 0 to 1.
   float drift;
   // How probable it is that the trainer ends the session after an action where the task is done.
   struct goodbot_hazard ends_at_goal;
-  // The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+  // The same after an action where it is not done. If both are equal, `goodbot_trainer_ended` is no evidence.
   struct goodbot_hazard ends_elsewhere;
-  // What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
+  // The weight of each meaning of a command in learning: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or
+  // `GOODBOT_WEIGHTS_EVIDENCE`.
   uint32_t weights;
-  // Shares up to this are not learned; from 0 to less than 1.
+  // Weights up to this are not learned; from 0 to less than 1.
   float least_weight;
 } goodbot_options;
 
-// What a program does between two parts of the work of listening; false stops it.
+// The caller's function, called between two parts of listening; false stops it.
 typedef bool (*goodbot_pause)(void *context);
 
-// What the robot makes of an utterance.
+// The robot's reading of an utterance.
 typedef struct goodbot_listened {
-  // The tasks that are meant, one bit each by their positions: several where all things of a kind are.
+  // The tasks that are meant, one bit each by their positions; several if all things of a kind are meant.
   uint64_t tasks;
-  // What comes of it.
+  // What to do.
   enum goodbot_verdict verdict;
-  // What it is taken for.
+  // The reading.
   enum goodbot_taken_for taken_for;
   // The most likely task, by its position.
   uint32_t task;
@@ -640,27 +643,28 @@ typedef struct goodbot_listened {
   float probability;
   // How probable it is that one of the session's tasks is meant, from 0 to 1.
   float command;
-  // How probable tasks must be to be sure of them.
+  // The least `probability` for the verdict `SURE`.
   float sure;
-  // Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE` where there is none.
+  // Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE`
+  // without a rest.
   uint32_t rest;
-  // Where the words begin that were not read, in bytes, beyond the 64th. `GOODBOT_NOWHERE` where all were.
+  // Where the unread words begin, in bytes: those after the 64th. `GOODBOT_NOWHERE` if all were read.
   uint32_t unread;
 } goodbot_listened;
 
-// A model that is saved in parts, in memory of yours that stays where it is: `goodbot_begin_saving`.
+// The progress of saving a model in parts, in memory of yours that stays in place: `goodbot_begin_saving`.
 typedef struct goodbot_saving {
   // Not to be touched.
   size_t opaque[16];
 } goodbot_saving;
 
-// A model that comes back in parts, in memory of yours that stays where it is: `goodbot_begin_restoring`.
+// The progress of restoring a model in parts, in memory of yours that stays in place: `goodbot_begin_restoring`.
 typedef struct goodbot_restoring {
   // Not to be touched.
   size_t opaque[80];
 } goodbot_restoring;
 
-// A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
+// A flash of the caller's: two slots, one after the other. Each function returns false if the flash refuses, and must not call goodbot.
 typedef struct goodbot_flash {
   // Handed to each function.
   void *context;
@@ -670,19 +674,19 @@ typedef struct goodbot_flash {
   bool (*write)(void *context, uint32_t at, const uint8_t *from, uint32_t bytes);
   // Erases one slot: `bytes` bytes from `at` on.
   bool (*erase)(void *context, uint32_t at, uint32_t bytes);
-  // Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+  // The address of the first slot: a multiple of the flash's erase size, and of `GOODBOT_FLASH_UNIT`.
   uint32_t start;
-  // Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+  // Bytes of each slot: a multiple of the same sizes, and at least `GOODBOT_FLASH_UNIT` more than the model.
   uint32_t slot_bytes;
 } goodbot_flash;
 
-// Drives from cell to cell. It is the caller's, and `goodbot_drive_init` makes it.
+// A drive from cell to cell, in memory of the caller's; `goodbot_drive_init` sets it up.
 typedef struct goodbot_drive {
   uint32_t magic;
   uint32_t state[GOODBOT_DRIVE_WORDS];
 } goodbot_drive;
 
-// What a robot with two wheels is and may do. Lengths are metres, angles radians, times seconds.
+// Dimensions and limits of a robot with two wheels. Lengths are metres, angles radians, times seconds.
 typedef struct goodbot_limits {
   // The distance between the wheels.
   float track;
@@ -692,11 +696,11 @@ typedef struct goodbot_limits {
   float turn;
   // The most by which a wheel's speed may change, metres a second each second.
   float acceleration;
-  // The share of the highest speed at which a robot drives that is not sure at all; from above 0 to 1.
+  // The share of the highest speed that a robot drives with certainty 0; above 0, at most 1.
   float slowest;
-  // The robot stops when it has heard nothing for so long.
+  // The robot stops after this long without `goodbot_drive_heard`.
   float silence;
-  // An action that takes longer has failed.
+  // An action that takes longer than this has failed.
   float patience;
   // The side of a cell.
   float cell;
@@ -714,41 +718,41 @@ typedef struct goodbot_pose {
   float heading;
 } goodbot_pose;
 
-// One step of the control loop: the speeds to give the wheels, metres a second, and what the robot is doing.
+// The result of one step of the control loop: the speeds for the wheels, in metres per second, and the state of the motion.
 typedef struct goodbot_wheels {
   // The left wheel.
   float left;
   // The right wheel.
   float right;
-  // What it is doing.
+  // The state of the motion.
   enum goodbot_motion motion;
 } goodbot_wheels;
 
-// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
-// ahead, and 1 for distances in ticks. `last` is the counter at first.
+// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 if it counts down as the
+// wheel rolls ahead, and 1 for distances in ticks. Set `last` to the first count.
 typedef struct goodbot_encoder {
   // Ticks for each metre.
   float ticks_per_metre;
   // From 2 to 32.
   uint32_t bits;
-  // What it read last.
+  // The last count.
   uint32_t last;
 } goodbot_encoder;
 
-// What holds a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second, `proportional` that for
-// each metre a second that the wheel is too slow, `integral` the same for each second that it goes on.
+// A controller of a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second wanted,
+// `proportional` the duty for each metre a second that the wheel is too slow, `integral` the same for each second that this lasts.
 typedef struct goodbot_speed {
   // 1 divided by the speed at full duty.
   float ahead;
-  // By the error.
+  // The gain of the error.
   float proportional;
-  // By its sum.
+  // The gain of the error over time.
   float integral;
-  // What was summed up.
+  // The integral part of the duty.
   float sum;
 } goodbot_speed;
 
-// What two measured runs tell.
+// The result of two measured runs.
 typedef struct goodbot_calibration {
   // The left wheel's ticks for each metre.
   float left;
@@ -786,11 +790,11 @@ size_t goodbot_size(const struct goodbot_capacities *capacities);
 // `capacities` is null or points to capacities.
 size_t goodbot_table_size(const struct goodbot_capacities *capacities);
 
-// The least capacities with which a robot like this one, in the world it lives in now, is refused nothing and nothing gives way. Ask a
-// robot in roomy memory, on a host: `FULL` where its own is too small for one session. A session under way ends unlearned.
+// The least capacities with which a robot like this one, in its present world, takes such lessons and forgets none. Ask a robot with ample
+// memory, on a host: `FULL` if its own is too small for one session. A session under way ends unlearned.
 //
-// With `STATES`, every plan is exact; a home can do with fewer, and its plans are then approximate where the goal is far. `HASHED_STATES`
-// and `GOAL_ENTRIES` are 0: no robot needs them; the goal entries save time.
+// With these `STATES`, every plan is exact. A home can do with fewer; its plans to far goals are then approximate. `HASHED_STATES` and
+// `GOAL_ENTRIES` are 0: no robot needs them; goal entries save time.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `lessons` null or points to lessons, `capacities` is null or points to memory for it.
@@ -798,8 +802,9 @@ enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
                                              const struct goodbot_lessons *lessons,
                                              struct goodbot_capacities *capacities);
 
-// What the robot's life so far took: memory of these capacities has room for the same life once more. Give a robot with
-// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: they save time in homes.
+// The capacities that the robot needed so far: with them, another robot has room for the same sessions. Give a robot with
+// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: goal entries only save
+// time, in homes.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `capacities` null or points to memory for it.
@@ -818,8 +823,8 @@ enum goodbot_status goodbot_session_count(struct goodbot *robot, uint32_t *count
 // `robot` is null or a handle.
 enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
 
-// The table that was full last, after `FULL` or after a session gave way: its name in `name` (cut to `bytes` with its 0), how much it holds,
-// and how much was asked of it. `UNKNOWN` where none was.
+// The table that was full last, after `FULL` or after a session gave way. `name` receives its name (cut to `bytes` with its 0), `limit`
+// the entries that it holds, and `given` the entries that were needed. `UNKNOWN` if none was full.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
@@ -833,8 +838,7 @@ enum goodbot_status goodbot_full(struct goodbot *robot,
 // understands commands to go to a room and to bring a block to a room.
 //
 // The caller sees to it:
-// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
-// they say.
+// `memory` is null, or the caller's memory for the robot alone, which does not move; `capacities` and `robot` are null or valid.
 enum goodbot_status goodbot_init_home(void *memory,
                                       size_t bytes,
                                       const struct goodbot_capacities *capacities,
@@ -904,23 +908,23 @@ enum goodbot_status goodbot_home_agent(struct goodbot *robot,
                                        int32_t y);
 
 // Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
-// again; then `goodbot_home_build` is short. An object that is added makes it begin anew.
+// again. Once it is done, `goodbot_home_build` is short. Adding an object starts it anew.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_home_find_cells(struct goodbot *robot,
                                             uint32_t budget);
 
-// Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
-// the description again.
+// Checks the whole home. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. If it fails, begin the
+// description again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_home_build(struct goodbot *robot);
 
-// Says whether words may mean what is derived of where things are, beside colours and shapes: the `leftmost`, `rightmost`, `topmost`,
-// `bottommost`, `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; another
-// begins without. A session under way ends unlearned. What was learned with it and what was learned without go together.
+// Sets whether words may mean derived facts, as well as colours and shapes: the `leftmost`, `rightmost`, `topmost`, `bottommost`,
+// `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; the next home begins
+// without. A session under way ends unlearned. One model can have lessons with derived facts and lessons without.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -936,8 +940,8 @@ enum goodbot_status goodbot_home_place(struct goodbot *robot,
                                        int32_t x,
                                        int32_t y);
 
-// Says where the robot itself and blocks are, all at once, as sensed: also where two of them have changed places. What is not named stays
-// where it was. `UNKNOWN` names nothing that moves, `NUMBER` a cell that is wall, or one cell for two things; nothing is changed then.
+// Says where the robot itself and blocks are, all at once, as sensed, so that two of them can change places. Things that are not named
+// stay. `UNKNOWN` if a name is that of nothing that moves, `NUMBER` if a cell is wall or two things are in one cell; nothing changes then.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.
@@ -958,17 +962,16 @@ enum goodbot_status goodbot_home_where(struct goodbot *robot,
 // description and all that it points to must stay as long as the robot is used.
 //
 // The caller sees to it:
-// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
-// say.
+// `memory` is null, or the caller's memory for the robot alone, which does not move; the other pointers are null or valid.
 enum goodbot_status goodbot_init_table(void *memory,
                                        size_t bytes,
                                        const struct goodbot_capacities *capacities,
                                        const struct goodbot_table *table,
                                        struct goodbot **robot);
 
-// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+// Like `goodbot_init_table`, in the same memory, but also writes the fault of the description, with a 0 at its end: the list, the
 // item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
-// is no fault. Gives what `goodbot_init_table` gives, or `BUFFER` if the text does not fit; 200 bytes are enough.
+// is no fault. Returns the status of `goodbot_init_table`, or `BUFFER` if the text does not fit; 200 bytes are enough.
 //
 // The caller sees to it:
 // As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
@@ -979,20 +982,20 @@ enum goodbot_status goodbot_explain_table(void *memory,
                                           char *text,
                                           size_t text_bytes);
 
-// Says which state things are in, as sensed.
+// Sets the current state, as sensed.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
 
-// Which state things are in.
+// The current state.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `state` null or room for a number.
 enum goodbot_status goodbot_table_state(struct goodbot *robot, uint32_t *state);
 
-// Says how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-// for the other. Without this, it is 0.7, 0.7 and 0.1. A session under way ends unlearned.
+// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
+// for the other. The defaults are 0.7, 0.7 and 0.1. A session under way ends unlearned.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -1001,9 +1004,9 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
                                     float mu_minus,
                                     float epsilon);
 
-// Says in which ways the trainer may reward and punish, `count` of them: the robot finds out which. A session under way ends unlearned.
-// `FULL` where they are more than the capacity `STRATEGIES`, `NUMBER` where there are none, a number is out of range, or all priors are 0;
-// the strategies are then what they were.
+// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned. `FULL` if they are
+// more than the capacity `STRATEGIES`, `NUMBER` if there are none, a number is out of range, or all priors are 0; the strategies are then
+// unchanged.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `strategies` null or points to `count` of them.
@@ -1011,14 +1014,14 @@ enum goodbot_status goodbot_trainers(struct goodbot *robot,
                                      const struct goodbot_strategy *strategies,
                                      uint32_t count);
 
-// Hears a command: a session begins in the state in which things are now.
+// Hears a command: a session begins in the current state.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
 enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
-// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` is given its
-// position, and the session is as if it alone had been heard. It takes the time of hearing each transcript, and one of them twice.
+// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` receives its
+// position, and the session is as if only that one had been heard. It takes the time of hearing each transcript, and one of them twice.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
@@ -1049,14 +1052,15 @@ enum goodbot_status goodbot_hear_again(struct goodbot *robot);
 enum goodbot_status goodbot_hear_on(struct goodbot *robot,
                                     uint32_t budget);
 
-// Plans for the state in which things are now, at most about `budget` node expansions. `WORKING` means: call again.
+// Plans for the current state, with at most about `budget` node expansions. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_plan(struct goodbot *robot,
                                  uint32_t budget);
 
-// Decides on an action in the state in which things are now, which must have been planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+// Decides on an action in the current state, for which the plan must be done. `plan` may be null; it receives `GOODBOT_PLAN_GOAL` and so
+// on.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
@@ -1064,9 +1068,9 @@ enum goodbot_status goodbot_decide(struct goodbot *robot,
                                    uint8_t *action,
                                    uint32_t *plan);
 
-// Takes in what the trainer said to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 // `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
-// counts. `evidence` is given what came of it, `GOODBOT_EVIDENCE_USED` and so on.
+// counts. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1075,15 +1079,15 @@ enum goodbot_status goodbot_feedback(struct goodbot *robot,
                                      uint32_t *evidence);
 
 // Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
 enum goodbot_status goodbot_trainer_ended(struct goodbot *robot,
                                           uint32_t *evidence);
 
-// Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
-// `evidence` is given what came of it.
+// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_done` does. `evidence` receives
+// `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1091,16 +1095,16 @@ enum goodbot_status goodbot_demonstration(struct goodbot *robot,
                                           uint8_t action,
                                           uint32_t *evidence);
 
-// Takes note that an action was done in the state in which things are now, which must have been planned for, and that it did what the
-// description says. A robot that senses where things are calls this for each action too, and then says where they are where that differs.
+// Records that an action was done in the current state, for which the plan must be done, and had the effect that the description says. A
+// robot with sensors calls this after each action too, and then reports the places that differ.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_done(struct goodbot *robot,
                                  uint8_t action);
 
-// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
-// sessions were forgotten because memory was full; `goodbot_full` then names the table to raise.
+// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or receives the number of older
+// sessions that were forgotten because memory was full; `goodbot_full` then names the table to raise.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `gave_way` null or room for a number.
@@ -1114,7 +1118,7 @@ enum goodbot_status goodbot_finish(struct goodbot *robot,
 enum goodbot_status goodbot_begin_finishing(struct goodbot *robot);
 
 // Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
-// given what `goodbot_finish` gives it.
+// set as by `goodbot_finish`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `gave_way` null or room for a number.
@@ -1134,14 +1138,14 @@ enum goodbot_status goodbot_forget(struct goodbot *robot);
 // `robot` is null or a handle.
 enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
 
-// Gives the robot's options: first to be changed, then to be handed to `goodbot_set_options`.
+// Reads the robot's options, to be changed and handed to `goodbot_set_options`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `options` null or room for them.
 enum goodbot_status goodbot_current_options(struct goodbot *robot, struct goodbot_options *options);
 
-// Takes the robot's options. What was learned stays; a session under way ends unlearned. `NUMBER` where one is out of range: the options are
-// then what they were.
+// Sets the robot's options. The training data stay; a session under way ends unlearned. `NUMBER` if one is out of range: the options are
+// then unchanged.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `options` null or points to them.
@@ -1178,12 +1182,12 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
                                       char *buffer,
                                       size_t bytes);
 
-// What a word of the last command is taken for if this task is meant; `position` counts from 0, and so does `rank`, for the most probable of
-// its meanings, the next, and so on. `UNKNOWN` is beyond the last word or the last meaning, or no task. `word` is given the word, empty where
-// there was no room for it, and `meaning` the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`,
-// or `never heard`, which is the only meaning. `share` is given how much of 1 that meaning has: those of one word add up to 1, of one that was
-// never heard to 0. Each text has a 0 at its end; `BUFFER` where one does not fit. Each call explains the command anew, once for each rank up
-// to this one.
+// Explains a word of the last command, if this task is meant. `position` counts the words from 0; `rank` 0 is the word's most probable
+// meaning, 1 the next, and so on. `UNKNOWN` beyond the last word or the last meaning, or for no task. `word` receives the word, empty if
+// the robot has no room for it. `meaning` receives the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`,
+// `no meaning`, or `never heard`, which is then the only meaning. `share` receives the share of the meaning: the shares of one word add
+// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. Each call explains the command
+// anew, once for each rank up to this one.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
@@ -1197,11 +1201,11 @@ enum goodbot_status goodbot_explain_word(struct goodbot *robot,
                                          size_t meaning_bytes,
                                          float *share);
 
-// Proposes a question in the state in which things are now, which must have been planned for, where it teaches more than acting does.
-// `kappa` is what a question costs, in steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05).
-// It looks ahead with at most about `budget` node expansions; `WORKING` means: call again. `kind` is given `GOODBOT_ASK_NOTHING` and so
-// on, and `choices` how many choices there are; 1 where the answer is yes or no. A question may stay unanswered. It is not asked again in
-// this session, and after eight no more are.
+// Proposes a question if it teaches more than acting. The plan for the current state must be done. `kappa` is the cost of a question, in
+// steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05). It looks ahead with at most about
+// `budget` node expansions; `WORKING` means: call again. `kind` receives `GOODBOT_ASK_NOTHING` and so on, and `choices` the number of
+// choices, 1 for yes or no. A question may stay unanswered. It is not asked again in this session, and after eight questions no more
+// are asked.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `kind` and `choices` are null or room for a number.
@@ -1212,9 +1216,8 @@ enum goodbot_status goodbot_question(struct goodbot *robot,
                                      uint32_t *kind,
                                      uint32_t *choices);
 
-// Writes what a choice of the question that waits for its answer is about, with a 0 at its end: the name of an object such as `room1`, a
-// task such as `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` where it does not fit, `NOT_ASKED` where no
-// question waits.
+// Writes the text of one choice of the open question, with a 0 at its end: the name of an object such as `room1`, a task such as
+// `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` if it does not fit, `NOT_ASKED` without an open question.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
@@ -1223,9 +1226,9 @@ enum goodbot_status goodbot_question_text(struct goodbot *robot,
                                           char *buffer,
                                           size_t bytes);
 
-// Takes in the trainer's answer to the question that was proposed last: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on.
-// `NOT_ASKED` where no question waits for an answer, `NO_ANSWER` where this is none to it; it then goes on waiting. `evidence` is given
-// what came of it, `GOODBOT_EVIDENCE_USED` and so on.
+// Takes in the trainer's answer to the open question: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on. `NOT_ASKED`
+// without an open question, `NO_ANSWER` if this is no answer to it; the question then stays open. `evidence` receives
+// `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1235,11 +1238,11 @@ enum goodbot_status goodbot_answer(struct goodbot *robot,
 
 // The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
 //
-// Hears an utterance that may be no command, in the state in which things are now, and says what it is taken for. A session begins as with
-// `goodbot_hear`; where the verdict is not `SURE`, ask or wait. A robot needs about 20 lessons before it can tell; until then, hear.
+// Hears an utterance that may be no command, in the current state, and finds its reading. A session begins as with `goodbot_hear`; unless
+// the verdict is `SURE`, ask or wait. A robot needs about 20 lessons to tell commands from talk; until then, use `goodbot_hear`.
 //
 // `closed_words` is a table of words such as "not", "and", "stop", in the language that is spoken (`docs/talk.md`), or null: a robot
-// without one asks back more often. `CLOSED_WORDS` where it is no table. `pause` is null, or is called after each part of the work, with
+// without one asks back more often. `CLOSED_WORDS` if it is no such table. `pause` is null, or is called after each part of the work, with
 // `context`: it must not use this robot, and returns whether to go on. If it returns false, the status is `STOPPED`, and no session is
 // under way.
 //
@@ -1252,8 +1255,8 @@ enum goodbot_status goodbot_listen(struct goodbot *robot,
                                    void *context,
                                    struct goodbot_listened *listened);
 
-// As `goodbot_listen`, for the rest of an utterance of several commands, when the part before is done and its session over: `rest` is the
-// utterance from `goodbot_listened.rest` on. It may leave out a word that the part before has.
+// As `goodbot_listen`, for the rest of an utterance of several commands, when the previous command is done and its session over: `rest` is
+// the utterance from `goodbot_listened.rest` on. It may leave out a word that the previous command has.
 //
 // The caller sees to it:
 // As `goodbot_listen`.
@@ -1264,22 +1267,22 @@ enum goodbot_status goodbot_listen_on(struct goodbot *robot,
                                       void *context,
                                       struct goodbot_listened *listened);
 
-// Remembers a task of the session, by its position, as followed: `goodbot_listen` then knows what "it", "there", "back", "the other one" and
-// "again" stand for. Call it before the session is finished or forgotten.
+// Remembers that the robot followed a task of the session, by its position: `goodbot_listen` then knows what "it", "there", "back", "the
+// other one" and "again" mean. Call it before the session is finished or forgotten.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_remember(struct goodbot *robot,
                                      uint32_t task);
 
-// Begins another conversation: the robot remembers nothing of what was said.
+// Begins another conversation: the previous one is forgotten.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_converse_anew(struct goodbot *robot);
 
-// What a person's words ask for, given the session under way, the actions that `goodbot_done` told of, and the question that is open. Nothing
-// is done yet. `answer` is given the answer where the words are one, for `goodbot_answer`.
+// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+// only says so: the caller does it. `answer` receives the answer for `goodbot_answer`, if the words are one.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
@@ -1289,8 +1292,8 @@ enum goodbot_status goodbot_said(struct goodbot *robot,
                                  enum goodbot_said_kind *said,
                                  int32_t *answer);
 
-// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it
-// follows is left with a twentieth of the belief in the next one at most.
+// Takes in words that correct a robot on its way: "no, the other one", "I meant the blue one", "not the red one". The belief in the task
+// that it follows drops to at most a twentieth of that in the next one.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings.
@@ -1304,7 +1307,7 @@ enum goodbot_status goodbot_correct(struct goodbot *robot,
 // `robot` is null or a handle, `bytes` null or room for a number.
 enum goodbot_status goodbot_saved_size(struct goodbot *robot, size_t *bytes);
 
-// Saves all that was learned, in a format that is the same on every machine. `written` is given the length.
+// Saves everything learned, in a format that is the same on every machine. `written` receives the length.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
@@ -1331,11 +1334,11 @@ enum goodbot_status goodbot_begin_saving(struct goodbot_saving *saving,
                                          uint8_t *buffer,
                                          size_t bytes);
 
-// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may plan, act and be told words meanwhile. `CHANGED`
-// where a session was learned from meanwhile: begin again. Once it is done, `written` is given the length.
+// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may hear, plan and act meanwhile. `CHANGED` if a
+// session was learned meanwhile: begin again. Once it is done, `written` receives the length.
 //
 // The caller sees to it:
-// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+// `robot` is null or a handle; `saving` is null, zeros, or begun by `goodbot_begin_saving`; `written` is null or room for a number.
 enum goodbot_status goodbot_save_on(struct goodbot *robot,
                                     struct goodbot_saving *saving,
                                     uint32_t budget,
@@ -1351,17 +1354,17 @@ enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
                                             size_t bytes);
 
 // Goes on restoring, at most about `budget` entries of the model. `WORKING` means: call again. While the model is checked, the robot is as
-// before and may do anything; then it has learned nothing until it is done, and answers a command by `STILL_RESTORING`. After that call
-// `goodbot_learn` until it is done. `CHANGED` where something else began before the whole model was there: the robot has learned nothing.
+// before and may do anything. While it is then read, the robot knows nothing, and answers a command by `STILL_RESTORING`. Once it is done,
+// call `goodbot_learn` until that is done. `CHANGED` if other work began before the whole model was read: the robot then knows nothing.
 //
 // The caller sees to it:
-// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+// `robot` is null or a handle; `restoring` is null, zeros, or begun by `goodbot_begin_restoring`.
 enum goodbot_status goodbot_restore_on(struct goodbot *robot,
                                        struct goodbot_restoring *restoring,
                                        uint32_t budget);
 
-// Saves what a robot needs that only obeys: `goodbot_restore_parameters` reads it. `written` is given the length, also with `BUFFER`, where
-// `bytes` are too few. A lesson that is still being learned from is `STILL_LEARNING`.
+// Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
+// with `BUFFER`, if `bytes` are too few. `STILL_LEARNING` until `goodbot_learn` is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
@@ -1370,9 +1373,9 @@ enum goodbot_status goodbot_save_parameters(struct goodbot *robot,
                                             size_t bytes,
                                             size_t *written);
 
-// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then understands as
-// the one that learned them, and nothing is trained. There are no lessons in it: one here would take the place of what it says. On any
-// failure the robot is as before.
+// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then
+// understands like the one that learned them, without training. Parameters hold no lessons: a lesson given to this robot replaces them.
+// On any failure the robot is as before.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `parameters` is null or points to `bytes` bytes.
@@ -1380,10 +1383,10 @@ enum goodbot_status goodbot_restore_parameters(struct goodbot *robot,
                                                const uint8_t *parameters,
                                                size_t bytes);
 
-// Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
-// model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is
-// done, `FLASH` where the flash refused or did not keep what was written, `BUFFER` where a slot is too small, `NUMBER` where the slots do
-// not lie as they must.
+// Stores everything learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or receives the
+// model's bytes. After a power cut at any moment, a whole model is left: this one or the previous one. `STILL_LEARNING` until
+// `goodbot_learn` is done, `FLASH` if the flash refused or did not keep the bytes, `BUFFER` if a slot is too small, `NUMBER` if `start` or
+// `slot_bytes` is no such multiple as `goodbot_flash` says.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `flash` null or points to a flash, `stored` null or room for a number.
@@ -1391,8 +1394,8 @@ enum goodbot_status goodbot_store(struct goodbot *robot,
                                   const struct goodbot_flash *flash,
                                   size_t *stored);
 
-// Takes over the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` is room for it, free
-// again afterwards. `NOTHING_STORED` where there is none; otherwise as `goodbot_store` and `goodbot_restore`.
+// Restores the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` has room for it,
+// and is free again afterwards. `NOTHING_STORED` if there is none; otherwise as `goodbot_store` and `goodbot_restore`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `flash` null or points to a flash, `buffer` null or room for `bytes` bytes.
@@ -1401,10 +1404,10 @@ enum goodbot_status goodbot_load(struct goodbot *robot,
                                  uint8_t *buffer,
                                  size_t bytes);
 
-// A robot at rest. `NUMBER` where a limit is not above 0, or out of its range.
+// Sets up a robot at rest. `NUMBER` if a limit is not above 0, or out of its range.
 //
 // The caller sees to it:
-// `drive` and `limits` are null or point to what they say.
+// `drive` and `limits` are null or valid.
 enum goodbot_status goodbot_drive_init(struct goodbot_drive *drive,
                                        const struct goodbot_limits *limits);
 
@@ -1419,38 +1422,38 @@ enum goodbot_status goodbot_drive_go(struct goodbot_drive *drive,
                                      uint8_t action,
                                      float certainty);
 
-// What to set the wheels to for the next `seconds`, where the robot is at `at`. A pose that is no number stops the robot.
+// Computes the wheels' speeds for the next `seconds`, for a robot at `at`. A pose that is not a number stops the robot.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says.
+// Each pointer is null or valid.
 enum goodbot_status goodbot_drive_step(struct goodbot_drive *drive,
                                        const struct goodbot_pose *at,
                                        float seconds,
                                        struct goodbot_wheels *wheels);
 
-// The trainer, or whoever watches the robot, is still there.
+// Reports that the trainer, or whoever watches the robot, is still there.
 //
 // The caller sees to it:
 // `drive` is null or points to one.
 enum goodbot_status goodbot_drive_heard(struct goodbot_drive *drive);
 
-// A bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and the next step is `GOODBOT_MOTION_STUCK`; one that turns
-// or backs off goes on.
+// Reports that a bumper is pressed, or that something is close ahead. A robot that rolls ahead stops at once, and the next step is
+// `GOODBOT_MOTION_STUCK`; one that turns or backs off goes on.
 //
 // The caller sees to it:
 // `drive` is null or points to one.
 enum goodbot_status goodbot_drive_bumped(struct goodbot_drive *drive);
 
-// Gives the action up; the robot stops.
+// Gives up the action; the robot stops.
 //
 // The caller sees to it:
 // `drive` is null or points to one.
 enum goodbot_status goodbot_drive_halt(struct goodbot_drive *drive);
 
-// The cell of a pose. `x` and `y` hold the cell before, and are given the new one.
+// The cell of a pose. `x` and `y` hold the previous cell, and receive the new one.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says.
+// Each pointer is null or valid.
 enum goodbot_status goodbot_drive_cell(struct goodbot_drive *drive,
                                        const struct goodbot_pose *at,
                                        int32_t *x,
@@ -1465,7 +1468,7 @@ enum goodbot_status goodbot_pose_rolled(struct goodbot_pose *at,
                                         float right,
                                         float track);
 
-// Draws a pose towards one that was sensed otherwise: by a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
+// Moves a pose towards one from another sensor: a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
 //
 // The caller sees to it:
 // `at` and `sensed` are null or point to poses.
@@ -1473,18 +1476,20 @@ enum goodbot_status goodbot_pose_corrected(struct goodbot_pose *at,
                                            const struct goodbot_pose *sensed,
                                            float trust);
 
-// Metres that a wheel has rolled since the last call: less than half of the counter's range. `NUMBER` for another number of bits, or 0 ticks.
+// Metres that a wheel has rolled since the last call; they must be less than half of the counter's range. `NUMBER` if `bits` or
+// `ticks_per_metre` is out of range.
 //
 // The caller sees to it:
-// `encoder` and `metres` are null or point to what they say.
+// `encoder` and `metres` are null or valid.
 enum goodbot_status goodbot_encoder_rolled(struct goodbot_encoder *encoder,
                                            uint32_t count,
                                            float *metres);
 
-// The motor's duty for the next `seconds`, from -1 to 1. A wheel that shall stand, or whose speed is no number, gets 0. `NUMBER` for a wrong gain.
+// The motor's duty for the next `seconds`, from -1 to 1. It is 0, and so is then `sum`, if `wanted` is 0 or a speed is not a number.
+// `NUMBER` for a wrong gain.
 //
 // The caller sees to it:
-// `speed` and `duty` are null or point to what they say.
+// `speed` and `duty` are null or valid.
 enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
                                        float wanted,
                                        float measured,
@@ -1492,10 +1497,10 @@ enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
                                        float *duty);
 
 // Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of `metres`, `spun` while
-// it made `turns` turns on the spot, to the left. `NUMBER` where a run tells nothing.
+// it made `turns` turns on the spot, to the left. `NUMBER` if a run gives no usable number.
 //
 // The caller sees to it:
-// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.
+// Each pointer is null or valid; `straight` and `spun` point to 2 numbers.
 enum goodbot_status goodbot_calibrate(const float *straight,
                                       float metres,
                                       const float *spun,
@@ -1508,7 +1513,7 @@ enum goodbot_status goodbot_calibrate(const float *straight,
 
 #endif  /* GOODBOT_H */
 
-/** A robot's memory is aligned so, in C and in C++: `GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];` */
+/** Aligns a robot's memory, in C and in C++: `GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];` */
 #ifdef __cplusplus
 #define GOODBOT_ALIGNED alignas(8)
 #else

@@ -12,14 +12,14 @@
 
 namespace good {
 
-/** What came of a call, with what it gives. */
+/** The result of a call: its status and its value. */
 template <class T> class outcome {
 public:
     outcome(goodbot_status status) : status_(status) {}
     outcome(T value) : status_(GOODBOT_STATUS_OK), value_(std::move(value)) {}
 
     goodbot_status status() const { return status_; }
-    /** Whether it was done: then there is a value. */
+    /** Whether the call succeeded: then there is a value. */
     explicit operator bool() const { return status_ == GOODBOT_STATUS_OK; }
     /** A text for people. */
     const char *text() const { return goodbot_status_text(status_); }
@@ -34,14 +34,14 @@ private:
     T value_{};
 };
 
-/** What came of a call that gives nothing else. */
+/** The result of a call without a value. */
 template <> class outcome<void> {
 public:
     outcome(goodbot_status status = GOODBOT_STATUS_OK) : status_(status) {}
 
     goodbot_status status() const { return status_; }
     explicit operator bool() const { return status_ == GOODBOT_STATUS_OK; }
-    /** More of it is to do: call again. */
+    /** There is more to do: call again. */
     bool is_working() const { return status_ == GOODBOT_STATUS_WORKING; }
     const char *text() const { return goodbot_status_text(status_); }
 
@@ -66,7 +66,7 @@ private:
     std::size_t size_ = 0;
 };
 
-/** Memory for a robot: `static good::memory<GOODBOT_SMALL_BYTES> memory;`. It stays where it is, so it is neither copied nor moved. */
+/** Memory for a robot: `static good::memory<GOODBOT_SMALL_BYTES> memory;`. It must stay in place, so it can neither be copied nor moved. */
 template <std::size_t Bytes> class memory {
 public:
     memory() = default;
@@ -79,7 +79,7 @@ private:
     alignas(8) unsigned char bytes_[Bytes];
 };
 
-/** What the robot decided: an action, and what the plan is worth (GOODBOT_PLAN_...). */
+/** The robot's decision: an action, and the kind of plan (GOODBOT_PLAN_...). */
 struct decision {
     std::uint8_t action = GOODBOT_NOOP;
     std::uint32_t plan = GOODBOT_PLAN_UNKNOWN;
@@ -108,8 +108,8 @@ inline outcome<goodbot_capacities> preset(std::uint32_t preset) {
 }
 
 /**
- * A robot in the caller's memory. The functions are those of goodbot.h, which says what each does; `get` gives the handle for those that
- * are not here. A robot that was moved from, or made by no call, answers GOODBOT_STATUS_NULL.
+ * A robot in the caller's memory. The functions are those of goodbot.h, which says what each does; `get` returns the handle for the others.
+ * A robot that was moved from, or was never made, answers GOODBOT_STATUS_NULL.
  */
 class robot {
 public:
@@ -174,12 +174,12 @@ public:
         return finish(goodbot_decide(handle_, &decided.action, &decided.plan), decided);
     }
     outcome<void> done(std::uint8_t action) { return goodbot_done(handle_, action); }
-    /** Gives what the word is worth as evidence (GOODBOT_EVIDENCE_...). */
+    /** Returns how the word counts as evidence (GOODBOT_EVIDENCE_...). */
     outcome<std::uint32_t> feedback(word said) {
         std::uint32_t evidence = GOODBOT_EVIDENCE_NOTHING;
         return finish(goodbot_feedback(handle_, static_cast<std::int32_t>(said), &evidence), evidence);
     }
-    /** Gives how many older sessions gave way. */
+    /** Returns how many older sessions were forgotten. */
     outcome<std::uint32_t> finish_session() {
         std::uint32_t gave_way = 0;
         return finish(goodbot_finish(handle_, &gave_way), gave_way);
@@ -198,7 +198,7 @@ public:
         return goodbot_task_text(handle_, task, buffer.data(), buffer.size());
     }
 
-    /* Its model. `save` gives the bytes that it wrote. */
+    /* Its model. `save` returns the number of bytes written. */
     outcome<std::size_t> saved_size() const {
         std::size_t bytes = 0;
         return finish(goodbot_saved_size(handle_, &bytes), bytes);

@@ -12,11 +12,10 @@ pub struct Arena {
 }
 
 impl Arena {
-    /// All of it.
+    /// All of the caller's memory.
     ///
     /// # Safety
-    /// `left` bytes from `at` on are the caller's and are used by nothing else. They stay where they are as long as anything dealt out is
-    /// used.
+    /// `left` bytes from `at` on are the caller's and used by nothing else. They stay in place as long as any part of them is used.
     pub unsafe fn new(at: *mut u8, left: usize) -> Self {
         Self { at, left }
     }
@@ -46,7 +45,7 @@ impl Arena {
     }
 }
 
-/// Where the next table begins after one of `count` values that begins at `at` or a little later.
+/// The end of an aligned table of `count` values that begins at `at` at the earliest.
 pub const fn after<T>(at: usize, count: usize) -> usize {
     match at.checked_next_multiple_of(align_of::<T>()) {
         Some(first) => first.saturating_add(size_of::<T>().saturating_mul(count)),
@@ -60,7 +59,7 @@ macro_rules! tables {
         { $($(#[$doc:meta])* $table:ident: $Element:ty = $empty:expr; $field:ident $(($($call:tt)*))?,)* }
         ($($part:ident: $Part:ident $PartRef:ident,)*)
     )*) => {
-        /// Deals out the tables, or nothing where there is too little room.
+        /// Deals out the tables; `None` if there is too little room.
         pub fn $deal(arena: &mut Arena, capacities: &Capacities) -> Option<$Whole<'static>> {
             $(let $group = goodbot::memory::$Tables {
                 $($table: arena.table(capacities.$field $(($($call)*))?, $empty)?,)*
@@ -69,7 +68,7 @@ macro_rules! tables {
             Some($whole)
         }
 
-        /// Where the tables end that begin at `at`.
+        /// The end of tables that begin at `at`.
         pub const fn $after(at: usize, capacities: &Capacities) -> usize {
             $($(let at = after::<$Element>(at, capacities.$field $(($($call)*))?);)*)*
             at

@@ -27,11 +27,11 @@ pub const GOODBOT_YES: i32 = 0;
 /// No, or none of these.
 pub const GOODBOT_NO: i32 = -1;
 
-/// Proposes a question in the state in which things are now, which must have been planned for, where it teaches more than acting does.
-/// `kappa` is what a question costs, in steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05).
-/// It looks ahead with at most about `budget` node expansions; `WORKING` means: call again. `kind` is given `GOODBOT_ASK_NOTHING` and so
-/// on, and `choices` how many choices there are; 1 where the answer is yes or no. A question may stay unanswered. It is not asked again in
-/// this session, and after eight no more are.
+/// Proposes a question if it teaches more than acting. The plan for the current state must be done. `kappa` is the cost of a question, in
+/// steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05). It looks ahead with at most about
+/// `budget` node expansions; `WORKING` means: call again. `kind` receives `GOODBOT_ASK_NOTHING` and so on, and `choices` the number of
+/// choices, 1 for yes or no. A question may stay unanswered. It is not asked again in this session, and after eight questions no more
+/// are asked.
 ///
 /// # Safety
 /// `robot` is null or a handle; `kind` and `choices` are null or room for a number.
@@ -75,9 +75,8 @@ pub unsafe extern "C" fn goodbot_question(
     }
 }
 
-/// Writes what a choice of the question that waits for its answer is about, with a 0 at its end: the name of an object such as `room1`, a
-/// task such as `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` where it does not fit, `NOT_ASKED` where no
-/// question waits.
+/// Writes the text of one choice of the open question, with a 0 at its end: the name of an object such as `room1`, a task such as
+/// `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` if it does not fit, `NOT_ASKED` without an open question.
 ///
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
@@ -117,9 +116,9 @@ pub unsafe extern "C" fn goodbot_question_text(robot: *mut Goodbot, choice: u32,
     }
 }
 
-/// Takes in the trainer's answer to the question that was proposed last: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on.
-/// `NOT_ASKED` where no question waits for an answer, `NO_ANSWER` where this is none to it; it then goes on waiting. `evidence` is given
-/// what came of it, `GOODBOT_EVIDENCE_USED` and so on.
+/// Takes in the trainer's answer to the open question: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on. `NOT_ASKED`
+/// without an open question, `NO_ANSWER` if this is no answer to it; the question then stays open. `evidence` receives
+/// `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.

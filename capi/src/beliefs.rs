@@ -109,7 +109,7 @@ impl Writer {
     /// Writes to this many bytes from here on.
     ///
     /// # Safety
-    /// They are the caller's room.
+    /// The bytes are the caller's and writable.
     pub(crate) unsafe fn new(at: *mut c_char, left: usize) -> Result<Self, GoodbotStatus> {
         if at.is_null() { Err(GoodbotStatus::Null) } else { Ok(Self { at, left }) }
     }

@@ -1,4 +1,4 @@
-//! How large the tables are, and what memory that takes.
+//! The sizes of the tables, and the memory that they need.
 
 use crate::arena::{after, after_agent, after_home};
 use crate::robot::{Goodbot, give, with};
@@ -12,7 +12,7 @@ use goodbot::capacity::Capacity;
 use goodbot::session::Lessons;
 use goodbot::task::TaskSet;
 
-/// How large each table is, one number for each `goodbot_capacity`. Begin with a preset and raise what is full.
+/// The size of each table, one number for each `goodbot_capacity`. Begin with a preset and raise the sizes of full tables.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GoodbotCapacities {
@@ -49,9 +49,9 @@ pub enum GoodbotCapacity {
     GroundPropositions,
     /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
     GoalEntries,
-    /// States that one search can hold that looks at them one by one, where actions cost 1 each.
+    /// States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8.
     States,
-    /// States that one search can hold where the state space is larger than `STATES` and visited states are hashed. 0 turns it off.
+    /// States that one search can hold if the state space is larger than `STATES`: visited states are then hashed. 0 turns it off.
     HashedStates,
     /// Distinct English words. At most 65,534.
     Words,
@@ -79,17 +79,18 @@ pub enum GoodbotCapacity {
     LengthPairs,
 }
 
-// The enum stands here for C's header; its order is that of the core's list.
+// The enum exists for the C header. Its order is that of the core's list.
 const _: () = assert!(GOODBOT_CAPACITIES == Capacity::ALL.len() && GoodbotCapacity::LengthPairs as usize + 1 == GOODBOT_CAPACITIES);
 
 /// The preset for homes on controllers.
 pub const GOODBOT_SMALL: u32 = 0;
 /// The preset for the smallest controllers.
 pub const GOODBOT_TINY: u32 = 1;
-/// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. No home has room.
+/// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. It has no room
+/// for a home.
 pub const GOODBOT_OWN: u32 = 2;
-/// The preset for hosts, where `goodbot_usage` and `goodbot_least_capacities` tell what a controller needs. Seven megabytes: ask
-/// `goodbot_size` or `goodbot_table_size`.
+/// The preset for hosts, about seven megabytes: `goodbot_size` and `goodbot_table_size` say how many exactly. With it, `goodbot_usage` and
+/// `goodbot_least_capacities` find the capacities that a controller needs.
 pub const GOODBOT_STANDARD: u32 = 3;
 
 /// Bytes that the small preset takes where a pointer has four bytes.
@@ -112,7 +113,7 @@ const PROMISED: (usize, usize, usize) = (GOODBOT_SMALL_BYTES_32, GOODBOT_TINY_BY
 #[cfg(target_pointer_width = "64")]
 const PROMISED: (usize, usize, usize) = (GOODBOT_SMALL_BYTES_64, GOODBOT_TINY_BYTES_64, GOODBOT_OWN_BYTES_64);
 
-/// Whether the library is built for C. Beside programs for hosts, in one build, its sets of tasks are theirs, and nobody calls it from C.
+/// Whether the library is built for C. In one build with programs for hosts, task sets are as wide as theirs, and nothing calls it from C.
 const FOR_C: bool = TaskSet::MOST == TaskSet::MOST_OF_ONE_WORD;
 
 const _: () = assert!(!FOR_C || bytes(&Capacities::SMALL, false) <= PROMISED.0, "raise GOODBOT_SMALL_BYTES");
@@ -134,16 +135,16 @@ pub const fn bytes(capacities: &Capacities, table: bool) -> usize {
     }
 }
 
-/// Bytes that are enough for a robot where a pointer has four bytes, told on a machine where it may have eight.
+/// Bytes that are enough for a robot with pointers of four bytes, computed on a machine that may have wider ones.
 pub const fn bytes_32(capacities: &Capacities, table: bool) -> usize {
-    // The tables have no pointers. What comes between them depends on how long they are.
+    // The tables hold no pointers. The padding between them depends on their lengths.
     const BETWEEN: usize = 16;
     let own = GOODBOT_SMALL_BYTES_32.saturating_sub(of_tables(&Capacities::SMALL));
     let own = if table { own.saturating_add(GOODBOT_TABLE_BYTES) } else { own };
     (of_tables(capacities).saturating_add(own).saturating_add(BETWEEN) / 8).saturating_mul(8)
 }
 
-/// Bytes of the tables on a controller, where a set of tasks is one word.
+/// Bytes of the tables on a controller, where a task set is one word.
 const fn of_tables(capacities: &Capacities) -> usize {
     let sets = capacities.goal_entries.saturating_add(capacities.ground_propositions);
     let wider = size_of::<TaskSet>().saturating_sub(size_of::<u64>()).saturating_mul(sets);
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn goodbot_table_size(capacities: *const GoodbotCapacities
     unsafe { capacities.as_ref() }.map_or(0, |capacities| bytes(&capacities.into(), true))
 }
 
-/// How much a robot is to be taught before older lessons may give way.
+/// The lessons that a robot shall keep without forgetting any.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GoodbotLessons {
@@ -226,11 +227,11 @@ pub struct GoodbotLessons {
     pub word_bytes: u32,
 }
 
-/// The least capacities with which a robot like this one, in the world it lives in now, is refused nothing and nothing gives way. Ask a
-/// robot in roomy memory, on a host: `FULL` where its own is too small for one session. A session under way ends unlearned.
+/// The least capacities with which a robot like this one, in its present world, takes such lessons and forgets none. Ask a robot with ample
+/// memory, on a host: `FULL` if its own is too small for one session. A session under way ends unlearned.
 ///
-/// With `STATES`, every plan is exact; a home can do with fewer, and its plans are then approximate where the goal is far. `HASHED_STATES`
-/// and `GOAL_ENTRIES` are 0: no robot needs them; the goal entries save time.
+/// With these `STATES`, every plan is exact. A home can do with fewer; its plans to far goals are then approximate. `HASHED_STATES` and
+/// `GOAL_ENTRIES` are 0: no robot needs them; goal entries save time.
 ///
 /// # Safety
 /// `robot` is null or a handle, `lessons` null or points to lessons, `capacities` is null or points to memory for it.
@@ -255,8 +256,9 @@ pub unsafe extern "C" fn goodbot_least_capacities(
     }
 }
 
-/// What the robot's life so far took: memory of these capacities has room for the same life once more. Give a robot with
-/// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: they save time in homes.
+/// The capacities that the robot needed so far: with them, another robot has room for the same sessions. Give a robot with
+/// `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: goal entries only save
+/// time, in homes.
 ///
 /// # Safety
 /// `robot` is null or a handle, `capacities` null or points to memory for it.

@@ -1,4 +1,4 @@
-//! From wheels to cells and back: the crate `goodbot-drive` for C. Nothing here needs a robot of goodbot's.
+//! From wheels to cells and back: the crate `goodbot-drive` for C. It works without a `goodbot` robot.
 
 use crate::status::GoodbotStatus;
 use core::mem::MaybeUninit;
@@ -11,7 +11,7 @@ const MAGIC: u32 = 0x6472_6976;
 /// Words of 32 bits that a `goodbot_drive` takes beside its first.
 pub const GOODBOT_DRIVE_WORDS: usize = 24;
 
-/// What a robot with two wheels is and may do. Lengths are metres, angles radians, times seconds.
+/// Dimensions and limits of a robot with two wheels. Lengths are metres, angles radians, times seconds.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotLimits {
@@ -23,11 +23,11 @@ pub struct GoodbotLimits {
     pub turn: f32,
     /// The most by which a wheel's speed may change, metres a second each second.
     pub acceleration: f32,
-    /// The share of the highest speed at which a robot drives that is not sure at all; from above 0 to 1.
+    /// The share of the highest speed that a robot drives with certainty 0; above 0, at most 1.
     pub slowest: f32,
-    /// The robot stops when it has heard nothing for so long.
+    /// The robot stops after this long without `goodbot_drive_heard`.
     pub silence: f32,
-    /// An action that takes longer has failed.
+    /// An action that takes longer than this has failed.
     pub patience: f32,
     /// The side of a cell.
     pub cell: f32,
@@ -61,13 +61,13 @@ pub enum GoodbotMotion {
     Driving = 3,
     /// It has stopped in the middle of the cell.
     Arrived = 4,
-    /// It stops, since nothing was heard; it goes on once something is.
+    /// It stops, because nothing was heard or the pose is not a number; it goes on when that is over.
     Waiting = 5,
-    /// It has given the action up and stopped. Sense the cell and plan again.
+    /// It has given up the action and stopped. Sense the cell and plan again.
     Stuck = 6,
 }
 
-/// One step of the control loop: the speeds to give the wheels, metres a second, and what the robot is doing.
+/// The result of one step of the control loop: the speeds for the wheels, in metres per second, and the state of the motion.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GoodbotWheels {
@@ -75,12 +75,12 @@ pub struct GoodbotWheels {
     pub left: f32,
     /// The right wheel.
     pub right: f32,
-    /// What it is doing.
+    /// The state of the motion.
     pub motion: GoodbotMotion,
 }
 
-/// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 where it counts down as the wheel rolls
-/// ahead, and 1 for distances in ticks. `last` is the counter at first.
+/// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 if it counts down as the
+/// wheel rolls ahead, and 1 for distances in ticks. Set `last` to the first count.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotEncoder {
@@ -88,26 +88,26 @@ pub struct GoodbotEncoder {
     pub ticks_per_metre: f32,
     /// From 2 to 32.
     pub bits: u32,
-    /// What it read last.
+    /// The last count.
     pub last: u32,
 }
 
-/// What holds a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second, `proportional` that for
-/// each metre a second that the wheel is too slow, `integral` the same for each second that it goes on.
+/// A controller of a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second wanted,
+/// `proportional` the duty for each metre a second that the wheel is too slow, `integral` the same for each second that this lasts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotSpeed {
     /// 1 divided by the speed at full duty.
     pub ahead: f32,
-    /// By the error.
+    /// The gain of the error.
     pub proportional: f32,
-    /// By its sum.
+    /// The gain of the error over time.
     pub integral: f32,
-    /// What was summed up.
+    /// The integral part of the duty.
     pub sum: f32,
 }
 
-/// What two measured runs tell.
+/// The result of two measured runs.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotCalibration {
@@ -119,7 +119,7 @@ pub struct GoodbotCalibration {
     pub track: f32,
 }
 
-/// Drives from cell to cell. It is the caller's, and `goodbot_drive_init` makes it.
+/// A drive from cell to cell, in memory of the caller's; `goodbot_drive_init` sets it up.
 #[repr(C)]
 #[derive(Debug)]
 pub struct GoodbotDrive {
@@ -140,7 +140,7 @@ fn status(done: Result<(), GoodbotStatus>) -> GoodbotStatus {
     done.err().unwrap_or(GoodbotStatus::Ok)
 }
 
-/// What the caller points to.
+/// The value that the caller points to.
 ///
 /// # Safety
 /// `at` is null or points to a value of the caller's that nothing else uses now.
@@ -152,7 +152,7 @@ unsafe fn of<'a, T>(at: *mut T) -> Result<&'a mut T, GoodbotStatus> {
 /// # Safety
 /// As for `of`.
 unsafe fn state<'a>(drive: *mut GoodbotDrive) -> Result<&'a mut State, GoodbotStatus> {
-    // SAFETY: the caller's promise. The word is set where there is a state.
+    // SAFETY: the caller's promise. The magic word is set once the state is.
     unsafe {
         let drive = of(drive)?;
         if drive.magic == MAGIC { Ok(&mut *drive.state.as_mut_ptr().cast()) } else { Err(GoodbotStatus::BadHandle) }
@@ -163,10 +163,10 @@ fn pose(GoodbotPose { x, y, heading }: GoodbotPose) -> Pose {
     Pose { x, y, heading }
 }
 
-/// A robot at rest. `NUMBER` where a limit is not above 0, or out of its range.
+/// Sets up a robot at rest. `NUMBER` if a limit is not above 0, or out of its range.
 ///
 /// # Safety
-/// `drive` and `limits` are null or point to what they say.
+/// `drive` and `limits` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_init(drive: *mut GoodbotDrive, limits: *const GoodbotLimits) -> GoodbotStatus {
     // SAFETY: the caller's promise; the state has room, as is asserted above.
@@ -193,10 +193,10 @@ pub unsafe extern "C" fn goodbot_drive_go(drive: *mut GoodbotDrive, x: i32, y: i
     status(unsafe { state(drive) }.and_then(|(_, drive)| Ok(drive.go(Cell::new(x, y), Action::new(action), certainty)?)))
 }
 
-/// What to set the wheels to for the next `seconds`, where the robot is at `at`. A pose that is no number stops the robot.
+/// Computes the wheels' speeds for the next `seconds`, for a robot at `at`. A pose that is not a number stops the robot.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says.
+/// Each pointer is null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_step(
     drive: *mut GoodbotDrive,
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn goodbot_drive_step(
     })
 }
 
-/// The trainer, or whoever watches the robot, is still there.
+/// Reports that the trainer, or whoever watches the robot, is still there.
 ///
 /// # Safety
 /// `drive` is null or points to one.
@@ -234,8 +234,8 @@ pub unsafe extern "C" fn goodbot_drive_heard(drive: *mut GoodbotDrive) -> Goodbo
     status(unsafe { state(drive) }.map(|(_, drive)| drive.heard()))
 }
 
-/// A bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and the next step is `GOODBOT_MOTION_STUCK`; one that turns
-/// or backs off goes on.
+/// Reports that a bumper is pressed, or that something is close ahead. A robot that rolls ahead stops at once, and the next step is
+/// `GOODBOT_MOTION_STUCK`; one that turns or backs off goes on.
 ///
 /// # Safety
 /// `drive` is null or points to one.
@@ -245,7 +245,7 @@ pub unsafe extern "C" fn goodbot_drive_bumped(drive: *mut GoodbotDrive) -> Goodb
     status(unsafe { state(drive) }.map(|(_, drive)| drive.bumped()))
 }
 
-/// Gives the action up; the robot stops.
+/// Gives up the action; the robot stops.
 ///
 /// # Safety
 /// `drive` is null or points to one.
@@ -255,10 +255,10 @@ pub unsafe extern "C" fn goodbot_drive_halt(drive: *mut GoodbotDrive) -> Goodbot
     status(unsafe { state(drive) }.map(|(_, drive)| drive.halt()))
 }
 
-/// The cell of a pose. `x` and `y` hold the cell before, and are given the new one.
+/// The cell of a pose. `x` and `y` hold the previous cell, and receive the new one.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says.
+/// Each pointer is null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_drive_cell(drive: *mut GoodbotDrive, at: *const GoodbotPose, x: *mut i32, y: *mut i32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -285,7 +285,7 @@ pub unsafe extern "C" fn goodbot_pose_rolled(at: *mut GoodbotPose, left: f32, ri
     }))
 }
 
-/// Draws a pose towards one that was sensed otherwise: by a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
+/// Moves a pose towards one from another sensor: a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
 ///
 /// # Safety
 /// `at` and `sensed` are null or point to poses.
@@ -301,10 +301,11 @@ pub unsafe extern "C" fn goodbot_pose_corrected(at: *mut GoodbotPose, sensed: *c
     })
 }
 
-/// Metres that a wheel has rolled since the last call: less than half of the counter's range. `NUMBER` for another number of bits, or 0 ticks.
+/// Metres that a wheel has rolled since the last call; they must be less than half of the counter's range. `NUMBER` if `bits` or
+/// `ticks_per_metre` is out of range.
 ///
 /// # Safety
-/// `encoder` and `metres` are null or point to what they say.
+/// `encoder` and `metres` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_encoder_rolled(encoder: *mut GoodbotEncoder, count: u32, metres: *mut f32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
@@ -318,10 +319,11 @@ pub unsafe extern "C" fn goodbot_encoder_rolled(encoder: *mut GoodbotEncoder, co
     })
 }
 
-/// The motor's duty for the next `seconds`, from -1 to 1. A wheel that shall stand, or whose speed is no number, gets 0. `NUMBER` for a wrong gain.
+/// The motor's duty for the next `seconds`, from -1 to 1. It is 0, and so is then `sum`, if `wanted` is 0 or a speed is not a number.
+/// `NUMBER` for a wrong gain.
 ///
 /// # Safety
-/// `speed` and `duty` are null or point to what they say.
+/// `speed` and `duty` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_speed_duty(
     speed: *mut GoodbotSpeed,
@@ -344,10 +346,10 @@ pub unsafe extern "C" fn goodbot_speed_duty(
 }
 
 /// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of `metres`, `spun` while
-/// it made `turns` turns on the spot, to the left. `NUMBER` where a run tells nothing.
+/// it made `turns` turns on the spot, to the left. `NUMBER` if a run gives no usable number.
 ///
 /// # Safety
-/// Each pointer is null or points to what it says, `straight` and `spun` to 2 numbers.
+/// Each pointer is null or valid; `straight` and `spun` point to 2 numbers.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_calibrate(
     straight: *const f32,

@@ -18,8 +18,7 @@ use heapless::Vec;
 /// understands commands to go to a room and to bring a block to a room.
 ///
 /// # Safety
-/// `memory` is null or the caller's memory for this alone, which stays where it is; `capacities` and `robot` are null or point to what
-/// they say.
+/// `memory` is null, or the caller's memory for the robot alone, which does not move; `capacities` and `robot` are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_init_home(
     memory: *mut core::ffi::c_void,
@@ -179,7 +178,7 @@ pub unsafe extern "C" fn goodbot_home_agent(robot: *mut Goodbot, name: *const c_
 }
 
 /// Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
-/// again; then `goodbot_home_build` is short. An object that is added makes it begin anew.
+/// again. Once it is done, `goodbot_home_build` is short. Adding an object starts it anew.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -196,8 +195,8 @@ pub unsafe extern "C" fn goodbot_home_find_cells(robot: *mut Goodbot, budget: u3
     }
 }
 
-/// Checks the home as a whole. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. Where it fails, begin
-/// the description again.
+/// Checks the whole home. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. If it fails, begin the
+/// description again.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -220,9 +219,9 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
     }
 }
 
-/// Says whether words may mean what is derived of where things are, beside colours and shapes: the `leftmost`, `rightmost`, `topmost`,
-/// `bottommost`, `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; another
-/// begins without. A session under way ends unlearned. What was learned with it and what was learned without go together.
+/// Sets whether words may mean derived facts, as well as colours and shapes: the `leftmost`, `rightmost`, `topmost`, `bottommost`,
+/// `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; the next home begins
+/// without. A session under way ends unlearned. One model can have lessons with derived facts and lessons without.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -265,20 +264,20 @@ pub unsafe extern "C" fn goodbot_home_place(robot: *mut Goodbot, name: *const c_
     }
 }
 
-/// Where something was sensed.
+/// A thing and the cell where it was sensed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotSensed {
     /// The robot's own name or a block's.
     pub name: *const c_char,
-    /// The cell.
+    /// The cell's column.
     pub x: i32,
-    /// The cell.
+    /// The cell's row.
     pub y: i32,
 }
 
-/// Says where the robot itself and blocks are, all at once, as sensed: also where two of them have changed places. What is not named stays
-/// where it was. `UNKNOWN` names nothing that moves, `NUMBER` a cell that is wall, or one cell for two things; nothing is changed then.
+/// Says where the robot itself and blocks are, all at once, as sensed, so that two of them can change places. Things that are not named
+/// stay. `UNKNOWN` if a name is that of nothing that moves, `NUMBER` if a cell is wall or two things are in one cell; nothing changes then.
 ///
 /// # Safety
 /// `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.

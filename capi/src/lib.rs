@@ -1,25 +1,25 @@
 //! goodbot for C: the interface that `include/goodbot.h` declares.
 //!
-//! The caller owns all memory, every function returns a status, nothing is global, and nothing panics or unwinds across the border.
+//! The caller owns all memory, every function that can fail returns a status, nothing is global, and nothing panics or unwinds into C.
 //! `docs/robot.md` leads through it.
 //!
-//! - [`status`]: what every function returns;
+//! - [`status`]: the status that functions return;
 //! - [`version`]: which interface this is;
-//! - [`capacities`]: how large the tables are, and what memory that takes;
+//! - [`capacities`]: the sizes of the tables, and the memory that they need;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
-//! - [`world`]: the robot's world of either kind;
+//! - [`world`]: the robot's world, a home or a table;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
 //! - [`tasks`]: the kinds of tasks that a robot can be told;
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
-//! - [`talk`]: what people say beside commands;
+//! - [`talk`]: utterances other than commands;
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
-//! - [`storage`]: the same in a flash, where it outlives power cuts;
+//! - [`storage`]: a model in flash, safe from power cuts;
 //! - [`drive`]: from wheels to cells and back.
 
 #![no_std]

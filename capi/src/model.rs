@@ -15,13 +15,13 @@ pub unsafe extern "C" fn goodbot_saved_size(robot: *mut Goodbot, bytes: *mut usi
     unsafe { with(robot, |robot| give(bytes, robot.agent.saved_bytes()?)) }
 }
 
-/// Saves all that was learned, in a format that is the same on every machine. `written` is given the length.
+/// Saves everything learned, in a format that is the same on every machine. `written` receives the length.
 ///
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_save(robot: *mut Goodbot, buffer: *mut u8, bytes: usize, written: *mut usize) -> GoodbotStatus {
-    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         with(robot, |robot| {
             if buffer.is_null() || written.is_null() {
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
     }
 }
 
-/// A model that is saved in parts, in memory of yours that stays where it is: `goodbot_begin_saving`.
+/// The progress of saving a model in parts, in memory of yours that stays in place: `goodbot_begin_saving`.
 #[repr(C)]
 #[derive(Debug)]
 pub struct GoodbotSaving {
@@ -61,7 +61,7 @@ pub struct GoodbotSaving {
     pub opaque: [usize; 16],
 }
 
-/// A model that comes back in parts, in memory of yours that stays where it is: `goodbot_begin_restoring`.
+/// The progress of restoring a model in parts, in memory of yours that stays in place: `goodbot_begin_restoring`.
 #[repr(C)]
 #[derive(Debug)]
 pub struct GoodbotRestoring {
@@ -69,7 +69,7 @@ pub struct GoodbotRestoring {
     pub opaque: [usize; 80],
 }
 
-/// Work that was begun, in memory of the caller's.
+/// Saving or restoring that was begun, in the caller's memory.
 struct Begun<T> {
     mark: usize,
     work: T,
@@ -89,10 +89,10 @@ const _: () = assert!(size_of::<OfSaving>() <= size_of::<GoodbotSaving>() && ali
 const _: () =
     assert!(size_of::<OfRestoring>() <= size_of::<GoodbotRestoring>() && align_of::<OfRestoring>() <= align_of::<GoodbotRestoring>());
 
-/// Work that was begun.
+/// The work at `at`, if any was begun there.
 ///
 /// # Safety
-/// `at` is null, or points to room that holds zeros or begun work, which nobody else uses now.
+/// `at` is null, or points to room that holds zeros or begun work, which nothing else uses now.
 unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
     if at.is_null() {
         return Err(GoodbotStatus::Null.into());
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer
     if saving.is_null() || buffer.is_null() {
         return GoodbotStatus::Null;
     }
-    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         buffer.write_bytes(0, bytes);
         saving.cast::<OfSaving>().write(Begun { mark: BEGUN, work: Writing { saving: Saving::new(), buffer, bytes } });
@@ -123,11 +123,11 @@ pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer
     GoodbotStatus::Ok
 }
 
-/// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may plan, act and be told words meanwhile. `CHANGED`
-/// where a session was learned from meanwhile: begin again. Once it is done, `written` is given the length.
+/// Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may hear, plan and act meanwhile. `CHANGED` if a
+/// session was learned meanwhile: begin again. Once it is done, `written` receives the length.
 ///
 /// # Safety
-/// `robot` is null or a handle; `saving` is null, or holds zeros or what `goodbot_begin_saving` began; `written` is null or room for a number.
+/// `robot` is null or a handle; `saving` is null, zeros, or begun by `goodbot_begin_saving`; `written` is null or room for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_save_on(
     robot: *mut Goodbot,
@@ -167,11 +167,11 @@ pub unsafe extern "C" fn goodbot_begin_restoring(restoring: *mut GoodbotRestorin
 }
 
 /// Goes on restoring, at most about `budget` entries of the model. `WORKING` means: call again. While the model is checked, the robot is as
-/// before and may do anything; then it has learned nothing until it is done, and answers a command by `STILL_RESTORING`. After that call
-/// `goodbot_learn` until it is done. `CHANGED` where something else began before the whole model was there: the robot has learned nothing.
+/// before and may do anything. While it is then read, the robot knows nothing, and answers a command by `STILL_RESTORING`. Once it is done,
+/// call `goodbot_learn` until that is done. `CHANGED` if other work began before the whole model was read: the robot then knows nothing.
 ///
 /// # Safety
-/// `robot` is null or a handle; `restoring` is null, or holds zeros or what `goodbot_begin_restoring` began.
+/// `robot` is null or a handle; `restoring` is null, zeros, or begun by `goodbot_begin_restoring`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut GoodbotRestoring, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.

@@ -1,4 +1,4 @@
-//! How a robot takes evidence and acts, where the defaults do not fit.
+//! How a robot takes evidence and acts, if the defaults do not fit.
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
@@ -6,11 +6,11 @@ use goodbot::Options;
 use goodbot::feedback::{Ending, Hazard};
 use goodbot::session::Weights;
 
-/// Each meaning of a command is learned by its probability, the command's own words among what it rests on.
+/// A meaning's weight is its probability, given the trainer's evidence and the words of the command.
 pub const GOODBOT_WEIGHTS_PAPER: u32 = 0;
-/// By the probability of its task.
+/// Its weight is the probability of its task.
 pub const GOODBOT_WEIGHTS_BELIEF: u32 = 1;
-/// By the trainer's evidence alone.
+/// Its weight comes from the trainer's evidence alone.
 pub const GOODBOT_WEIGHTS_EVIDENCE: u32 = 2;
 
 /// How probable it is that the trainer ends the session after an action, at every moment from 0 to less than 1.
@@ -23,9 +23,9 @@ pub struct GoodbotHazard {
     pub rested: f32,
     /// After a later rest in a row, where nothing was said.
     pub resting: f32,
-    /// So many times as probable it is where the last word was "good bot".
+    /// The factor if the last word was "good bot".
     pub praised: f32,
-    /// So many times as probable it is where the last word was "bad bot".
+    /// The factor if the last word was "bad bot".
     pub scolded: f32,
 }
 
@@ -45,21 +45,22 @@ impl From<GoodbotHazard> for Hazard {
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotOptions {
-    /// Of the actions that lead on, take the one whose feedback tells most of what is meant; otherwise any of them.
+    /// Among the actions that lead on, choose the one whose feedback says most about the task; otherwise any of them.
     pub telling: bool,
     /// The share of the belief about the trainer that is forgotten at each new command, from 0 to 1.
     pub drift: f32,
     /// How probable it is that the trainer ends the session after an action where the task is done.
     pub ends_at_goal: GoodbotHazard,
-    /// The same where it is not done. Where both are equal, `goodbot_trainer_ended` says nothing.
+    /// The same after an action where it is not done. If both are equal, `goodbot_trainer_ended` is no evidence.
     pub ends_elsewhere: GoodbotHazard,
-    /// What a meaning's share of a session is learned by: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or `GOODBOT_WEIGHTS_EVIDENCE`.
+    /// The weight of each meaning of a command in learning: `GOODBOT_WEIGHTS_PAPER`, `GOODBOT_WEIGHTS_BELIEF` or
+    /// `GOODBOT_WEIGHTS_EVIDENCE`.
     pub weights: u32,
-    /// Shares up to this are not learned; from 0 to less than 1.
+    /// Weights up to this are not learned; from 0 to less than 1.
     pub least_weight: f32,
 }
 
-/// Gives the robot's options: first to be changed, then to be handed to `goodbot_set_options`.
+/// Reads the robot's options, to be changed and handed to `goodbot_set_options`.
 ///
 /// # Safety
 /// `robot` is null or a handle, `options` null or room for them.
@@ -80,8 +81,8 @@ pub unsafe extern "C" fn goodbot_current_options(robot: *mut Goodbot, options: *
     }
 }
 
-/// Takes the robot's options. What was learned stays; a session under way ends unlearned. `NUMBER` where one is out of range: the options are
-/// then what they were.
+/// Sets the robot's options. The training data stay; a session under way ends unlearned. `NUMBER` if one is out of range: the options are
+/// then unchanged.
 ///
 /// # Safety
 /// `robot` is null or a handle, `options` null or points to them.

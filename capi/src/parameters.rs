@@ -1,19 +1,19 @@
-//! What was learned, as parameters alone, for a robot that only obeys.
+//! The learned parameters alone, for a robot that only obeys.
 
 #[cfg(feature = "learning")]
 use crate::robot::give;
 use crate::robot::{Goodbot, with};
 use crate::status::GoodbotStatus;
 
-/// Saves what a robot needs that only obeys: `goodbot_restore_parameters` reads it. `written` is given the length, also with `BUFFER`, where
-/// `bytes` are too few. A lesson that is still being learned from is `STILL_LEARNING`.
+/// Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
+/// with `BUFFER`, if `bytes` are too few. `STILL_LEARNING` until `goodbot_learn` is done.
 ///
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
 #[cfg(feature = "learning")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_save_parameters(robot: *mut Goodbot, buffer: *mut u8, bytes: usize, written: *mut usize) -> GoodbotStatus {
-    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         with(robot, |robot| {
             if buffer.is_null() || written.is_null() {
@@ -29,9 +29,9 @@ pub unsafe extern "C" fn goodbot_save_parameters(robot: *mut Goodbot, buffer: *m
     }
 }
 
-/// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then understands as
-/// the one that learned them, and nothing is trained. There are no lessons in it: one here would take the place of what it says. On any
-/// failure the robot is as before.
+/// Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then
+/// understands like the one that learned them, without training. Parameters hold no lessons: a lesson given to this robot replaces them.
+/// On any failure the robot is as before.
 ///
 /// # Safety
 /// `robot` is null or a handle; `parameters` is null or points to `bytes` bytes.

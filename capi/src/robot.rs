@@ -28,7 +28,7 @@ pub struct Goodbot {
 
 #[cfg(feature = "home")]
 impl Goodbot {
-    /// The home's memory for a new description; the world there was is gone, and with it a session under way.
+    /// The home's memory, for a new description. The old world is gone, and a session under way with it.
     pub(crate) fn empty_home(&mut self) -> Result<HomeTables<'static>, Failure> {
         if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Either::Floor(_), _)) {
             return Err(GoodbotStatus::World.into());
@@ -74,7 +74,7 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     Ok(Plot { at, home, agent, arena })
 }
 
-/// Makes the robot and gives its handle.
+/// Makes the robot and writes its handle.
 ///
 /// # Safety
 /// `robot` is room for a handle.
@@ -94,7 +94,7 @@ pub(crate) unsafe fn settle(
     Ok(GoodbotStatus::Ok)
 }
 
-/// Does something with the robot, if the handle is one; remembers which table was full.
+/// Runs a call on the robot, if the handle is valid; remembers which table was full.
 ///
 /// # Safety
 /// `robot` is null or a handle that an init function gave, and no other call uses it now.
@@ -120,7 +120,7 @@ pub(crate) unsafe fn with(robot: *mut Goodbot, run: impl FnOnce(&mut Goodbot) ->
     }
 }
 
-/// Items of the caller's.
+/// A list of the caller's.
 ///
 /// # Safety
 /// `items` is null or points to `count` items that stay.
@@ -150,7 +150,7 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotSta
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| GoodbotStatus::Text)
 }
 
-/// Gives a value to the caller.
+/// Writes a value to the caller's pointer.
 ///
 /// # Safety
 /// `to` is null or room for the value.
@@ -178,8 +178,8 @@ pub unsafe extern "C" fn goodbot_seed(robot: *mut Goodbot, seed: u64) -> Goodbot
     }
 }
 
-/// The table that was full last, after `FULL` or after a session gave way: its name in `name` (cut to `bytes` with its 0), how much it holds,
-/// and how much was asked of it. `UNKNOWN` where none was.
+/// The table that was full last, after `FULL` or after a session gave way. `name` receives its name (cut to `bytes` with its 0), `limit`
+/// the entries that it holds, and `given` the entries that were needed. `UNKNOWN` if none was full.
 ///
 /// # Safety
 /// `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.

@@ -8,7 +8,7 @@ use goodbot::session::Phase;
 use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
 
-/// What came of a call.
+/// The result of a call.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotStatus {
@@ -18,7 +18,7 @@ pub enum GoodbotStatus {
     Working = 1,
     /// A pointer is null that must not be.
     Null = 2,
-    /// The handle is none, or its memory was moved or written over.
+    /// This is no handle, or its memory was moved or overwritten.
     BadHandle = 3,
     /// The memory is too small: ask for its size.
     Memory = 4,
@@ -44,13 +44,13 @@ pub enum GoodbotStatus {
     StillLearning = 14,
     /// The action cannot be done in this state.
     NotApplicable = 15,
-    /// A number is none of those allowed.
+    /// A number is not one of those allowed.
     Number = 16,
     /// There is no object or task of this name or number.
     Unknown = 17,
     /// The bytes are no model, or were damaged.
     BadModel = 18,
-    /// The model was learned with another vocabulary.
+    /// The model was learned with another machine vocabulary.
     OtherDomain = 19,
     /// The buffer is too small.
     Buffer = 20,
@@ -124,7 +124,7 @@ impl Place {
     }
 }
 
-/// Says where something went wrong, where that is not said yet.
+/// Adds a place to a failure that has none yet.
 pub(crate) trait At<T> {
     fn at(self, place: Place) -> Result<T, Failure>;
 }

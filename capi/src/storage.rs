@@ -9,7 +9,7 @@ use goodbot::storage::{StorageError, TwoSlots};
 /// `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 pub const GOODBOT_FLASH_UNIT: usize = 256;
 
-/// A flash of the caller's: two slots, one after the other. Each function gives false where the flash refused, and must not call goodbot.
+/// A flash of the caller's: two slots, one after the other. Each function returns false if the flash refuses, and must not call goodbot.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotFlash {
@@ -21,9 +21,9 @@ pub struct GoodbotFlash {
     pub write: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, from: *const u8, bytes: u32) -> bool>,
     /// Erases one slot: `bytes` bytes from `at` on.
     pub erase: Option<unsafe extern "C" fn(context: *mut c_void, at: u32, bytes: u32) -> bool>,
-    /// Where the first slot begins: a multiple of what the flash erases at once, and of `GOODBOT_FLASH_UNIT`.
+    /// The address of the first slot: a multiple of the flash's erase size, and of `GOODBOT_FLASH_UNIT`.
     pub start: u32,
-    /// Bytes of each slot: a multiple of the same, and at least `GOODBOT_FLASH_UNIT` more than the model.
+    /// Bytes of each slot: a multiple of the same sizes, and at least `GOODBOT_FLASH_UNIT` more than the model.
     pub slot_bytes: u32,
 }
 
@@ -65,7 +65,7 @@ impl NorFlash for GoodbotFlash {
 
     fn erase(&mut self, from: u32, _to: u32) -> Result<(), Refused> {
         let erase = self.erase.ok_or(Refused)?;
-        // SAFETY: the caller's function. What is erased is always the front of a slot; the whole slot is whole blocks of any flash.
+        // SAFETY: the caller's function. Erasing always begins at the front of a slot, and a slot is a whole number of the flash's blocks.
         done(unsafe { erase(self.context, from, self.slot_bytes) })
     }
 
@@ -88,7 +88,7 @@ impl From<StorageError<Refused>> for Failure {
     }
 }
 
-/// The slots of a flash whose functions are all there.
+/// The slots of a flash; an error if one of its functions is null.
 ///
 /// # Safety
 /// `flash` is null or points to a flash.
@@ -101,10 +101,10 @@ unsafe fn slots(flash: *const GoodbotFlash) -> Result<TwoSlots<GoodbotFlash>, Fa
     Ok(TwoSlots::new(flash, flash.start, flash.slot_bytes)?)
 }
 
-/// Stores all that was learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or is given the
-/// model's bytes. Whenever the power goes, a whole model is left: this one, or the one of before. `STILL_LEARNING` until `goodbot_learn` is
-/// done, `FLASH` where the flash refused or did not keep what was written, `BUFFER` where a slot is too small, `NUMBER` where the slots do
-/// not lie as they must.
+/// Stores everything learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or receives the
+/// model's bytes. After a power cut at any moment, a whole model is left: this one or the previous one. `STILL_LEARNING` until
+/// `goodbot_learn` is done, `FLASH` if the flash refused or did not keep the bytes, `BUFFER` if a slot is too small, `NUMBER` if `start` or
+/// `slot_bytes` is no such multiple as `goodbot_flash` says.
 ///
 /// # Safety
 /// `robot` is null or a handle, `flash` null or points to a flash, `stored` null or room for a number.
@@ -121,14 +121,14 @@ pub unsafe extern "C" fn goodbot_store(robot: *mut Goodbot, flash: *const Goodbo
     }
 }
 
-/// Takes over the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` is room for it, free
-/// again afterwards. `NOTHING_STORED` where there is none; otherwise as `goodbot_store` and `goodbot_restore`.
+/// Restores the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` has room for it,
+/// and is free again afterwards. `NOTHING_STORED` if there is none; otherwise as `goodbot_store` and `goodbot_restore`.
 ///
 /// # Safety
 /// `robot` is null or a handle, `flash` null or points to a flash, `buffer` null or room for `bytes` bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_load(robot: *mut Goodbot, flash: *const GoodbotFlash, buffer: *mut u8, bytes: usize) -> GoodbotStatus {
-    // SAFETY: the caller's promise. The room is filled first: a slice of bytes that were never written must not be.
+    // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         with(robot, |robot| {
             let mut slots = slots(flash)?;

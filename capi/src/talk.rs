@@ -1,4 +1,4 @@
-//! What people say beside commands.
+//! Utterances other than commands.
 
 use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
@@ -9,7 +9,7 @@ use goodbot::asking::Answer;
 use goodbot::feedback::Feedback;
 use goodbot::talk::{ClosedWords, Conversation, Hypothesis, Listened, Said, Verdict};
 
-/// What comes of an utterance.
+/// The robot's verdict on an utterance.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotVerdict {
@@ -19,23 +19,23 @@ pub enum GoodbotVerdict {
     Unsure,
     /// The task is meant, and is done already.
     Done,
-    /// None of what the robot can do here is meant.
+    /// It means nothing that the robot can do here.
     None,
 }
 
-/// What an utterance is most likely taken for.
+/// The most likely reading of an utterance.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotTakenFor {
     /// A command for one task.
     Command,
-    /// None of what the robot can do.
+    /// Nothing that the robot can do.
     Nothing,
     /// A command about a thing that is not here.
     Absent,
     /// A thing, but not what to do with it.
     About,
-    /// What shall not be: the session's tasks are negated.
+    /// Something that shall not be: the session's tasks are negated.
     Negated,
     /// Perhaps the opposite of a command.
     Reversed,
@@ -43,7 +43,7 @@ pub enum GoodbotTakenFor {
     Several,
     /// All things of a kind.
     All,
-    /// The task of before once more.
+    /// The previous task once more.
     Again,
     /// Praise, stop, a greeting and the like: `goodbot_said` says which.
     Talk,
@@ -52,15 +52,15 @@ pub enum GoodbotTakenFor {
 /// There is no such place in the utterance.
 pub const GOODBOT_NOWHERE: u32 = u32::MAX;
 
-/// What the robot makes of an utterance.
+/// The robot's reading of an utterance.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotListened {
-    /// The tasks that are meant, one bit each by their positions: several where all things of a kind are.
+    /// The tasks that are meant, one bit each by their positions; several if all things of a kind are meant.
     pub tasks: u64,
-    /// What comes of it.
+    /// What to do.
     pub verdict: GoodbotVerdict,
-    /// What it is taken for.
+    /// The reading.
     pub taken_for: GoodbotTakenFor,
     /// The most likely task, by its position.
     pub task: u32,
@@ -68,15 +68,16 @@ pub struct GoodbotListened {
     pub probability: f32,
     /// How probable it is that one of the session's tasks is meant, from 0 to 1.
     pub command: f32,
-    /// How probable tasks must be to be sure of them.
+    /// The least `probability` for the verdict `SURE`.
     pub sure: f32,
-    /// Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE` where there is none.
+    /// Where the rest of several commands begins, in bytes: `goodbot_listen_on` takes it when the first is done. `GOODBOT_NOWHERE`
+    /// without a rest.
     pub rest: u32,
-    /// Where the words begin that were not read, in bytes, beyond the 64th. `GOODBOT_NOWHERE` where all were.
+    /// Where the unread words begin, in bytes: those after the 64th. `GOODBOT_NOWHERE` if all were read.
     pub unread: u32,
 }
 
-/// What words ask for.
+/// What words ask the robot to do.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotSaid {
@@ -90,7 +91,7 @@ pub enum GoodbotSaid {
     Finish,
     /// The answer to the open question, which `answer` is given: `goodbot_answer`.
     Answer,
-    /// Words that turn the robot round: `goodbot_correct`.
+    /// Words that correct the robot on its way: `goodbot_correct`.
     Correction,
     /// The robot shall stop: `goodbot_forget`.
     Stop,
@@ -102,10 +103,10 @@ pub enum GoodbotSaid {
     Nothing,
 }
 
-/// What a program does between two parts of the work of listening; false stops it.
+/// The caller's function, called between two parts of listening; false stops it.
 pub type GoodbotPause = Option<unsafe extern "C" fn(context: *mut c_void) -> bool>;
 
-/// A table of the caller's, no words for null.
+/// The caller's table of closed words; none for null.
 ///
 /// # Safety
 /// `table` is null or a C string.
@@ -181,11 +182,11 @@ unsafe fn listen(
 
 /// The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
 ///
-/// Hears an utterance that may be no command, in the state in which things are now, and says what it is taken for. A session begins as with
-/// `goodbot_hear`; where the verdict is not `SURE`, ask or wait. A robot needs about 20 lessons before it can tell; until then, hear.
+/// Hears an utterance that may be no command, in the current state, and finds its reading. A session begins as with `goodbot_hear`; unless
+/// the verdict is `SURE`, ask or wait. A robot needs about 20 lessons to tell commands from talk; until then, use `goodbot_hear`.
 ///
 /// `closed_words` is a table of words such as "not", "and", "stop", in the language that is spoken (`docs/talk.md`), or null: a robot
-/// without one asks back more often. `CLOSED_WORDS` where it is no table. `pause` is null, or is called after each part of the work, with
+/// without one asks back more often. `CLOSED_WORDS` if it is no such table. `pause` is null, or is called after each part of the work, with
 /// `context`: it must not use this robot, and returns whether to go on. If it returns false, the status is `STOPPED`, and no session is
 /// under way.
 ///
@@ -204,8 +205,8 @@ pub unsafe extern "C" fn goodbot_listen(
     unsafe { listen(robot, utterance, closed_words, false, pause, context, listened) }
 }
 
-/// As `goodbot_listen`, for the rest of an utterance of several commands, when the part before is done and its session over: `rest` is the
-/// utterance from `goodbot_listened.rest` on. It may leave out a word that the part before has.
+/// As `goodbot_listen`, for the rest of an utterance of several commands, when the previous command is done and its session over: `rest` is
+/// the utterance from `goodbot_listened.rest` on. It may leave out a word that the previous command has.
 ///
 /// # Safety
 /// As `goodbot_listen`.
@@ -222,8 +223,8 @@ pub unsafe extern "C" fn goodbot_listen_on(
     unsafe { listen(robot, rest, closed_words, true, pause, context, listened) }
 }
 
-/// Remembers a task of the session, by its position, as followed: `goodbot_listen` then knows what "it", "there", "back", "the other one" and
-/// "again" stand for. Call it before the session is finished or forgotten.
+/// Remembers that the robot followed a task of the session, by its position: `goodbot_listen` then knows what "it", "there", "back", "the
+/// other one" and "again" mean. Call it before the session is finished or forgotten.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -243,7 +244,7 @@ pub unsafe extern "C" fn goodbot_remember(robot: *mut Goodbot, task: u32) -> Goo
     }
 }
 
-/// Begins another conversation: the robot remembers nothing of what was said.
+/// Begins another conversation: the previous one is forgotten.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -258,8 +259,8 @@ pub unsafe extern "C" fn goodbot_converse_anew(robot: *mut Goodbot) -> GoodbotSt
     }
 }
 
-/// What a person's words ask for, given the session under way, the actions that `goodbot_done` told of, and the question that is open. Nothing
-/// is done yet. `answer` is given the answer where the words are one, for `goodbot_answer`.
+/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+/// only says so: the caller does it. `answer` receives the answer for `goodbot_answer`, if the words are one.
 ///
 /// # Safety
 /// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
@@ -306,8 +307,8 @@ pub unsafe extern "C" fn goodbot_said(
     }
 }
 
-/// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it
-/// follows is left with a twentieth of the belief in the next one at most.
+/// Takes in words that correct a robot on its way: "no, the other one", "I meant the blue one", "not the red one". The belief in the task
+/// that it follows drops to at most a twentieth of that in the next one.
 ///
 /// # Safety
 /// `robot` is null or a handle; the texts are null or C strings.

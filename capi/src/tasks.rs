@@ -13,7 +13,7 @@ use goodbot::task::LiftedProposition;
 use goodbot::task::LiftedTask;
 use heapless::Vec;
 
-/// Most tasks.
+/// Most kinds of tasks.
 pub const GOODBOT_MOST_TASKS: usize = 8;
 
 /// The kinds of tasks that commands may mean.

@@ -27,25 +27,25 @@ pub const GOODBOT_PUNISH: i32 = -1;
 /// Silence.
 pub const GOODBOT_NEUTRAL: i32 = 0;
 
-/// The plan for the task that the robot follows.
+/// The task that the robot follows is done here: the robot does nothing.
 pub const GOODBOT_PLAN_GOAL: u32 = 0;
 /// The action begins a shortest way to the goal.
 pub const GOODBOT_PLAN_TOWARD: u32 = 1;
 /// No goal can be reached any more: the robot does nothing.
 pub const GOODBOT_PLAN_DEAD_END: u32 = 2;
-/// The search was too small to find out: the robot does nothing.
+/// The search was too small to tell: the robot does nothing.
 pub const GOODBOT_PLAN_UNKNOWN: u32 = 3;
-/// The action leads to the goal, but a shorter way may exist: what the trainer says to it is no evidence for or against the task.
+/// The action leads to the goal, but a shorter way may exist: feedback to it is no evidence for or against the task.
 pub const GOODBOT_PLAN_APPROXIMATE: u32 = 4;
 
-/// What the trainer said has been taken in.
+/// The evidence was used.
 pub const GOODBOT_EVIDENCE_USED: u32 = 0;
 /// It says nothing, because no task's right actions are known exactly in that state. The belief is unchanged.
 pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
-/// Runs an expression on the world and its state, where there is one.
+/// Runs an expression on the world and its state, if there is a world.
 macro_rules! in_world {
     ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
         match $world {
@@ -61,8 +61,8 @@ fn of(progress: Progress) -> Result<GoodbotStatus, Failure> {
     Ok(if progress == Progress::Done { GoodbotStatus::Ok } else { GoodbotStatus::Working })
 }
 
-/// Says how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-/// for the other. Without this, it is 0.7, 0.7 and 0.1. A session under way ends unlearned.
+/// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
+/// for the other. The defaults are 0.7, 0.7 and 0.1. A session under way ends unlearned.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -78,11 +78,11 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
     }
 }
 
-/// How late words come at most, in actions, and one more.
+/// How many delays a word of feedback may have: 0, 1 or 2 actions.
 pub const GOODBOT_LAGS: usize = 3;
 const _: () = assert!(GOODBOT_LAGS == LAGS);
 
-/// Numbers of a strategy that are about rests.
+/// How many numbers of a strategy are about rests.
 pub const GOODBOT_RESTS: usize = 4;
 const _: () = assert!(GOODBOT_RESTS == RESTS);
 
@@ -98,19 +98,20 @@ pub struct GoodbotStrategy {
     pub epsilon: f32,
     /// The probability that a word is about the last action, the one before, and the one before that: 1, 0 and 0 where no word is late.
     pub lags: [f32; GOODBOT_LAGS],
-    /// What is said to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking the one for the other,
-    /// and how far a move inside the goal counts as a rest there. Who judges rests as moves has mu+, mu-, epsilon and 0.
+    /// Feedback to rests: the probability of silence after a rest at the goal, and after one elsewhere, that of taking one for the other,
+    /// and how far a move inside the goal counts as a rest there. A trainer who judges rests like moves has `mu_plus`, `mu_minus`,
+    /// `epsilon` and 0.
     pub rests: [f32; GOODBOT_RESTS],
-    /// How probable it is that the trainer is such a one, in any unit.
+    /// The prior probability that the trainer is like this, in any unit.
     pub prior: f32,
 }
 
 /// Most strategies of `goodbot_trainers`; the capacity `STRATEGIES` may allow fewer.
 pub const GOODBOT_MOST_STRATEGIES: usize = 16;
 
-/// Says in which ways the trainer may reward and punish, `count` of them: the robot finds out which. A session under way ends unlearned.
-/// `FULL` where they are more than the capacity `STRATEGIES`, `NUMBER` where there are none, a number is out of range, or all priors are 0;
-/// the strategies are then what they were.
+/// Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned. `FULL` if they are
+/// more than the capacity `STRATEGIES`, `NUMBER` if there are none, a number is out of range, or all priors are 0; the strategies are then
+/// unchanged.
 ///
 /// # Safety
 /// `robot` is null or a handle, `strategies` null or points to `count` of them.
@@ -135,7 +136,7 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
     }
 }
 
-/// Hears a command: a session begins in the state in which things are now.
+/// Hears a command: a session begins in the current state.
 ///
 /// # Safety
 /// `robot` is null or a handle, `command` null or a C string in UTF-8.
@@ -157,15 +158,15 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
 pub struct GoodbotHypothesis {
     /// The command, in UTF-8.
     pub command: *const c_char,
-    /// How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+    /// The recogniser's probability of it, in any unit: a number of 0 or more.
     pub weight: f32,
 }
 
 /// Most transcripts of one command.
 pub const GOODBOT_MOST_HYPOTHESES: usize = 16;
 
-/// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` is given its
-/// position, and the session is as if it alone had been heard. It takes the time of hearing each transcript, and one of them twice.
+/// Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` receives its
+/// position, and the session is as if only that one had been heard. It takes the time of hearing each transcript, and one of them twice.
 ///
 /// # Safety
 /// `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
@@ -235,7 +236,7 @@ pub unsafe extern "C" fn goodbot_hear_on(robot: *mut Goodbot, budget: u32) -> Go
     unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, _state| robot.agent.hear_on(domain, budget)?))) }
 }
 
-/// Plans for the state in which things are now, at most about `budget` node expansions. `WORKING` means: call again.
+/// Plans for the current state, with at most about `budget` node expansions. `WORKING` means: call again.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -245,7 +246,8 @@ pub unsafe extern "C" fn goodbot_plan(robot: *mut Goodbot, budget: u32) -> Goodb
     unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, state| robot.agent.plan(domain, state, budget)?))) }
 }
 
-/// Decides on an action in the state in which things are now, which must have been planned for. `plan` may be null; it is given `GOODBOT_PLAN_GOAL` and so on.
+/// Decides on an action in the current state, for which the plan must be done. `plan` may be null; it receives `GOODBOT_PLAN_GOAL` and so
+/// on.
 ///
 /// # Safety
 /// `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
@@ -280,9 +282,9 @@ pub(crate) fn write(evidence: Evidence) -> u32 {
     }
 }
 
-/// Takes in what the trainer said to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
+/// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 /// `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
-/// counts. `evidence` is given what came of it, `GOODBOT_EVIDENCE_USED` and so on.
+/// counts. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
@@ -307,7 +309,7 @@ pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, ev
 }
 
 /// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` is given what came of it.
+/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
@@ -326,8 +328,8 @@ pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *m
     }
 }
 
-/// Takes in that the trainer did an action to show the way, and takes note that it did what the description says, as `goodbot_done` does.
-/// `evidence` is given what came of it.
+/// Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_done` does. `evidence` receives
+/// `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
@@ -351,8 +353,8 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
     }
 }
 
-/// Takes note that an action was done in the state in which things are now, which must have been planned for, and that it did what the
-/// description says. A robot that senses where things are calls this for each action too, and then says where they are where that differs.
+/// Records that an action was done in the current state, for which the plan must be done, and had the effect that the description says. A
+/// robot with sensors calls this after each action too, and then reports the places that differ.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -368,8 +370,8 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
     }
 }
 
-/// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or is given how many older
-/// sessions were forgotten because memory was full; `goodbot_full` then names the table to raise.
+/// Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or receives the number of older
+/// sessions that were forgotten because memory was full; `goodbot_full` then names the table to raise.
 ///
 /// # Safety
 /// `robot` is null or a handle, `gave_way` null or room for a number.
@@ -402,7 +404,7 @@ pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> Goodbot
 }
 
 /// Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
-/// given what `goodbot_finish` gives it.
+/// set as by `goodbot_finish`.
 ///
 /// # Safety
 /// `robot` is null or a handle, `gave_way` null or room for a number.

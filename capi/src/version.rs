@@ -1,4 +1,4 @@
-//! Which interface this is.
+//! The version of the interface.
 
 /// The version of this interface. It rises when a program that was compiled with an older header would go wrong.
 pub const GOODBOT_API_VERSION: u32 = 1;

@@ -10,12 +10,12 @@ use goodbot::language::Meaning;
 use goodbot::oomdp::{Domain, Schema};
 use goodbot::task::{Role, RoleKind};
 
-/// What a word of the last command is taken for if this task is meant; `position` counts from 0, and so does `rank`, for the most probable of
-/// its meanings, the next, and so on. `UNKNOWN` is beyond the last word or the last meaning, or no task. `word` is given the word, empty where
-/// there was no room for it, and `meaning` the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`, `no meaning`,
-/// or `never heard`, which is the only meaning. `share` is given how much of 1 that meaning has: those of one word add up to 1, of one that was
-/// never heard to 0. Each text has a 0 at its end; `BUFFER` where one does not fit. Each call explains the command anew, once for each rank up
-/// to this one.
+/// Explains a word of the last command, if this task is meant. `position` counts the words from 0; `rank` 0 is the word's most probable
+/// meaning, 1 the next, and so on. `UNKNOWN` beyond the last word or the last meaning, or for no task. `word` receives the word, empty if
+/// the robot has no room for it. `meaning` receives the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`,
+/// `no meaning`, or `never heard`, which is then the only meaning. `share` receives the share of the meaning: the shares of one word add
+/// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. Each call explains the command
+/// anew, once for each rank up to this one.
 ///
 /// # Safety
 /// `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
@@ -42,7 +42,7 @@ pub unsafe extern "C" fn goodbot_explain_word(
             if !known && rank > 0 {
                 return Err(GoodbotStatus::Unknown.into());
             }
-            // The meaning of the rank before, its share and its place among those told, which decides between equal shares.
+            // The meaning of the previous rank, its share, and its place in the order of telling, which decides between equal shares.
             let mut found: Option<(Meaning, f32, usize)> = None;
             let schema = in_world!(world, |domain, _state| {
                 for _ in 0..=rank {

@@ -20,7 +20,7 @@ pub enum World {
     /// A home that is being described.
     #[cfg(feature = "home")]
     Plan(HomeBuilder<HomeTables<'static>>),
-    /// It is being changed for another; no call ends so.
+    /// Being replaced; no call ends in this state.
     #[cfg(feature = "home")]
     Changing,
     /// A world and its state.

@@ -1,4 +1,4 @@
-/* The recipe for C of docs/cookbook.md, which is recipe.c, with a flash in memory: what was learned comes back. */
+/* The C recipe of docs/cookbook.md (recipe.c), with a flash in memory: a stored model comes back. */
 #include "goodbot.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-//! The check of model files, of slots in flash and of vocabularies: CRC-32, the one of Ethernet, zip and PNG.
+//! The checksum of model files, slots in flash and vocabularies: CRC-32, as in Ethernet, zip and PNG.
 
 /// Bytes of the CRC-32.
 #[cfg(feature = "snapshot")]
@@ -9,14 +9,14 @@ pub(crate) use half_bytes::{CHECK, Check};
 #[cfg(not(target_os = "none"))]
 pub(crate) use library::{CHECK, Check};
 
-/// A check under way, kept from one call to the next.
+/// A checksum under way, kept between calls.
 #[cfg(feature = "snapshot")]
 #[derive(Clone)]
 pub(crate) struct Running(Check);
 
 #[cfg(feature = "snapshot")]
 impl Running {
-    /// Nothing was checked yet.
+    /// The checksum of no bytes.
     pub(crate) fn new() -> Self {
         Self(CHECK.digest())
     }
@@ -25,7 +25,7 @@ impl Running {
         self.0.update(bytes);
     }
 
-    /// The check of all bytes so far.
+    /// The checksum of all bytes so far.
     pub(crate) fn value(&self) -> u32 {
         self.0.clone().finalize()
     }
@@ -38,12 +38,12 @@ impl core::fmt::Debug for Running {
     }
 }
 
-/// By the library: a byte at a time.
+/// From the library: a byte at a time.
 #[cfg(not(target_os = "none"))]
 mod library {
     #[cfg(not(target_family = "wasm"))]
     type Steps = crc::Table<1>;
-    /// Bit by bit, for the page: a table would add its whole size to the page, as it does not compress.
+    /// Bit by bit, for the page: a table does not compress, so it would add its whole size to the page.
     #[cfg(target_family = "wasm")]
     type Steps = crc::NoTable;
 

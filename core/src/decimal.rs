@@ -2,10 +2,10 @@
 
 use core::fmt;
 
-/// The smallest part of one that is told.
+/// The units per whole number: six decimal places.
 const PARTS: u32 = 1_000_000;
 
-/// A number with at most six places. `core::fmt` for floats would take several kilobytes on a controller and in the page.
+/// A number with at most six decimal places. `core::fmt` for floats would take several kilobytes on a controller and in the page.
 pub(crate) struct Decimal(pub f32);
 
 impl fmt::Display for Decimal {
@@ -21,7 +21,7 @@ impl fmt::Display for Decimal {
         if size.is_infinite() {
             return f.write_str("inf");
         }
-        // What is too large becomes the largest.
+        // Numbers beyond a u32 are written as the largest u32.
         let whole = size as u32;
         let parts = ((size - whole as f32) * PARTS as f32 + 0.5) as u32;
         let (whole, mut parts) = if parts < PARTS { (whole, parts) } else { (whole.saturating_add(1), 0) };

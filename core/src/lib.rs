@@ -35,42 +35,45 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the seam to your own robot |
+//! | [`oomdp`] | object-oriented MDPs: classes, attributes, objects, propositional functions; the interface to your own robot |
 //! | [`home`] | the paper's environment: rooms, doors, blocks, an agent |
 //! | [`task`] | lifted and grounded tasks, binding constraints, machine commands |
-//! | [`planning`] | uniform-cost search, for all tasks at once; all first actions of equal cost are kept, and the agent chooses |
+//! | [`planning`] | uniform-cost search for all tasks at once; it keeps all first actions of equal cost, and the agent chooses |
 //! | [`feedback`] | trainer strategies and the belief over tasks (SABL, I-SABL) |
-//! | [`language`] | words: the role model, IBM Model 2, weighted EM, what gives way when memory is full |
+//! | [`language`] | words: the role model, IBM Model 2, weighted EM, forgetting when memory is full |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
-//! | [`asking`] | questions: where asking teaches more than acting (feature `asking`) |
-//! | `talk` | what people say beside commands, and what words such as "it" point back to (feature `talk`) |
-//! | [`snapshot`] | what is learned, as bytes (feature `snapshot`) |
+//! | [`asking`] | questions: when asking teaches more than acting (feature `asking`) |
+//! | `talk` | what people say besides commands, and what words such as "it" refer to (feature `talk`) |
+//! | [`snapshot`] | the learned parameters and training data as bytes (feature `snapshot`) |
 //! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
 //!
-//! and beside them [`capacity`] and [`mod@memory`] (how large every table is, and who owns it), [`symbols`] (names), [`probability`]
-//! (products that never underflow) and [`random`] (draws).
+//! Beside them: [`capacity`] and [`mod@memory`] (the size of every table, and who owns it), [`symbols`] (names), [`probability`] (products
+//! that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! On by default: `learning` (without it a robot obeys by parameters that another one learned), `asking`, `snapshot`, `storage` (which needs it), `model2` (the paper's language model), `ways` (through, avoiding, then),
-//! `unicode` (letters beyond ASCII), `marks` (marks written apart) and `derived` (facts such as leftmost). A controller takes those that it needs. The others:
+//! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking`, `snapshot`, `storage` (which needs
+//! `snapshot`), `model2` (the paper's language model), `ways` (through, avoiding, then), `unicode` (letters beyond ASCII), `marks` (one
+//! form for a letter that can be written in several ways) and `derived` (facts such as leftmost). A controller enables only those that it
+//! needs. The others:
 //!
 //! | feature | what it adds |
 //! |---|---|
 //! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, and with `snapshot` `Agent::saved` |
-//! | `std` | `alloc`, by the name that programs with the standard library look for |
-//! | `storage-async` | `storage` over `embedded-storage-async`, as embassy has it |
-//! | `talk` | what people say beside commands |
-//! | `defmt` | errors, and what calls return, logged by defmt |
+//! | `std` | the same as `alloc`, under the name that programs with the standard library expect |
+//! | `storage-async` | `storage` over `embedded-storage-async`, for embassy |
+//! | `talk` | what people say besides commands |
+//! | `defmt` | errors and results in the format of defmt |
 //!
-//! Every error is a [`core::error::Error`], which is the standard library's: `?` turns it into a `Box<dyn Error>` with any features.
+//! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any
+//! features.
 //!
 //! # What it promises
 //! No allocation, no `unsafe`, no panic on any input. Every capacity is a field of [`Capacities`], and an error names the field to raise.
-//! Only `+ - * /` on f32, and a logarithm made of them: the same input gives the same bits on x86-64, wasm32, Cortex-M and RISC-V. Long work goes in parts, with a budget that
-//! the caller sets.
+//! It uses only `+ - * /` on f32, and a logarithm made of them: the same input gives the same bits on x86-64, wasm32, Cortex-M and RISC-V.
+//! Long work runs in parts, with a budget that the caller sets.
 
 #![no_std]
-// docs.rs sets it: each item tells which feature it needs.
+// docs.rs sets it: each item then shows the feature that it needs.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

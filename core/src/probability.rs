@@ -1,8 +1,8 @@
-//! Probabilities that never underflow, with nothing but `+ - * /`.
+//! Probabilities that never underflow, computed with `+ - * /` alone.
 //!
-//! The probability of a long command, or of the feedback of a long session, is a product of many small factors: far below the smallest
-//! f32. A [`Scaled`] keeps a mantissa and a power of two beside it. Powers of two are exact, so rescaling loses nothing, and no logarithm
-//! is taken: the same input gives the same bits on every target.
+//! The probability of a long command, or of the feedback of a long session, is a product of many small factors: far below the smallest f32.
+//! A [`Scaled`] has a mantissa and a separate power of two. Powers of two are exact, so rescaling loses nothing, and no logarithm is
+//! needed: the same input gives the same bits on every target.
 
 /// A non-negative number `mantissa * 2^exponent`, the mantissa in [0.5, 1) or 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,9 +12,9 @@ pub struct Scaled {
 }
 
 impl Scaled {
-    /// Nothing.
+    /// The number 0.
     pub const ZERO: Self = Self { mantissa: 0.0, exponent: 0 };
-    /// Certainty.
+    /// The number 1.
     pub const ONE: Self = Self { mantissa: 0.5, exponent: 1 };
 
     /// The scaled form of `value`; zero for negative numbers and NaN, the largest f32 for infinity.
@@ -22,8 +22,8 @@ impl Scaled {
         Self { mantissa: value, exponent: 0 }.normalised()
     }
 
-    /// Numbers are compared by their bits, as everywhere here: the bits of non-negative f32s have the same order, and a processor without
-    /// floats compares them fast.
+    /// Normalises the mantissa. Numbers are compared by their bits, as everywhere here: the bits of non-negative f32s have the same order,
+    /// and a processor without floats compares them fast.
     fn normalised(self) -> Self {
         let (mut bits, mut exponent) = (self.mantissa.to_bits(), self.exponent);
         // Zero, negative numbers and NaN.
@@ -51,7 +51,7 @@ impl Scaled {
 
     /// The product with a plain factor.
     pub fn scaled_by(self, factor: f32) -> Self {
-        // Where the product cannot leave the range of an f32, the factor need not be taken apart: the bits are the same.
+        // If the product stays within the range of an f32, the factor need not be normalised: the bits are the same.
         if (1.0e-30_f32.to_bits()..=1.0e30_f32.to_bits()).contains(&factor.to_bits()) {
             return Self { mantissa: self.mantissa * factor, ..self }.normalised();
         }
@@ -76,7 +76,7 @@ impl Scaled {
         Self { mantissa: large.mantissa + small, ..large }.normalised()
     }
 
-    /// The ratio; nothing where `other` is nothing.
+    /// The ratio; 0 if `other` is 0.
     pub fn divided_by(self, other: Self) -> Self {
         if other.is_zero() {
             return Self::ZERO;
@@ -84,7 +84,7 @@ impl Scaled {
         Self { mantissa: self.mantissa / other.mantissa, exponent: self.exponent.saturating_sub(other.exponent) }.normalised()
     }
 
-    /// The ratio `self / whole` as an f32; 0 where the whole is 0.
+    /// The ratio `self / whole` as an f32; 0 if the whole is 0.
     pub fn over(self, whole: Self) -> f32 {
         if whole.is_zero() || self.is_zero() {
             return 0.0;
@@ -99,7 +99,7 @@ impl Scaled {
         Self { mantissa: square_root(mantissa), exponent: exponent / 2 }.normalised()
     }
 
-    /// The number as an f32, 0 where it is too small for one.
+    /// The number as an f32, 0 if it is too small for one.
     pub fn value(self) -> f32 {
         self.mantissa * power_of_two(self.exponent)
     }
@@ -113,10 +113,10 @@ impl Scaled {
     }
 }
 
-/// e^x by a polynomial and a power of two, within a few units of the last place; x beyond what an f32 holds is cut off.
+/// e^x by a polynomial and a power of two, within a few units in the last place; x is limited to the range of an f32.
 pub(crate) fn exp(x: f32) -> f32 {
     const LOG2_E: f32 = core::f32::consts::LOG2_E;
-    // ln 2 in two parts, the first with few bits, so that the difference is exact.
+    // ln 2 in two parts, the first with few bits, so that its multiples are exact.
     const LN_2: [f32; 2] = [0.693_359_4, -2.121_944_4e-4];
     let x = if x.is_nan() { 0.0 } else { x.clamp(-87.0, 87.0) };
     let scaled = x * LOG2_E;
@@ -128,13 +128,13 @@ pub(crate) fn exp(x: f32) -> f32 {
 }
 
 /// The square root by Newton's method; 0 for negative numbers and NaN. It differs from `libm::sqrtf` by one unit in the last place for a
-/// quarter of all mantissas; replacing it would change what the role model learns, and with it every published figure.
+/// quarter of all mantissas; a replacement would change the role model's parameters, and all published figures.
 pub(crate) fn square_root(x: f32) -> f32 {
     if x.is_nan() || x <= 0.0 {
         return 0.0;
     }
     let x = x.clamp(f32::MIN_POSITIVE, f32::MAX);
-    // Half the exponent is within a few hundredths.
+    // Halving the exponent gives a start within a few hundredths.
     let mut root = f32::from_bits((x.to_bits() >> 1).wrapping_add(0x1fbb_4f2e));
     for _ in 0..3 {
         root = 0.5 * (root + x / root);

@@ -1,4 +1,4 @@
-//! Draws from a generator of the caller's, the same on every machine.
+//! Random draws from the caller's generator, the same on every machine.
 
 use rand_core::Rng;
 
@@ -7,7 +7,7 @@ pub fn unit<R: Rng + ?Sized>(random: &mut R) -> f32 {
     (random.next_u32() >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// A number below `count`, each about equally often; 0 where `count` is 0.
+/// A number below `count`, all about equally probable; 0 if `count` is 0.
 pub fn below<R: Rng + ?Sized>(count: usize, random: &mut R) -> usize {
     ((u64::from(random.next_u32()) * count.min(u32::MAX as usize) as u64) >> 32) as usize
 }

@@ -1,7 +1,7 @@
-//! Interned names: each distinct text is kept once and known by a small number.
+//! Interned names: each distinct text is kept once and identified by a small number.
 //!
-//! Words, machine tokens, object names and attribute values ("yellow", "chair") are data that arrive as the robot lives, so they cannot
-//! be enums. A [`Symbols`] table keeps their bytes end to end in memory that the caller lends it.
+//! Words, machine tokens, object names and attribute values ("yellow", "chair") are data that arrive at run time, so they cannot be enums.
+//! A [`Symbols`] table keeps their bytes, concatenated, in memory that the caller lends it.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
 
@@ -21,7 +21,7 @@ impl Symbol {
     }
 }
 
-/// Texts, each kept once, in the order in which they first came.
+/// Texts, each kept once, in order of their first occurrence.
 ///
 /// ```
 /// use goodbot::{capacity::Capacity, symbols::Symbols};
@@ -41,7 +41,7 @@ pub struct Symbols<'t> {
     byte_capacity: Capacity,
 }
 
-/// The same texts, to be read.
+/// The same texts, read-only.
 #[derive(Clone, Copy, Debug)]
 pub struct SymbolsRef<'t> {
     bytes: &'t [u8],
@@ -55,22 +55,22 @@ impl<'t> SymbolsRef<'t> {
         Self { bytes, ends, len }
     }
 
-    /// How many texts there are.
+    /// The number of texts.
     pub const fn len(self) -> usize {
         self.len
     }
 
-    /// Whether there is none.
+    /// Whether there are no texts.
     pub const fn is_empty(self) -> bool {
         self.len == 0
     }
 
-    /// Bytes that the texts take together.
+    /// Bytes of all texts together.
     pub fn byte_len(self) -> usize {
         self.start(self.len)
     }
 
-    /// How many texts, and how many bytes of them, there is room for.
+    /// The most texts, and the most bytes of them, that the table has room for.
     pub(crate) fn room(self) -> (usize, usize) {
         (self.ends.len().min(usize::from(u16::MAX) - 1), self.bytes.len().min(usize::from(u16::MAX)))
     }
@@ -89,12 +89,12 @@ impl<'t> SymbolsRef<'t> {
         self.bytes.get(self.start(position)..self.start(position + 1)).unwrap_or(&[])
     }
 
-    /// The bytes of all texts end to end, and where each ends.
+    /// The bytes of all texts, concatenated, and the end of each text.
     pub(crate) fn parts(self) -> (&'t [u8], &'t [u16]) {
         (self.bytes.get(..self.byte_len()).unwrap_or(&[]), self.ends.get(..self.len).unwrap_or(&[]))
     }
 
-    /// The text of `symbol`; empty for a symbol of another table that this one does not have.
+    /// The text of `symbol`; empty for a symbol that this table does not have.
     pub fn text(self, symbol: Symbol) -> &'t str {
         core::str::from_utf8(self.raw(symbol.index())).unwrap_or("")
     }
@@ -123,7 +123,7 @@ impl<'t> SymbolsRef<'t> {
 }
 
 impl<'t> Symbols<'t> {
-    /// The first `len` texts of `bytes` (all texts end to end, at most 65,535 of them) and `ends` (one entry a text). The two capacities
+    /// The first `len` texts of `bytes` (all texts concatenated, at most 65,535 bytes) and `ends` (one entry per text). The two capacities
     /// are named in errors.
     pub const fn new(
         bytes: &'t mut [u8],
@@ -135,17 +135,17 @@ impl<'t> Symbols<'t> {
         Self { bytes, ends, len, count_capacity, byte_capacity }
     }
 
-    /// The texts, to be read.
+    /// The texts, read-only.
     pub const fn read(&self) -> SymbolsRef<'_> {
         SymbolsRef { bytes: self.bytes, ends: self.ends, len: *self.len }
     }
 
-    /// How many texts there are.
+    /// The number of texts.
     pub const fn len(&self) -> usize {
         *self.len
     }
 
-    /// Whether there is none.
+    /// Whether there are no texts.
     pub const fn is_empty(&self) -> bool {
         *self.len == 0
     }
@@ -153,7 +153,7 @@ impl<'t> Symbols<'t> {
     /// The symbol of `text`, added if the table does not have it yet.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the text is longer than [`NAME_BYTES`] or the table is full; the table is then unchanged.
+    /// A [`CapacityError`] if the text is longer than [`NAME_BYTES`] or the table is full; the table is then unchanged.
     pub fn intern(&mut self, text: &str) -> Result<Symbol, CapacityError> {
         if text.len() > NAME_BYTES {
             return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len()));
@@ -180,7 +180,7 @@ impl<'t> Symbols<'t> {
         Ok(symbol)
     }
 
-    /// Forgets one text. Those after it move up: each of their symbols becomes the one before.
+    /// Forgets one text. The later texts move up: each of their symbols decreases by one.
     pub fn remove(&mut self, symbol: Symbol) {
         let position = symbol.index();
         if position >= *self.len {

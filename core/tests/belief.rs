@@ -1,4 +1,4 @@
-//! The belief over tasks and trainers, number by number. Apart from the other tests, so that mutation tests build it in seconds.
+//! The belief over tasks and trainers, number by number. Separate from the other tests, so that mutation tests build it in seconds.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Judged::{MovesInside, Nearer, NotNearer, RestsAtGoal, RestsElsewhere, Unknown};
@@ -8,7 +8,7 @@ use goodbot::feedback::{
 use goodbot::probability::Scaled;
 
 const ALL: [Feedback; 3] = [Feedback::Reward, Feedback::Punish, Feedback::Neutral];
-/// One who rewards a right move eight times in ten, and one who punishes a wrong one eight times in ten.
+/// A trainer who rewards a right move eight times in ten, and one who punishes a wrong move eight times in ten.
 const PRAISES: [f32; 3] = [0.2, 1.0, 0.0];
 const BLAMES: [f32; 3] = [1.0, 0.2, 0.0];
 
@@ -16,7 +16,7 @@ fn strategy([mu_plus, mu_minus, epsilon]: [f32; 3]) -> Strategy {
     Strategy::new(mu_plus, mu_minus, epsilon).unwrap()
 }
 
-/// The tables, with room for so many tasks and strategies and a place too many for neither.
+/// The tables, with room for exactly this many tasks and strategies.
 struct Room {
     joint: Vec<Scaled>,
     settled: Vec<Scaled>,
@@ -43,7 +43,7 @@ impl Room {
         Belief::new(BeliefTables { joint, settled, priors, strategies, expected }, count)
     }
 
-    /// Begun with these strategies and priors.
+    /// A belief with these strategies and priors.
     fn begun(tasks: usize, strategies: &[(Strategy, f32)], priors: &[f32]) -> Self {
         let mut room = Self::new(tasks, strategies.len());
         room.belief().set_strategies(strategies).unwrap();
@@ -104,15 +104,15 @@ fn a_later_word_about_the_same_action_replaces_the_one_before_until_it_is_settle
 fn evidence_that_cannot_be_is_ignored() {
     let mut room = Room::begun(2, &[(strategy([1.0, 1.0, 0.0]), 1.0)], &[0.5, 0.5]);
     let mut belief = room.belief();
-    // A trainer who never speaks has praised.
+    // Praise from a trainer who never speaks is impossible.
     assert!(!belief.observe_feedback(Feedback::Reward, |_| last(Nearer)));
     assert!(!belief.read().has_evidence());
-    // Possible under a task alone that is impossible itself.
+    // Possible only under a task that is itself impossible.
     belief.set_prior(0, Scaled::ZERO);
     assert!(!belief.observe(&|_, task| Some(if task == 0 { 1.0 } else { 0.0 })));
     assert!(belief.observe(&|_, task| Some(if task == 1 { 1.0 } else { 0.0 })));
     near(&tasks(&belief), &[0.0, 1.0]);
-    // What nothing is known of says nothing.
+    // Evidence without any known probability is uninformative.
     assert!(!belief.observe(&|_, _| None));
 }
 
@@ -121,7 +121,7 @@ fn a_task_that_is_not_judged_gets_the_mean_of_those_that_are() {
     let mut room = Room::begun(3, &[(Strategy::BALANCED, 1.0)], &[0.5, 0.25, 0.25]);
     let mut belief = room.belief();
     assert!(belief.observe(&|_, task| [Some(0.8), Some(0.2), None][task]));
-    // The mean is (0.5 · 0.8 + 0.25 · 0.2) / 0.75 = 0.6, and a quarter stays a quarter.
+    // The mean is (0.5 · 0.8 + 0.25 · 0.2) / 0.75 = 0.6, and the third task keeps its quarter.
     near(&[belief.read().evidence(2).value()], &[0.6]);
     near(&tasks(&belief), &[0.4 / 0.6, 0.05 / 0.6, 0.25]);
 }
@@ -139,7 +139,7 @@ fn words_tell_trainers_apart_and_the_next_session_begins_with_that() {
     let mut room = Room::begun(2, &[(strategy(PRAISES), 0.75), (strategy(BLAMES), 0.25)], &[0.5, 0.5]);
     let mut belief = room.belief();
     near(&trainers(&belief), &[0.75, 0.25]);
-    // Silence after a move that is right for both: two in ten of the one, always of the other.
+    // Silence after a move that is right for both tasks: two in ten from the one trainer, always from the other.
     assert!(belief.observe_feedback(Feedback::Neutral, |_| last(Nearer)));
     near(&trainers(&belief), &[0.375, 0.625]);
     near(&tasks(&belief), &[0.5, 0.5]);
@@ -150,7 +150,7 @@ fn words_tell_trainers_apart_and_the_next_session_begins_with_that() {
     near(&[belief.read().expected(0), belief.read().expected(1)], &[0.75, 0.25]);
     near(&tasks(&belief), &[0.25, 0.75]);
     assert!(!belief.read().has_evidence());
-    // A third of the way back to what was expected of a stranger.
+    // A third of the way back to the prior.
     assert!(belief.observe(&|_, task| Some(if task == 0 { 1.0 } else { 0.5 })));
     belief.restart([0.5, 0.5].into_iter().map(Scaled::new), 1.0 / 3.0).unwrap();
     near(&trainers(&belief), &[0.5, 0.5]);

@@ -1,4 +1,4 @@
-//! The whole course: seven lessons, each learned from, then five tests without learning in between.
+//! The whole course: seven lessons, each learned from, then five tests without learning.
 
 use crate::error::CourseError;
 use crate::exercise::{Exercise, LESSONS, TESTS};
@@ -11,16 +11,16 @@ use goodbot::memory::{AgentMemory, HomeMemory};
 use goodbot::{Agent, AgentError};
 use rand_core::Rng;
 
-/// What those who look on may see at any time.
+/// The view of an observer at any time.
 #[derive(Debug)]
 pub struct Scene<'a, H, M> {
-    /// Which lesson or test, from 0.
+    /// The lesson or test, from 0.
     pub number: usize,
     /// The command and its meaning.
     pub exercise: &'static Exercise,
     /// The home.
     pub home: &'a Home<H>,
-    /// The state now.
+    /// The present state.
     pub state: &'a HomeState,
     /// The agent.
     pub agent: &'a Agent<M>,
@@ -28,11 +28,11 @@ pub struct Scene<'a, H, M> {
     pub intended: usize,
 }
 
-/// Someone who looks on. Every method may be left out.
+/// An observer of a course. Every method may be left out.
 pub trait Observer {
     /// A lesson begins: the agent has heard the command.
     fn lesson_begins(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>) {}
-    /// The agent has acted and taken in the feedback; the scene's state is that before the action.
+    /// The agent has acted and used the feedback; the scene's state is the one before the action.
     fn acted(&mut self, _scene: &Scene<'_, impl HomeMemory, impl AgentMemory>, _step: &Step) {}
     /// A lesson is over and learned from.
     fn lesson_ends(&mut self, _number: usize, _agent: &Agent<impl AgentMemory>, _report: &LessonReport) {}
@@ -77,7 +77,7 @@ impl Results {
 const UNFINISHED: LessonReport =
     LessonReport { understood: false, ending: Ending::TooLong, steps: 0, feedback: FeedbackCounts { reward: 0, punish: 0, neutral: 0 } };
 
-/// Trains an agent through the lessons and tests it. The agent takes the trainer to follow the strategy `believed`.
+/// Trains an agent through the lessons and tests it. The agent assumes that the trainer follows the strategy `believed`.
 ///
 /// # Errors
 /// [`CourseError`].

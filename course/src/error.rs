@@ -1,18 +1,18 @@
-//! Why a course could not go on.
+//! Why a course could not continue.
 
 use core::fmt;
 use goodbot::AgentError;
 use goodbot::home::HomeError;
 
-/// Why a course could not go on.
+/// Why a course could not continue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CourseError {
     /// The agent refused.
     Agent(AgentError),
-    /// A layout is no home, or does not fit the memory.
+    /// A layout is no valid home, or does not fit into the memory.
     Home(HomeError),
-    /// The intended task is not among those that the agent can think of here: it holds already, or its objects are missing.
+    /// The intended task is not among the agent's tasks here: it holds already, or its objects are missing.
     NotPosed,
 }
 

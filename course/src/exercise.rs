@@ -1,4 +1,4 @@
-//! The commands of the course, what each means, and where it is given.
+//! The commands of the course, each with its meaning and its home.
 
 use core::fmt;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM, COLOR, SHAPE};
@@ -7,12 +7,12 @@ use goodbot::oomdp::{Domain, ObjectId, PropositionId};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError};
 
-/// The meaning of a command: a task, told by the looks of its objects.
+/// The meaning of a command: a task, described by the attributes of its objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Intention {
-    /// The propositional function that shall hold.
+    /// The propositional function that must hold.
     pub proposition: PropositionId,
-    /// The colour and shape of the block; `None` where the agent itself shall go.
+    /// The colour and shape of the block; `None` if the agent itself must go.
     pub block: Option<(&'static str, &'static str)>,
     /// The colour of the room.
     pub room: &'static str,
@@ -29,7 +29,7 @@ impl Intention {
         Self { proposition: BLOCK_IN_ROOM, block: Some((color, shape)), room }
     }
 
-    /// Whether a task is the one meant.
+    /// Whether a task is the intended one.
     pub fn is<D: Domain + ?Sized>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
         let value = |object: ObjectId, attribute| domain.world().objects.value(object, attribute);
         let mut propositions = task.propositions(lifted);
@@ -40,14 +40,14 @@ impl Intention {
             && self.block.is_none_or(|(color, shape)| value(subject, COLOR) == color && value(subject, SHAPE) == shape)
     }
 
-    /// The position of the task meant among those of the agent's session.
+    /// The position of the intended task among those of the agent's session.
     pub fn find<D: Domain + ?Sized>(&self, agent: &Agent<impl AgentMemory>, domain: &D) -> Option<usize> {
         let lifted = |task: &GroundedTask| agent.lifted().get(usize::from(task.lifted));
         agent.tasks().iter().position(|task| lifted(task).is_some_and(|lifted| self.is(domain, lifted, task)))
     }
 }
 
-/// As a person says it: `take the blue chair to the green room`.
+/// The command in a person's words: `take the blue chair to the green room`.
 ///
 /// ```
 /// use goodbot_course::{Intention, LESSONS};
@@ -83,18 +83,18 @@ pub enum HomeName {
 }
 
 impl HomeName {
-    /// All of them.
+    /// All homes.
     pub const ALL: [Self; 7] = [Self::A, Self::B, Self::C, Self::D, Self::E, Self::F, Self::Test];
 }
 
-/// A command, what it means, and where it is given.
+/// A command, its meaning, and its home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Exercise {
     /// The trainer's command.
     pub command: &'static str,
     /// Its meaning.
     pub intention: Intention,
-    /// Where.
+    /// Its home.
     pub home: HomeName,
 }
 
@@ -103,7 +103,7 @@ impl Exercise {
         Self { command, intention, home }
     }
 
-    /// Says the command to the agent and gives the position of the intended task, `None` where it is not possible here.
+    /// Says the command to the agent and returns the position of the intended task, `None` if it is not possible here.
     ///
     /// # Errors
     /// [`AgentError`].

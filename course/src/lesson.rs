@@ -1,4 +1,4 @@
-//! One lesson: the agent hears a command and acts; a simulated trainer who knows what is meant says "good bot", "bad bot" or nothing,
+//! One lesson: the agent hears a command and acts; a simulated trainer who knows the intended task says "good bot", "bad bot" or nothing,
 //! and ends the lesson.
 
 use crate::error::CourseError;
@@ -22,7 +22,7 @@ pub const MOST_STEPS: u16 = 300;
 pub enum Ending {
     /// The agent rests at the intended goal.
     AtGoal,
-    /// The intended task cannot be done any more.
+    /// The intended task can no longer be done.
     DeadEnd,
     /// It took too long.
     TooLong,
@@ -39,7 +39,7 @@ impl Ending {
     }
 }
 
-/// How often the trainer said what.
+/// The number of words of each kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FeedbackCounts {
     /// "Good bot."
@@ -51,7 +51,7 @@ pub struct FeedbackCounts {
 }
 
 impl FeedbackCounts {
-    /// Counts one more.
+    /// Counts one word.
     pub fn count(&mut self, feedback: Feedback) {
         let counter = match feedback {
             Feedback::Reward => &mut self.reward,
@@ -61,7 +61,7 @@ impl FeedbackCounts {
         *counter = counter.saturating_add(1);
     }
 
-    /// Both together.
+    /// The sum of both.
     #[must_use]
     pub const fn plus(self, other: Self) -> Self {
         Self {
@@ -72,14 +72,14 @@ impl FeedbackCounts {
     }
 }
 
-/// What happened in one step.
+/// One step of a lesson.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// The agent's action, and its task.
     pub decision: Decision,
     /// Whether that was right for the intended task.
     pub correct: bool,
-    /// What the trainer said.
+    /// The trainer's feedback.
     pub feedback: Feedback,
     /// Its effect.
     pub evidence: Evidence,
@@ -112,9 +112,9 @@ pub struct LessonReport {
     pub understood: bool,
     /// Why it ended.
     pub ending: Ending,
-    /// How many steps it took.
+    /// The number of steps.
     pub steps: u16,
-    /// What the trainer said.
+    /// The trainer's feedback.
     pub feedback: FeedbackCounts,
 }
 
@@ -122,7 +122,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     /// Says the command to the agent.
     ///
     /// # Errors
-    /// [`CourseError::Agent`], and [`CourseError::NotPosed`] where the intended task is not possible in `start`.
+    /// [`CourseError::Agent`], and [`CourseError::NotPosed`] if the intended task is not possible in `start`.
     pub fn begin<D>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
     where
         D: Domain<State = S> + ?Sized,
@@ -134,7 +134,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     /// A lesson whose command the agent has heard already, in parts.
     ///
     /// # Errors
-    /// [`CourseError::NotPosed`] where the intended task is not possible in `start`.
+    /// [`CourseError::NotPosed`] if the intended task is not possible in `start`.
     pub fn heard<D>(agent: &Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
     where
         D: Domain<State = S> + ?Sized,
@@ -143,13 +143,13 @@ impl<S: Copy + PartialEq> Lesson<S> {
         Ok(Self::meaning(start, intended))
     }
 
-    /// A lesson whose command the agent has heard already, and means the task of this position among those of the session: for commands that
-    /// are no exercise of the course.
+    /// A lesson whose command the agent has heard already, with the intended task by its position in the session: for commands that are no
+    /// exercise of the course.
     pub fn meaning(start: &S, intended: usize) -> Self {
         Self { state: *start, intended, understood: None, rests: 0, steps: 0, feedback: FeedbackCounts::default() }
     }
 
-    /// The state now.
+    /// The present state.
     pub fn state(&self) -> &S {
         &self.state
     }
@@ -159,12 +159,12 @@ impl<S: Copy + PartialEq> Lesson<S> {
         self.intended
     }
 
-    /// The result of the lesson, if it ended now for this reason.
+    /// The result of the lesson, if it ended now in this way.
     pub fn report(&self, ending: Ending) -> LessonReport {
         LessonReport { understood: self.understood.unwrap_or(false), ending, steps: self.steps, feedback: self.feedback }
     }
 
-    /// One turn, planned to its end.
+    /// One turn, with a complete plan.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -201,8 +201,8 @@ impl<S: Copy + PartialEq> Lesson<S> {
         self.act_in(agent, domain, trainer, random, |_, _, expected, _| expected)
     }
 
-    /// The same in a world that may do something else than the description says. `happens` carries the decision out: it is given the state
-    /// that should follow, and returns the state that is sensed.
+    /// The same in a world that may differ from its description. `happens` carries the decision out: it gets the agent, the decision and
+    /// the expected state, and returns the sensed state.
     ///
     /// # Errors
     /// [`CourseError`].
@@ -225,7 +225,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         }
         let decision = agent.decide_by(domain, &self.state, random)?;
         self.understood.get_or_insert(decision.task == self.intended);
-        // The trainer takes a way that only seems shortest for one.
+        // The trainer takes a way that only seems shortest for a shortest one.
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
         let expected = agent.acted(domain, &self.state, decision.action)?;
         let next = happens(agent, decision, expected, random);
@@ -238,7 +238,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         Ok(Turn::Acted(Step { decision, correct, feedback, evidence }))
     }
 
-    /// Whether the trainer ends the lesson where the intended task's optimal set is this.
+    /// Returns why the trainer ends the lesson, if the intended task's optimal set is `right` and it does.
     fn ending(&self, right: OptimalSet) -> Option<Ending> {
         if self.rests >= RESTS {
             Some(Ending::AtGoal)
@@ -252,8 +252,8 @@ impl<S: Copy + PartialEq> Lesson<S> {
     }
 }
 
-/// One lesson from the command to the end, learned from. `on_step` is told of every step with the agent, the state before it and the
-/// intended task.
+/// One lesson from the command to the end, learned from. `on_step` is called for every step with the agent, the state before it and the
+/// lesson.
 ///
 /// # Errors
 /// [`CourseError`].

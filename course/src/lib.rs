@@ -1,12 +1,12 @@
 //! The paper's experiment as a course: seven lessons, then five tests, with a simulated trainer.
 //!
-//! | module | what it holds |
+//! | module | contents |
 //! |---|---|
-//! | [`exercise`] | the commands, what each means, and in which home it is given |
+//! | [`exercise`] | the commands, each with its meaning and its home |
 //! | [`layout`] | the homes: [drawn](layout::fixed), or [at random](layout::random) for each seed |
-//! | [`trainer`] | what the simulated trainer does |
+//! | [`trainer`] | the simulated trainers |
 //! | [`lesson`] | one lesson: command, actions, feedback, and when the trainer ends it |
-//! | [`course`] | the whole course, and those who look on |
+//! | [`course`] | the whole course, and its observers |
 //!
 //! The crate needs neither heap nor standard library, and one [`generator`] feeds every choice: the command line, a web page and a
 //! controller that start from the same seed see the same course.
@@ -18,7 +18,7 @@
 //! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 //! let mut memory = Memory::new();
 //! let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::PAPER)?;
-//! // The trainer never rewards; the agent thinks that it may.
+//! The trainer never rewards; the agent assumes that it may.
 //! let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
 //! let results = run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(1), &mut ())?;
 //! assert!(results.tests.iter().all(|test| test.right));

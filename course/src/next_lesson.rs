@@ -1,9 +1,9 @@
-//! The next lesson: the one that teaches most of the commands that the robot is to understand in the end.
+//! The next lesson: the one that helps most towards a set of wanted commands.
 //!
-//! One new word at a time: a lesson with many words that were never heard leaves open which of them names what. Lessons that are worth the sum
-//! over their words of need / (1 + heard)^2, which look for many new words at once, teach no faster than lessons at random.
+//! One new word at a time: after a lesson with many new words it is open which word has which meaning. A rule that rates a lesson by the
+//! sum over its words of need / (1 + heard)^2, and so prefers many new words at once, teaches no faster than random lessons.
 //!
-//! [`Homes::teachable`](crate::Homes::teachable) lists what can be taught in the course's homes, the simplest home first.
+//! [`Homes::teachable`](crate::Homes::teachable) lists the teachable tasks in the course's homes, the simplest home first.
 
 use core::cmp::Reverse;
 use goodbot::Agent;
@@ -12,41 +12,41 @@ use goodbot::language::{for_each_word, word_form};
 use goodbot::memory::AgentMemory;
 use goodbot::symbols::Symbol;
 
-/// Lessons after which a word counts as known.
+/// The number of lessons after which a word counts as known.
 const OFTEN: u32 = 6;
 
-/// A lesson that is worth teaching next.
+/// A lesson to teach next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NextLesson<'c> {
-    /// Its position among those that could be taught.
+    /// Its position among the given lessons.
     pub lesson: usize,
-    /// Its wanted word that was heard least: the reason to teach it.
+    /// Its least heard wanted word: the reason to teach it.
     pub word: &'c str,
-    /// How many of the wanted commands have that word.
+    /// The number of wanted commands with that word.
     pub needed: u32,
-    /// In how many lessons it was heard.
+    /// The number of lessons with that word.
     pub heard: u32,
 }
 
 impl NextLesson<'_> {
-    /// Whether even this word was heard so often that there is little left to teach.
+    /// Whether even this word was heard often enough, so that little is left to teach.
     pub const fn is_known(&self) -> bool {
         self.heard >= OFTEN
     }
 }
 
-/// Which lesson comes first: how often its word was heard, how many words were heard so little, how often its word is wanted, how many of those
-/// are wanted, and how many different words it has.
+/// The order of lessons: how often its word was heard, the number of its words heard no more often, how often its word is wanted, the
+/// number of those words that are wanted, and its number of different words.
 type Order = (u32, usize, Reverse<u32>, Reverse<usize>, Reverse<usize>);
 
-/// The lesson to teach next of `lessons`, commands that could be taught, for a robot that is to understand the commands in `wanted` in the
-/// end. `heard` tells in how many lessons a word was heard. It is the lesson with the wanted word that was heard least; of those the one with
-/// the fewest words that were heard so little; of those the one whose word is wanted most often, then the one with most wanted words, and
-/// then the one with most different words: where blue names the chair and the room, it is not told apart. Of equal ones it is the first: put the
-/// lesson in the simplest home first. `None` where no lesson has a word that is wanted.
+/// Chooses the lesson to teach next among `lessons`, for a robot that must understand the commands in `wanted` in the end. `heard` returns
+/// the number of lessons with a word. The criteria, in this order: the lesson whose least heard wanted word was heard least; the fewest
+/// words heard no more often; the word wanted most often; the most wanted words among them; the most different words, because a colour that
+/// names both the chair and the room does not tell them apart. On a tie it is the first, so put lessons in the simplest home first. `None`
+/// if no lesson has a wanted word.
 ///
 /// # Errors
-/// A [`CapacityError`] where a command has too many words, or one that is too long.
+/// A [`CapacityError`] if a command has too many words, or one that is too long.
 ///
 /// ```
 /// use goodbot_course::next_lesson::next_lesson;
@@ -75,7 +75,7 @@ pub fn next_lesson<'c>(lessons: &[&'c str], wanted: &[&str], heard: impl Fn(&str
     Ok(best.map(|(_, next)| next))
 }
 
-/// A lesson by its wanted word that was heard least; of several, the one that is wanted most often.
+/// A lesson with its least heard wanted word; of several, the one that is wanted most often.
 fn least_heard<'c>(
     lesson: usize,
     command: &'c str,
@@ -99,7 +99,7 @@ fn words(command: &str) -> impl Iterator<Item = &str> {
     command.split_whitespace().enumerate().filter(move |&(at, word)| !before(at).any(|other| other == word)).map(|(_, word)| word)
 }
 
-/// How many of the wanted commands have this word.
+/// The number of wanted commands with this word.
 fn need(word: &str, wanted: &[&str]) -> Result<u32, CapacityError> {
     let mut count = 0_u32;
     for command in wanted {
@@ -115,8 +115,8 @@ fn need(word: &str, wanted: &[&str]) -> Result<u32, CapacityError> {
     Ok(count)
 }
 
-/// In how many of the sessions that it has learned from the agent heard a word, or, where it keeps the first letters of words, one that
-/// begins so.
+/// The number of learned sessions with a word. If the agent keeps only the first letters of words, words with the same first letters count
+/// too.
 ///
 /// ```
 /// use goodbot::{Agent, Options, home};
@@ -133,7 +133,7 @@ pub fn times_heard(agent: &Agent<impl AgentMemory>, word: &str) -> u32 {
     (0..sessions).map(|session| u32::from(has(agent, data.sentence(session), word))).sum()
 }
 
-/// Whether a command has a word: all its pieces, where the language cuts words.
+/// Whether a command has a word: all of its pieces, if the language splits words.
 fn has(agent: &Agent<impl AgentMemory>, sentence: &[Symbol], word: &str) -> bool {
     let options = agent.options().language;
     let (mut any, mut all) = (false, true);

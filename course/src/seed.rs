@@ -1,4 +1,4 @@
-//! From a seed to a random generator.
+//! A random generator from a seed.
 
 use rand_pcg::Pcg32;
 

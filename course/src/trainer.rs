@@ -3,9 +3,9 @@
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use rand_core::Rng;
 
-/// Someone who judges actions and knows which are right.
+/// A trainer who judges actions by the intended task.
 pub trait Trainer {
-    /// The feedback to an action that is correct, or is not, for the intended task.
+    /// The feedback to an action that is correct, or not, for the intended task.
     fn feedback<R: Rng + ?Sized>(&self, correct: bool, random: &mut R) -> Feedback;
 }
 
@@ -29,7 +29,7 @@ impl Trainer for SimulatedTrainer {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CourseTrainer {
-    /// How often it is silent, and mistakes a correct action for an incorrect one.
+    /// How often it is silent, and how often it takes a correct action for an incorrect one or the reverse.
     pub strategy: Strategy,
     /// Whether it ever rewards.
     pub rewards: bool,
@@ -45,7 +45,7 @@ impl CourseTrainer {
     /// The mirror image: rewards nearly every action that it takes for correct, and never punishes.
     pub const REWARD_ONLY: Self = Self { punishes: false, ..Self::of(Strategy::REWARD_ONLY) };
 
-    /// The three, by their names.
+    /// The three trainers, by name.
     pub const NAMED: [(&'static str, Self); 3] =
         [("balanced", Self::BALANCED), ("punish-only", Self::PUNISH_ONLY), ("reward-only", Self::REWARD_ONLY)];
 

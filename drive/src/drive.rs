@@ -1,5 +1,5 @@
-//! The wheel speeds that carry out an action: turn on the spot, then follow the line between the middles of two cells. After a failed action
-//! a robot off that line goes back to the middle of its cell first, which clears the posts of a door.
+//! The wheel speeds that carry out an action: turn on the spot, then follow the line between the centres of two cells. A robot that is off
+//! that line after a failed action first returns to the centre of its cell, which clears the posts of a door.
 
 use crate::grid::{Grid, direction};
 use crate::pose::{Pose, wrapped};
@@ -9,41 +9,41 @@ use goodbot::home::Cell;
 use goodbot::oomdp::Action;
 use micromath::F32Ext;
 
-/// A robot faces the way closely enough to drive on, radians.
+/// The largest error of heading at which the robot drives on, radians.
 const FACING: f32 = 0.06;
-/// A robot that faces further off than this while it drives stops and turns, radians.
+/// A driving robot stops and turns if its error of heading is larger than this, radians.
 const ASTRAY: f32 = 0.5;
-/// Distance from the middle of a cell within which it is reached, as a share of the cell's side.
+/// The distance from the centre of a cell at which the cell is reached, as a share of its side.
 const NEAR: f32 = 0.03;
-/// A robot that is further off the line than this share of a cell goes back to the middle first.
+/// A robot farther off the line than this share of a cell first returns to the centre.
 const OFF: f32 = 0.1;
-/// How fast a turn answers to an error of heading, a second.
+/// The speed of a turn for each radian of error of heading, 1/s.
 const TURN_GAIN: f32 = 5.0;
-/// How far the robot heads back to the line for each metre that it is off it, radians.
+/// The angle towards the line for each metre off the line, radians.
 const LINE_GAIN: f32 = 6.0;
-/// Brakes begin a little early: the square root is approximate, and wheels slip.
+/// Braking begins a little early: the square root is approximate, and wheels slip.
 const BRAKES: f32 = 0.8;
 
-/// What the robot's wheels can do.
+/// The limits of the robot's wheels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// The distance between the wheels, metres.
     pub track: f32,
-    /// The highest speed, metres a second.
+    /// The highest speed, metres per second.
     pub speed: f32,
-    /// The fastest turn, radians a second.
+    /// The fastest turn, radians per second.
     pub turn: f32,
-    /// The most by which a wheel's speed may change, metres a second each second.
+    /// The largest change of a wheel's speed, metres per second per second.
     pub acceleration: f32,
-    /// The share of the highest speed at which a robot drives that is not sure at all; from above 0 to 1.
+    /// The share of the highest speed for a robot that is not sure at all; above 0, at most 1.
     pub slowest: f32,
-    /// The robot stops when it has heard nothing for so long, seconds.
+    /// The robot stops after this time without a call of [`Drive::heard`], seconds.
     pub silence: f32,
-    /// An action that takes longer has failed, seconds.
+    /// The time after which an action has failed, seconds.
     pub patience: f32,
 }
 
-/// The speeds of the two wheels, metres a second.
+/// The speeds of the two wheels, metres per second.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wheels {
     /// The left wheel.
@@ -52,35 +52,35 @@ pub struct Wheels {
     pub right: f32,
 }
 
-/// What the robot is doing.
+/// The robot's present motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
-    /// It has nothing to do.
+    /// It has no action.
     Resting,
-    /// It goes back to the middle of its cell.
+    /// It returns to the centre of its cell.
     Centring,
     /// It turns on the spot.
     Turning,
     /// It drives to the next cell.
     Driving,
-    /// It has stopped in the middle of the cell.
+    /// It has stopped in the centre of the cell.
     Arrived,
-    /// It stops, since nothing was heard; it goes on once something is.
+    /// It stops, because [`Drive::heard`] was not called in time, or its pose is not finite; it continues afterwards.
     Waiting,
-    /// It has given the action up and stopped. Sense the cell and plan again.
+    /// It has given up the action and stopped. Sense the cell and plan again.
     Stuck,
 }
 
 /// One step of the control loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// What to set the wheels to.
+    /// The speeds to set the wheels to.
     pub wheels: Wheels,
-    /// What the robot is doing.
+    /// The robot's motion.
     pub motion: Motion,
 }
 
-/// What is wrong with a setting or an action.
+/// An invalid setting or action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum DriveError {
@@ -88,32 +88,32 @@ pub enum DriveError {
     CellSize(f32),
     /// The hysteresis is not from 0 to below a half of a cell.
     Hysteresis(f32),
-    /// A limit is not above 0; `slowest` must not be above 1 either.
+    /// A limit is not above 0, or `slowest` is above 1.
     Limit {
-        /// Which one.
+        /// The name of the limit.
         name: &'static str,
-        /// What it was.
+        /// Its value.
         value: f32,
     },
     /// The action leads to no neighbouring cell.
     NoNeighbour(Action),
-    /// A counter has not 2 to 32 bits, or its ticks for each metre are 0 or no number.
+    /// A counter does not have 2 to 32 bits, or its ticks per metre are 0 or not a number.
     Encoder {
         /// The ticks.
         ticks_per_metre: f32,
         /// The bits.
         bits: u32,
     },
-    /// A gain is below 0 or no number.
+    /// A gain is below 0 or not a number.
     Gain {
-        /// Which one.
+        /// The name of the gain.
         name: &'static str,
-        /// What it was.
+        /// Its value.
         value: f32,
     },
-    /// A measured run tells nothing.
+    /// A measured run is unusable.
     Run {
-        /// Which one.
+        /// The name of the run.
         name: &'static str,
         /// The ticks of the left and the right wheel.
         ticks: [f32; 2],
@@ -147,7 +147,7 @@ impl fmt::Display for DriveError {
 
 impl core::error::Error for DriveError {}
 
-/// What the robot does on its way to the next cell.
+/// The phase of the robot's way to the next cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Phase {
     Begun,
@@ -156,7 +156,7 @@ enum Phase {
     Driving,
 }
 
-/// Where the robot shall go.
+/// The robot's way to the next cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Leg {
     to: Cell,
@@ -169,7 +169,7 @@ struct Leg {
     phase: Phase,
 }
 
-/// A value that is no further from 0 than `most`. The standard library's own function panics where its bounds are not numbers.
+/// The value limited to the range from -`most` to `most`. The standard library's own function panics if its bounds are not numbers.
 fn within(value: f32, most: f32) -> f32 {
     value.min(most).max(-most)
 }
@@ -206,7 +206,7 @@ impl Drive {
         }
     }
 
-    /// What the robot's wheels can do.
+    /// The limits of the robot's wheels.
     #[must_use]
     pub fn limits(&self) -> &Limits {
         &self.limits
@@ -233,18 +233,18 @@ impl Drive {
         Ok(())
     }
 
-    /// Gives the action up; the robot stops.
+    /// Gives up the action; the robot stops.
     pub fn halt(&mut self) {
         self.leg = None;
     }
 
-    /// The trainer, or whoever watches the robot, is still there.
+    /// Reports that the trainer, or another person who watches the robot, is still there.
     pub fn heard(&mut self) {
         self.unheard = 0.0;
     }
 
-    /// A bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and its action has failed: the next step is
-    /// [`Motion::Stuck`]. One that turns or backs off goes on.
+    /// Reports that a bumper is pressed, or something is close ahead. A robot that rolls ahead stops at once, and its action has failed:
+    /// the next step is [`Motion::Stuck`]. A robot that turns or backs off continues.
     pub fn bumped(&mut self) {
         if self.wheels.left + self.wheels.right > 0.0 {
             self.wheels = Wheels::default();
@@ -254,7 +254,7 @@ impl Drive {
         }
     }
 
-    /// What to set the wheels to for the next `seconds`, where the robot is at `pose`. A pose that is not finite stops the robot.
+    /// The wheel speeds for the next `seconds`, with the robot at `pose`. A pose that is not finite stops the robot.
     pub fn step(&mut self, grid: &Grid, pose: Pose, seconds: f32) -> Step {
         self.unheard += seconds;
         let Some(mut leg) = self.leg else { return self.stand(Motion::Resting, seconds) };
@@ -300,7 +300,7 @@ impl Drive {
         self.set(Motion::Driving, self.speed(&leg, remaining), towards, leg.pace, seconds)
     }
 
-    /// Goes across the line that the robot is `aside` of, to the left, forwards or backwards, whichever needs less turning.
+    /// Drives across to the line, forwards or backwards, whichever needs less turning. The robot is `aside` to the left of the line.
     fn centre(&mut self, pose: Pose, leg: &Leg, aside: f32, seconds: f32) -> Step {
         let right = wrapped(leg.heading - FRAC_PI_2 - pose.heading);
         let backwards = F32Ext::abs(right) > FRAC_PI_2;
@@ -313,7 +313,7 @@ impl Drive {
         self.set(Motion::Centring, ahead, off, leg.pace, seconds)
     }
 
-    /// The speed from which the robot can still brake.
+    /// The highest speed at which the robot can still brake in time.
     fn speed(&self, leg: &Leg, remaining: f32) -> f32 {
         (leg.pace * self.limits.speed).min(BRAKES * F32Ext::sqrt(2.0 * self.limits.acceleration * remaining))
     }
@@ -323,7 +323,7 @@ impl Drive {
         self.set(motion, 0.0, 0.0, 1.0, seconds)
     }
 
-    /// Brings the wheels nearer to this speed ahead, while the robot turns by what it is off its heading.
+    /// Changes the wheel speeds towards this speed ahead, while the robot turns by `off`, its error of heading.
     fn set(&mut self, motion: Motion, speed: f32, off: f32, pace: f32, seconds: f32) -> Step {
         let fastest = pace * self.limits.turn;
         let rim = within(TURN_GAIN * off, fastest) * self.limits.track / 2.0;

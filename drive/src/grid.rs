@@ -15,7 +15,7 @@ pub const EAST: Action = Action::new(2);
 /// The home's action to the west.
 pub const WEST: Action = Action::new(3);
 
-/// Which way an action goes, in cells to the east and to the north; `None` for one that does not move the robot to a neighbour.
+/// The direction of an action, in cells to the east and to the north; `None` if it does not move the robot to a neighbour.
 pub const fn direction(action: Action) -> Option<(i32, i32)> {
     match action {
         NORTH => Some((0, 1)),
@@ -26,7 +26,7 @@ pub const fn direction(action: Action) -> Option<(i32, i32)> {
     }
 }
 
-/// The floor as cells: squares, (0, 0) around the origin.
+/// The floor as square cells, with (0, 0) around the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid {
     size: f32,
@@ -38,7 +38,7 @@ impl Grid {
     /// border does not flicker between two cells.
     ///
     /// # Errors
-    /// [`DriveError::CellSize`] unless the size is above 0; [`DriveError::Hysteresis`] unless it is from 0 to below a half.
+    /// [`DriveError::CellSize`] unless the size is above 0; [`DriveError::Hysteresis`] unless that is from 0 to below a half.
     pub fn new(size: f32, hysteresis: f32) -> Result<Self, DriveError> {
         if !(size > 0.0 && size.is_finite()) {
             return Err(DriveError::CellSize(size));
@@ -59,7 +59,7 @@ impl Grid {
         Pose { x: cell.x as f32 * self.size, y: cell.y as f32 * self.size, heading: 0.0 }
     }
 
-    /// The cell of a pose, given the cell before. A pose that is not finite keeps the cell.
+    /// The cell of a pose, given the previous cell. A pose that is not finite keeps the cell.
     #[must_use]
     pub fn cell(&self, pose: Pose, before: Cell) -> Cell {
         if !(pose.x.is_finite() && pose.y.is_finite()) {

@@ -1,5 +1,5 @@
-//! A robot on any board that has `embedded-hal`: two motors, each with a PWM and a pin for its direction, a counter for each encoder, and a distance
-//! sensor that pulls a pin low where something is close ahead.
+//! A robot on any board with `embedded-hal`: two motors, each with a PWM and a pin for its direction, a counter for each encoder, and a
+//! distance sensor that pulls a pin low if something is close ahead.
 
 use crate::{Drive, Encoder, Grid, Motion, Pose, SpeedControl};
 use core::fmt;
@@ -10,17 +10,17 @@ use goodbot::home::Cell;
 /// A motor and its wheel.
 #[derive(Clone, Copy, Debug)]
 pub struct Motor<P, D> {
-    /// How fast it turns.
+    /// Sets its speed.
     pub pwm: P,
     /// High while it turns backwards.
     pub backwards: D,
-    /// What holds its speed.
+    /// Holds its speed.
     pub control: SpeedControl,
-    /// What counts its turns.
+    /// Counts its turns.
     pub encoder: Encoder,
 }
 
-/// What a pin or a PWM reported. The motors were told to stop.
+/// The error of a pin or a PWM. The motors were told to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum HalError {
@@ -42,7 +42,7 @@ impl fmt::Display for HalError {
 impl core::error::Error for HalError {}
 
 impl<P: SetDutyCycle, D: OutputPin> Motor<P, D> {
-    /// Holds a speed for the next `seconds`, where the wheel `rolled` that many metres in the last.
+    /// Holds a speed for the next `seconds`; the wheel `rolled` this many metres in the last ones.
     fn hold(&mut self, speed: f32, rolled: f32, seconds: f32) -> Result<(), HalError> {
         let duty = self.control.duty(speed, rolled / seconds, seconds);
         let counts = f32::from(self.pwm.max_duty_cycle()) * duty.max(-duty);
@@ -56,27 +56,27 @@ impl<P: SetDutyCycle, D: OutputPin> Motor<P, D> {
 pub struct Rover<P, D, S> {
     /// The left motor and the right one.
     pub motors: [Motor<P, D>; 2],
-    /// Low where something is close ahead.
+    /// Low if something is close ahead.
     pub free: S,
-    /// What is to be done: [`Drive::go`] from `cell`.
+    /// Carries out actions: call [`Drive::go`] with `cell`.
     pub drive: Drive,
     /// The cells.
     pub grid: Grid,
-    /// Where the robot is; correct it by what other sensors tell.
+    /// The robot's pose; correct it by other sensors.
     pub pose: Pose,
     /// Its cell.
     pub cell: Cell,
 }
 
 impl<P: SetDutyCycle, D: OutputPin, S: InputPin> Rover<P, D, S> {
-    /// One turn of the control loop, `seconds` after the last: reads the sensors and sets the motors. `counts` are those of the encoders.
+    /// One turn of the control loop, `seconds` after the last: reads the sensors and sets the motors. `counts` are the encoders' counters.
     ///
     /// # Errors
     /// [`HalError`]: both motors were told to stop.
     pub fn turn(&mut self, counts: [u32; 2], seconds: f32) -> Result<Motion, HalError> {
         let turned = self.try_turn(counts, seconds);
         if turned.is_err() {
-            // Each for itself: the other one may still listen.
+            // Both are tried: one may work although the other failed.
             let _ = self.motors.each_mut().map(|motor| motor.pwm.set_duty_cycle_fully_off());
         }
         turned

@@ -1,15 +1,15 @@
 //! From wheels to cells and back, for a robot with two wheels that learns commands with [`goodbot`].
 //!
-//! - [`pose`]: where the robot is, from how far each wheel has rolled;
+//! - [`pose`]: the robot's pose, from the distance that each wheel has rolled;
 //! - [`grid`]: the cell of a pose, and the cell that an action leads to;
 //! - [`drive`]: the wheel speeds that carry out an action;
 //! - [`wheel`]: encoders that wrap around, calibration, and the motor's duty for a speed;
 //! - `hal`, with the feature `embedded-hal`: all of it on a board's pins, in one call for each turn of the control loop;
-//! - `simulation`, with the feature of that name: a robot whose wheels slip, to try all of it with.
+//! - `simulation`, with the feature of that name: a robot with slipping wheels, for tests.
 //!
 //! Lengths are metres, angles radians, times seconds. East is along x, north along y, and headings turn from east to north. Sines and
-//! square roots are those of `micromath`: approximate, small, and the same on every target. They are called by the name of their trait,
-//! since the standard library's own would come first wherever it is linked.
+//! square roots are those of `micromath`: approximate, small, and the same on every target. They are called through their trait, because
+//! the standard library's own would take precedence where it is linked.
 //!
 //! ```
 //! use goodbot::home::Cell;

@@ -1,22 +1,22 @@
-//! Where the robot is, from how far each wheel has rolled.
+//! The pose of the robot, from the distance that each wheel has rolled.
 
 use core::f32::consts::{PI, TAU};
 use micromath::F32Ext;
 
-/// Where the robot is.
+/// The pose of the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// To the east, metres.
     pub x: f32,
     /// To the north, metres.
     pub y: f32,
-    /// Where it faces, radians: 0 is east, a quarter turn is north; from -PI to PI.
+    /// The heading, radians: 0 is east, a quarter turn is north; from -PI to PI.
     pub heading: f32,
 }
 
 impl Pose {
-    /// Where the robot is after its wheels have rolled so far, metres; `track` is the distance between them. The way is taken for an arc,
-    /// walked along its chord.
+    /// The pose after the wheels have rolled these distances, metres; `track` is the distance between them. The path is taken as an arc,
+    /// and the robot is moved along its chord.
     #[must_use]
     pub fn rolled(self, left: f32, right: f32, track: f32) -> Self {
         let (ahead, turned) = ((left + right) / 2.0, (right - left) / track);
@@ -24,8 +24,8 @@ impl Pose {
         Self { x: self.x + ahead * F32Ext::cos(facing), y: self.y + ahead * F32Ext::sin(facing), heading: wrapped(self.heading + turned) }
     }
 
-    /// The pose, drawn towards one that was sensed otherwise: by a camera, a beacon, a line on the floor. `trust` is from 0, which keeps
-    /// the pose, to 1, which takes the sensed one. A pose that is not finite is not taken.
+    /// The pose, moved towards one from another sensor: a camera, a beacon, a line on the floor. `trust` is from 0, which keeps the pose,
+    /// to 1, which takes the sensed one. A pose that is not finite is ignored.
     #[must_use]
     pub fn corrected(self, sensed: Self, trust: f32) -> Self {
         let towards = |from: f32, to: f32| from + trust.clamp(0.0, 1.0) * (to - from);

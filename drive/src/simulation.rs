@@ -1,6 +1,6 @@
-//! What this crate is tried with, on the host and on an emulated controller, and a beginning for a simulation of one's own.
+//! The test bed of this crate, on the host and on an emulated controller, and a starting point for your own simulation.
 //!
-//! - [`World`]: a home with a robot in it whose wheels slip and whose sensors are noisy;
+//! - [`World`]: a home with a robot whose wheels slip and whose sensors are noisy;
 //! - [`course`]: the paper's lessons, acted out there.
 
 mod course;

@@ -1,4 +1,4 @@
-//! One wheel: how far it has rolled, from an encoder whose counts wrap around, and the duty of its motor for a speed.
+//! One wheel: the distance rolled, from an encoder that wraps around, and the motor's duty for a speed.
 
 use crate::drive::DriveError;
 use core::f32::consts::TAU;
@@ -8,14 +8,14 @@ use micromath::F32Ext;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Encoder {
     ticks_per_metre: f32,
-    /// The bits of 32 that the counter does not have.
+    /// The bits that the counter has less than 32.
     spare: u32,
     last: u32,
 }
 
 impl Encoder {
-    /// A counter of `bits` bits that is at `count` now. Where it counts down as the wheel rolls ahead, `ticks_per_metre` is below 0. With 1, distances
-    /// are ticks: so a robot counts that is to be calibrated.
+    /// A counter of `bits` bits, now at `count`. If it counts down when the wheel rolls ahead, `ticks_per_metre` is below 0. With 1,
+    /// distances are ticks: use this to calibrate a robot.
     ///
     /// # Errors
     /// [`DriveError::Encoder`].
@@ -29,30 +29,30 @@ impl Encoder {
 
     /// Metres that the wheel has rolled since the last call: less than half of the counter's range.
     pub fn rolled(&mut self, count: u32) -> f32 {
-        // Bits that the counter does not have are shifted out, and the sign is that of its highest.
+        // The missing high bits are shifted out, and the counter's highest bit becomes the sign.
         let ticks = (count.wrapping_sub(self.last) << self.spare) as i32 >> self.spare;
         self.last = count;
         ticks as f32 / self.ticks_per_metre
     }
 }
 
-/// What two measured runs tell of a robot.
+/// The calibration of a robot from two measured runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
-    /// The left wheel's ticks for each metre.
+    /// The left wheel's ticks per metre.
     pub left: f32,
-    /// The right wheel's.
+    /// The right wheel's ticks per metre.
     pub right: f32,
     /// The distance between the wheels, metres.
     pub track: f32,
 }
 
 impl Calibration {
-    /// From the ticks of the left and the right wheel while the robot was pushed ahead along a line of `metres`, and while it made `turns` turns
-    /// on the spot, to the left.
+    /// Computes it from the ticks of the left and the right wheel while the robot was pushed ahead along a line of `metres`, and while it
+    /// made `turns` turns on the spot, to the left.
     ///
     /// # Errors
-    /// [`DriveError::Run`] names the run that tells nothing.
+    /// [`DriveError::Run`] names the unusable run.
     pub fn measured(straight: [f32; 2], metres: f32, spun: [f32; 2], turns: f32) -> Result<Self, DriveError> {
         let [left, right] = straight.map(|ticks| ticks / metres);
         if ![left, right].into_iter().all(|ticks| ticks.is_finite() && ticks != 0.0) {
@@ -64,14 +64,14 @@ impl Calibration {
     }
 }
 
-/// How the motor answers.
+/// The gains of the speed control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gains {
-    /// The duty for each metre a second, as measured: 1 divided by the speed at full duty.
+    /// The duty per metre per second of wanted speed: 1 divided by the measured speed at full duty.
     pub ahead: f32,
-    /// The duty for each metre a second that the wheel is too slow.
+    /// The duty per metre per second of missing speed.
     pub proportional: f32,
-    /// The same for each second that it goes on.
+    /// The same, for each second that the error lasts.
     pub integral: f32,
 }
 
@@ -79,7 +79,7 @@ pub struct Gains {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpeedControl {
     gains: Gains,
-    /// The duty that was summed up for what went on.
+    /// The integral part of the duty.
     pub sum: f32,
 }
 
@@ -87,7 +87,7 @@ impl SpeedControl {
     /// A wheel at rest.
     ///
     /// # Errors
-    /// [`DriveError::Gain`] for one that is below 0 or no number.
+    /// [`DriveError::Gain`] for a gain that is below 0 or not a number.
     pub fn new(gains: Gains) -> Result<Self, DriveError> {
         let named = [("ahead", gains.ahead), ("proportional", gains.proportional), ("integral", gains.integral)];
         match named.into_iter().find(|&(_, gain)| !(gain >= 0.0 && gain.is_finite())) {
@@ -96,8 +96,8 @@ impl SpeedControl {
         }
     }
 
-    /// The motor's duty for the next `seconds`, from -1 to 1. A wheel that is to stop, or of which nothing is known, gets none, and what was summed up
-    /// is forgotten.
+    /// The motor's duty for the next `seconds`, from -1 to 1. It is 0 for a wheel that must stop or whose measured speed is not a number;
+    /// the integral part is then reset.
     pub fn duty(&mut self, wanted: f32, measured: f32, seconds: f32) -> f32 {
         let error = wanted - measured;
         if wanted == 0.0 || !error.is_finite() {
@@ -107,7 +107,7 @@ impl SpeedControl {
         let added = self.gains.integral * error * seconds.max(0.0);
         let sum = self.sum + added;
         let duty = self.gains.ahead * wanted + self.gains.proportional * error + sum;
-        // What the motor cannot do is not summed up: it would have to be worked off again.
+        // The integral stops at full duty, or it would first have to run down again.
         if F32Ext::abs(duty) <= 1.0 || duty * added < 0.0 {
             self.sum = sum;
         }

@@ -7,7 +7,7 @@ use goodbot_drive::simulation::{Tally, course};
 
 goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 
-/// 10,003 lessons: 1,429 robots, each of its own seed, on all cores.
+/// 10,003 lessons: 1,429 robots, each with its own seed, on all cores.
 #[test]
 fn a_robot_on_slipping_wheels_learns_the_course_and_never_touches_a_wall() {
     let threads = 4;

@@ -1,4 +1,4 @@
-//! What the wheels do, case by case.
+//! The wheel speeds, case by case.
 
 use goodbot::home::Cell;
 use goodbot::oomdp::Action;
@@ -42,7 +42,7 @@ fn an_unsure_robot_drives_slowly_so_that_a_person_can_object() {
     assert!(unsure_time > 2.0 * sure_time, "{unsure_time} s and {sure_time} s");
     assert!(unsure_speed <= LIMITS.speed * LIMITS.slowest + 0.01, "{unsure_speed}");
     assert!(sure_speed > LIMITS.speed * 0.8, "{sure_speed}");
-    // A certainty that is not a number is none.
+    // A certainty that is not a number counts as none.
     assert_eq!(ride(f32::NAN), ride(0.0));
 }
 

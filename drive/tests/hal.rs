@@ -14,14 +14,14 @@ const TICKS: f32 = 100_000.0;
 const TURN: f32 = 0.01;
 const HERE: Cell = Cell::new(0, 0);
 
-/// The robot as it is.
+/// The true state of the robot.
 struct Truth {
     pose: Pose,
     duties: [f32; 2],
     speeds: [f32; 2],
     rolled: [f32; 2],
     backwards: [bool; 2],
-    /// The wall is east of here, metres.
+    /// The x of a wall to the east, metres.
     wall: f32,
     pins_are_broken: bool,
 }
@@ -30,7 +30,7 @@ impl Truth {
     /// The encoders' counters after the next turn.
     fn pass(&mut self) -> [u32; 2] {
         for wheel in 0..2 {
-            // Neither motor is as strong as the controls take it to be.
+            // Both motors are weaker than the controls assume.
             let top = [0.45, 0.38][wheel] * if self.backwards[wheel] { -1.0 } else { 1.0 };
             self.speeds[wheel] += (top * self.duties[wheel] - self.speeds[wheel]) * TURN / 0.05;
             self.rolled[wheel] += self.speeds[wheel] * TURN;
@@ -112,7 +112,7 @@ fn rover(wall: f32) -> (Rover<Pin, Pin, Pin>, Rc<RefCell<Truth>>) {
     (Rover { motors, free, drive: Drive::new(LIMITS).unwrap(), grid, pose, cell: HERE }, truth)
 }
 
-/// Does an action, and tells how it ended.
+/// Carries out an action, and returns how it ended.
 fn act(rover: &mut Rover<Pin, Pin, Pin>, truth: &Rc<RefCell<Truth>>, action: goodbot::oomdp::Action) -> Motion {
     rover.drive.go(rover.cell, action, 1.0).unwrap();
     for _ in 0..1000 {

@@ -45,11 +45,11 @@ fn a_run_that_tells_nothing_is_named() {
     assert_eq!(wrong.unwrap_err().to_string(), "the gain integral is NaN: it must be at least 0");
 }
 
-/// The motor would run 0.5 m/s at full duty, if it were new.
+/// A new motor would reach 0.5 m/s at full duty.
 const GAINS: Gains = Gains { ahead: 2.0, proportional: 2.0, integral: 20.0 };
 const TURN: f32 = 0.01;
 
-/// A motor that follows its duty after 50 ms. Gives each turn's speed and duty.
+/// A motor that follows its duty after 50 ms. Returns each turn's speed and duty.
 fn run(wanted: f32, turns: usize, top_speed: impl Fn(usize) -> f32) -> Vec<(f32, f32)> {
     let (mut control, mut speed) = (SpeedControl::new(GAINS).unwrap(), 0.0);
     let turn = |turn| {

@@ -1,5 +1,5 @@
-//! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, and the last pages of the flash left to what the
-//! robot learns.
+//! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, and the last pages of the flash kept for the
+//! learned model.
 
 use std::path::PathBuf;
 use std::{env, fs};

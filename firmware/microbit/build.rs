@@ -1,5 +1,5 @@
 //! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, as on the other boards, and the last pages of the
-//! flash left to a home that somebody chose and to what the robot learns.
+//! flash kept for a chosen home and for the learned model.
 
 use std::path::PathBuf;
 use std::{env, fs};

@@ -1,5 +1,5 @@
-//! A robot of one's own: the arm of the library's examples, taught on the controller. Prints what it cost, and what the arm makes of each
-//! command; exits with 0 where it understands one that it never heard.
+//! A robot of one's own: the arm of the library's examples, taught on the controller. Prints its cost and a digest of all posteriors; exits
+//! with 0 if it understands a command that it never heard.
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! The emulated board: a counter of instructions, text out, and the way out.
+//! The emulated board: a counter of instructions, text output, and the exit.
 
 use core::ffi::CStr;
 use semihosting::sys::arm_compat::{ExitReason, sys_exit_extended, sys_write0};

@@ -1,4 +1,4 @@
-//! What the arm is told, and what it makes of that.
+//! Commands for the arm, and its understanding of them.
 
 use crate::arm::{Arm, Shelf};
 use crate::digest::Digest;
@@ -30,7 +30,7 @@ pub fn intended(agent: &Agent<impl AgentMemory>, (lifted, objects): Meaning) -> 
     })
 }
 
-/// All posteriors on hearing each command, as one number, and whether the last one is understood, which it never heard.
+/// Hears each command. Returns the digest of all posteriors, and whether the last command, which was in no lesson, is understood.
 pub fn understanding(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<(Digest, bool), AgentError> {
     let (mut digest, mut understood) = (Digest::EMPTY, false);
     for (command, meaning) in LESSONS.into_iter().chain([UNHEARD]) {

@@ -1,4 +1,4 @@
-//! The paper's whole course, training and tests, on a microcontroller. Prints what it cost; exits with 0 where all five tests pass.
+//! The paper's whole course, training and tests, on a microcontroller. Prints its cost; exits with 0 if all five tests pass.
 
 #![no_std]
 #![no_main]
@@ -13,10 +13,10 @@ use goodbot_drill::{Budget, LESSONS, SEED, Watch, Work, run};
 
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
-/// The dearest of each kind of work, all its calls together, in instructions.
+/// Instructions: the most of each kind of work, all its calls in a row together.
 struct Counter {
     began: u64,
-    /// The work that ended last, and what all its calls in a row have taken.
+    /// The work that ended last, and the instructions of all its calls in a row.
     last: (Option<Work>, u32),
     most: [u32; Work::ALL.len()],
     /// Hearing a command, planning and acting for the first time, for each lesson.
@@ -26,7 +26,7 @@ struct Counter {
     acted: bool,
     round: u32,
     longest_round: u32,
-    /// What a training takes after its rounds.
+    /// The most that a training takes after its rounds.
     longest_kinds: u32,
     all: u32,
 }

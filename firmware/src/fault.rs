@@ -1,4 +1,4 @@
-//! A fault, which is how the processor answers a stack that leaves the RAM: says so and ends the emulator.
+//! The fault that the processor raises when the stack leaves the RAM: reports it and ends the program.
 
 use crate::board;
 

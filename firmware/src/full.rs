@@ -19,7 +19,7 @@ use goodbot::{Agent, AgentError, Capacities, Options};
 const SESSIONS: usize = 128;
 
 goodbot::memory! {
-    /// The tables of hosts, but for the states, and as many sessions as fill the rest.
+    /// The tables of hosts, with fewer states and fewer words, and room for the sessions.
     pub struct RobotMemory = Capacities {
         states: 65_536,
         hashed_states: 0,
@@ -49,7 +49,7 @@ const BLOCKS: [(&str, &str, &str); 5] = [
 const VERBS: [&str; 8] = ["go", "drive", "bring", "take", "carry", "move", "push", "roll"];
 const THINGS: [&str; 8] = ["bag", "chair", "basket", "yourself", "it", "thing", "seat", "sack"];
 
-/// The calls in which plans are measured: the first plan takes hundreds of millions of instructions.
+/// How many calls of a plan are measured: the whole plan takes hundreds of millions of instructions.
 const PLAN_CALLS: u32 = 20_000;
 
 /// The most instructions of one call of a kind.
@@ -80,7 +80,7 @@ fn build<M: HomeMemory>(memory: M, most: &mut u32) -> Result<(Home<M>, HomeState
     longest(most, || builder.build(Moves::Push))
 }
 
-/// A command by its number: many words, each known after some of them.
+/// A command by its number: all commands together have many words, each in several of them.
 fn command(number: usize) -> heapless::String<64> {
     let mut text = heapless::String::new();
     let pick = |words: &[&'static str], at: usize| words.get(at % words.len()).copied().unwrap_or("");
@@ -105,7 +105,7 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
         agent.hear(home, start, &command(number))?;
         agent.finish_for_later(home)?;
     }
-    // One more, for which another gives way.
+    // One more session, for which an older one gives way.
     longest(&mut begun, || agent.begin_hearing(home, start, &command(SESSIONS)))?;
     while longest(&mut heard, || agent.hear_on(home, 1))? == Progress::Working {}
     longest(&mut ended, || agent.begin_finishing(home))?;

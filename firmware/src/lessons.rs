@@ -8,7 +8,7 @@ use goodbot::memory::AgentMemory;
 use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, Trainer, generator};
 
-/// Judges every action, and rightly.
+/// Judges every action, without mistakes.
 struct Attentive;
 
 impl Trainer for Attentive {
@@ -17,7 +17,7 @@ impl Trainer for Attentive {
     }
 }
 
-/// Teaches all of them.
+/// Teaches all lessons.
 pub fn teach(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<(), CourseError> {
     let mut random = generator(1);
     for (command, meaning) in LESSONS {

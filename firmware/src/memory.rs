@@ -1,4 +1,4 @@
-//! The robot's memory, of the preset that was chosen.
+//! The robot's memory, of the chosen preset.
 
 #[cfg(not(feature = "tiny"))]
 goodbot::memory! {

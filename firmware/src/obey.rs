@@ -1,5 +1,5 @@
-//! A robot that only obeys: the arm, with the parameters that its lessons came to. Prints what it makes of each command; exits with 0 where it
-//! understands one that nobody taught, and carries it out.
+//! A robot that only obeys: the arm, with learned parameters. Prints its cost and a digest of all posteriors; exits with 0 if it
+//! understands a command that nobody taught, and carries it out.
 
 #![no_std]
 #![no_main]
@@ -25,10 +25,10 @@ use goodbot::{Agent, AgentError, Options};
 
 static mut MEMORY: RobotMemory = RobotMemory::new();
 
-/// A test writes them anew where the lessons change.
+/// A test writes them anew when the lessons change.
 static PARAMETERS: &[u8] = include_bytes!("arm.parameters");
 
-/// Carries out the command that was heard last. Returns whether it came to its goal.
+/// Carries out the command that was heard last. Returns whether it reached its goal.
 fn obey(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<bool, AgentError> {
     let mut shelf = commands::START;
     loop {

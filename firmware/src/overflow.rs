@@ -1,4 +1,4 @@
-//! A stack that runs over: the processor must stop it before it changes a static. Ends with 0 where nothing stopped it, so that it ran into
+//! A stack that overflows: the processor must stop it before it changes a static. Exits with 0 if nothing stopped it, so that it ran into
 //! other memory.
 
 #![no_std]
@@ -25,7 +25,7 @@ fn descend(level: usize) -> usize {
 #[board::entry]
 fn main() -> ! {
     board::print("descending\n");
-    // A little more than the stack, and by far less than the RAM: with other memory below it, it would come back.
+    // A little more than the stack, and far less than the RAM: with other memory below the stack, the call would return.
     let stack = (&raw const _stack_start as usize).wrapping_sub(&raw const _stack_end as usize);
     black_box(descend(black_box(stack / 64)));
     board::print("nothing stopped it\n");

@@ -1,4 +1,4 @@
-//! The deepest stack, by the paint that it has worn off.
+//! The deepest stack, by the paint that it has overwritten.
 
 #[cfg(target_arch = "riscv32")]
 use crate::board::STACK_PAINT_VALUE;

@@ -1,6 +1,6 @@
 //! A control loop with a fixed tick that never waits for the robot's mind: each turn of the loop gives planning or learning a small part
-//! of a tick, and the rest is the controller's own. Prints the longest of each kind of call; exits with 0 where no tick was missed, all
-//! tests pass, and the beliefs are those of a course that was planned and learned in one go.
+//! of a tick, and the rest is the controller's own. Prints the longest of each kind of call, and the digest of all posteriors, which must
+//! be that of the course without budgets; exits with 0 if no tick was missed and all tests pass.
 
 #![no_std]
 #![no_main]
@@ -18,7 +18,7 @@ static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
 /// Instructions of one tick: 10 ms of a micro:bit's processor, which does at most 16 million a second, or of the other boards' 25 million.
 const TICK: u32 = if cfg!(feature = "microbit") { 160_000 } else { 250_000 };
-/// What one turn of the loop may do.
+/// The budget of one turn of the loop.
 const BUDGET: Budget = Budget { hear: 1, plan: 8, finish: 1, learn: 16 };
 
 /// The loop: each call begins with a tick.

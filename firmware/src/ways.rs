@@ -1,5 +1,5 @@
-//! The first plan in a home of three storeys, for all tasks with a way of one clause. Prints what it cost; exits with 0 where every task has
-//! a plan.
+//! The first plan in a home of three storeys, for all tasks with a way of one clause. Prints its cost; exits with 0 if every task has a
+//! plan.
 
 #![no_std]
 #![no_main]
@@ -51,7 +51,7 @@ fn three_storeys<M: HomeMemory>(memory: M) -> Option<(Home<M>, HomeState)> {
     builder.build(Moves::Push).ok()
 }
 
-/// Hears a command and plans for the first time. Returns how many tasks there are, and for how many of them there is a plan.
+/// Hears a command and plans for the first time. Returns the number of tasks, and of those with a plan.
 fn first_plan(memory: &mut RobotMemory) -> Option<(u32, u32)> {
     let (home, start) = three_storeys(&mut memory.home)?;
     let lifted = with_routes(&[LiftedTask::single(AGENT_IN_ROOM, &SCHEMA).ok()?]).ok()?;

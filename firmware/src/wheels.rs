@@ -1,5 +1,5 @@
-//! The paper's lessons on two wheels that slip, on a microcontroller: odometry to cells, actions to wheel speeds, and what sensors tell as
-//! the truth. Exits with 0 where no wall was touched, the world was no kind one, and the tests pass.
+//! The paper's lessons on two wheels that slip, on a microcontroller: odometry to cells, actions to wheel speeds, and sensed places as the
+//! truth. Exits with 0 if no wall was touched, enough actions failed, and the tests pass.
 
 #![no_std]
 #![no_main]
@@ -19,7 +19,7 @@ use goodbot_drive::simulation::{Tally, course};
 
 static mut MEMORY: memory::RobotMemory = memory::RobotMemory::new();
 
-/// At least one action in this many fails: otherwise failures are not tried.
+/// More than one action in this many must fail: otherwise failures are not tested.
 const FAIL: u32 = 30;
 
 #[board::entry]
@@ -41,7 +41,7 @@ fn main() -> ! {
     board::exit(if done && tried && tally.walls_hit == 0 && tally.right == TESTS.len() as u32 { 0 } else { 1 })
 }
 
-/// All lessons and tests; nothing where a call was refused.
+/// Runs all lessons and tests; `None` if a call was refused.
 fn drive(memory: &mut memory::RobotMemory, tally: &mut Tally) -> Option<()> {
     // Borrow the `Result`: moving the value out would copy it on the stack.
     let mut made = Agent::new(&mut memory.agent, &home::paper_tasks().ok()?, Options::DEFAULT);

@@ -12,6 +12,6 @@ await build({ ...small, entryPoints: source('style.css'), outfile: style });
 await build({
   ...small, entryPoints: source('src/main.js'), outfile: others,
   alias: { 'goodbot-wasm': resolve(glue) },
-  // The glue's own way to fetch the module from beside itself is never taken.
+  // The glue can fetch the module from its own folder; that code never runs here.
   define: { 'import.meta.url': 'undefined', GOODBOT_VERSION: JSON.stringify(version) },
 });

@@ -1,4 +1,4 @@
-// Questions of the robot's: where an answer teaches it more than its next steps do, it asks, and waits.
+// The robot's questions: when an answer teaches it more than its next steps, it asks, and waits.
 import { parsed, world } from './core.js';
 import { render } from './render.js';
 import { listed, t } from './language.js';
@@ -7,14 +7,14 @@ import { speak } from './speech.js';
 import { $, announce, attempt, inParts, make, state } from './state.js';
 import { beliefNow, objectWords } from './words.js';
 
-// What a question costs, in steps, and how often an answer is wrong: as the core and `goodbot teach` have them.
+// The cost of a question, in steps, and the probability of a wrong answer: as in the core and in `goodbot teach`.
 const KAPPA = 8;
 const ETA = 0.05;
 const BUDGET = 4000;
-// Who is still pressing Good does not answer by that.
+// An answer within this many milliseconds is ignored: it may be a late press of Good.
 const TOO_SOON = 350;
 
-/** Asks, if that is worth more than the next steps: in the free play, somebody who has not switched it off. Returns whether there was an
+/** Asks, if that is worth more than the next steps: only in free play, and only if questions are switched on. Returns whether there was an
  * answer; the robot may also be told to go on without one.
  * @param {import('./state.js').Session} session */
 export async function askTrainer(session) {
@@ -37,7 +37,7 @@ export async function askTrainer(session) {
   return session.answers > before;
 }
 
-/** The trainer's answer: `yes`, `no` (none of these, where there is something to choose), or the number of a choice.
+/** The trainer's answer: `yes`, `no` (none of these, if there are choices), or the number of a choice.
  * @param {string} given */
 export function answer(given) {
   const session = state.session;
@@ -75,7 +75,7 @@ export function questionWords({ about, way, objects, choices }) {
   return t('ask.which');
 }
 
-/** What there is to choose, beside none of these.
+/** The choices, without "none of these".
  * @param {import('goodbot-wasm').Question} question
  * @returns {string[]} */
 const choicesOf = ({ about, objects, choices }) => (about === 'whichObject' ? objects.map(name => objectWords(name, 1))

@@ -15,7 +15,7 @@ export function fromBase64(text) {
   return bytes;
 }
 
-/** Base64 as it may stand in an address.
+/** Base64 that is valid in an address.
  * @param {Uint8Array} bytes */
 export const toAddress = bytes => toBase64(bytes).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
 

@@ -1,4 +1,4 @@
-// The page's beginning: expands what is packed into it, and lets its scripts begin. It is a script by itself; the others are packed.
+// The page's first script: expands the packed parts, and starts the other scripts, which are among them.
 import { noRobot as de } from '../languages/de.json';
 import { noRobot as en } from '../languages/en.json';
 import { noRobot as es } from '../languages/es.json';
@@ -7,11 +7,11 @@ import { noRobot as zh } from '../languages/zh.json';
 import { fromLetters } from './letters.js';
 import { expanded } from './lzma.js';
 
-// How many bits of the byte before tell what a byte is, as the builder has it.
+// How many bits of the previous byte predict a byte, as in the builder.
 const LC = 5;
 
 async function begin() {
-  // The robot of the first paint is seen meanwhile. A message comes in a hidden page too, which gets no frames.
+  // The robot of the first paint is seen meanwhile. A message also arrives in a hidden page, which gets no frames.
   await new Promise(done => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = done;
@@ -31,7 +31,7 @@ async function begin() {
 }
 
 begin().catch(error => {
-  // What cannot run the robot may have none of the page's texts but these.
+  // Without the robot, the page may have no texts but these.
   const texts = { de, en, es, fr, zh };
   const language = navigator.languages.map(one => one.toLowerCase().split('-')[0]).find(one => Object.hasOwn(texts, one)) || 'en';
   document.body.innerHTML = `<p role="alert" lang="${language}">${texts[language]}</p>`;

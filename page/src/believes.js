@@ -1,9 +1,10 @@
-// What the robot expects of its trainer: what real people do, one of the paper's strategies, or numbers, as `goodbot replay --believes` has them.
+// The strategies that the robot expects of its trainer: those of real people, one of the paper's, or numbers, as in `goodbot replay
+// --believes`.
 import { world } from './core.js';
 import { t } from './language.js';
 
 const PEOPLE = 'population';
-// How probable silence is after a right step, and after a wrong one, and that one is taken for the other.
+// The probability of silence after a right step, of silence after a wrong one, and of taking one for the other.
 const NAMED = { balanced: '0.7,0.7,0.1', 'punish-only': '0.7,0.05,0.1', 'reward-only': '0.05,0.7,0.1' };
 
 export const CHOICES = [PEOPLE, ...Object.keys(NAMED), 'own'];
@@ -11,13 +12,13 @@ export const CHOICES = [PEOPLE, ...Object.keys(NAMED), 'own'];
 // A word is meant for the last step.
 export const NO_LAG = [1, 0, 0];
 
-// The numbers of a strategy: three and how probable it is, three lags, four about rests.
+// The numbers of a strategy: three and the prior, three lags, four about rests.
 const NUMBERS = 11;
 
-/** What is said to rests where it is what is said to moves: the robot's core has the same. */
+/** The numbers about rests of a trainer who judges rests like moves, as in the robot's core. */
 export const restsAsMoves = (plus, minus, mistakes) => [plus, minus, mistakes, 0];
 
-/** What the robot expected before it met its trainer: a name, or numbers. */
+/** The strategies that the robot expected before it met its trainer: a name, or numbers. */
 export function expectedNow() {
   const numbers = [...world.strategies()].map(number => Number(number.toFixed(6)));
   const strategies = Array.from({ length: numbers.length / NUMBERS }, (_, at) => {
@@ -33,8 +34,8 @@ export function expectedNow() {
 
 const number = text => (text.trim() ? Number(text) : NaN);
 
-/** Makes the robot expect this: a name, three, six or ten numbers, or several of them, apart by semicolons, each with its weight behind a star. Throws where it
- * is none of that.
+/** Makes the robot expect these strategies: a name, or three, six or ten numbers; or several of them with semicolons between, each with its weight after a
+ * star. Throws if the text is none of that.
  * @param {string} text */
 export function expectTrainer(text) {
   const strategies = text.trim() === PEOPLE ? [] : text.split(';').flatMap(one => {

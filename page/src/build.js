@@ -23,7 +23,7 @@ const build = {
   /** @type {any} */
   frame: null,
   error: '',
-  // Why the text that was to be a home is none.
+  // Why an imported text is no home.
   refused: '',
   // The drawing as it was last kept, and those before and after it, as JSON.
   text: '',
@@ -31,7 +31,7 @@ const build = {
   past: [],
   /** @type {string[]} */
   future: [],
-  // The home that was shown when one came here.
+  // The home that was shown when the editor was opened.
   /** @type {any} */
   shown: null,
 };
@@ -43,10 +43,11 @@ const nameFor = kind => {
 };
 
 const MOST_STEPS_BACK = 60;
-// A home of all that the robot has room for is much shorter. The field takes one more, so that what is cut off does not pass.
+// The largest home that the robot has room for is much shorter. The field takes one character more, so that a text that was cut off is
+// refused.
 const MOST_CHARACTERS = 100000;
 
-/** Goes on with one's own drawing; the first one begins with the home that is shown. */
+/** Goes on with the user's own drawing; the first drawing begins with the home that is shown. */
 export function enterBuild() {
   const kept = shelf.read('drawing', {});
   build.shown = parsed(world.environment());
@@ -62,7 +63,7 @@ export function drawnElsewhere() {
   if (state.mode === 'build' && !build.drag) enterBuild();
 }
 
-// After every change: it can be undone, and is kept even where it is no home yet.
+// After every change: it can be undone, and is kept even if it is no home yet.
 function changed() {
   const json = JSON.stringify(build.file);
   if (json !== build.text) {
@@ -79,7 +80,7 @@ function keepDrawing() {
   shelf.put('drawing', JSON.stringify({ file: build.file, home, past: build.past, future: build.future }));
 }
 
-// Why a home is none, in words for people: the core's limits have the names of its tables.
+// Why a drawing is no home, in words for people: the core's limits have the names of its tables.
 function whyNot(error) {
   const [, table = '', n] = error.match(/apacit(?:ies|y)::(\w+) is (\d+)/) || [];
   return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error.startsWith('line ') ? t('build.malformed') + ' (' + error + ')' : error);
@@ -112,7 +113,7 @@ function boundsOf(objects) {
   return { left: side('left', Math.min) - 1, bottom: side('bottom', Math.min) - 1, right: side('right', Math.max) + 1, top: side('top', Math.max) + 1 };
 }
 
-// The drawing as it is, even where it is no home.
+// The drawing as it is, even if it is no home.
 function draftScene() {
   // While something is dragged, the frame stays, so that the drawing does not slide away under the pointer.
   const bounds = build.drag ? build.frame.bounds : boundsOf(build.file.objects);
@@ -182,7 +183,7 @@ function renderObjects() {
   $('objects').replaceChildren(...build.file.objects.map((object, index) => {
     const title = object.class === 'agent' ? t('build.robot') : object.class === 'door' ? object.name : labelWords({ color: object.color, shape: object.shape || 'room' });
     const row = make('details', { name: 'object', open: index === build.chosen }, make('summary', { 'data-field': index + '.summary' }, title, make('small', {}, ' ' + (title === object.name ? '' : object.name))));
-    // Not by the event that it was opened: that comes late, and may speak of what has gone.
+    // Not by the `toggle` event: it comes late, and may be about a row that is gone.
     row.firstChild.addEventListener('click', event => {
       event.preventDefault();
       build.chosen = build.chosen === index ? null : index;
@@ -238,7 +239,7 @@ function shift(object, before, dx, dy) {
   for (const [field, d] of /** @type {[string, number][]} */ ([['x', dx], ['left', dx], ['right', dx], ['y', dy], ['bottom', dy], ['top', dy]])) if (field in object) object[field] = before[field] + d;
 }
 
-// A room takes its doors along, and what stands in it: each with how it was.
+// A room takes along its doors and the things in it: each of them, and a copy of it from before.
 function movesAlong(index) {
   const room = build.file.objects[index];
   if (!room || room.class !== 'room') return [];
@@ -279,7 +280,7 @@ function cellUnder(event) {
   return { x: bounds.left + Math.floor(x / CELL), y: bounds.top - Math.floor(y / CELL) };
 }
 
-// What lies on a cell: things before doors before rooms.
+// The object on a cell: things before doors before rooms.
 function objectAt({ x, y }) {
   const holds = box => x >= box.left && x <= box.right && y >= box.bottom && y <= box.top;
   for (const kinds of [['agent', 'block'], ['door'], ['room']]) {
@@ -356,7 +357,7 @@ export function setUpBuild() {
   const take = text => {
     try {
       if (text.length > MOST_CHARACTERS) throw new Error(t('build.tooLong', { n: MOST_CHARACTERS }));
-      // Whatever JSON may be, it is no drawing: `null` neither.
+      // A text that is JSON of any kind, even `null`, is no drawing.
       const isJson = /^\s*([{["\d-]|(null|true|false)\s*$)/.test(text);
       const file = isJson ? parsedHome(text) : fromTextMap(text);
       const error = Goodbot.check(JSON.stringify(file));

@@ -1,4 +1,4 @@
-// Charts: what the robot believed, step by step, and how sure it was of each command when it heard it, session by session; and both as a table.
+// Charts: the robot's belief, step by step, and how sure it was of each command when it heard it, session by session; and both as a table.
 import { download } from './files.js';
 import { t } from './language.js';
 import { sessionLink } from './link.js';
@@ -11,7 +11,7 @@ import { ranked } from './words.js';
 const [WIDTH, HEIGHT, LEFT, EDGE] = [320, 132, 34, 8];
 const SHOWN = 3;
 
-/** Draws lines of probabilities, each of a style of its own; what is not known is left out.
+/** Draws lines of probabilities, each in its own style; unknown points are left out.
  * @param {string} id
  * @param {(number | null)[][]} lines
  * @param {string} about */
@@ -32,11 +32,11 @@ function chart(id, lines, about) {
     }));
 }
 
-// How probable a task was before the first step of the session under way, or of the one before, after each, and is now: an answer may have come
-// since.
+// The probability of a task in the current or the last session: before the first step, after each step, and now, since an answer may have
+// come after the last step.
 const beliefs = task => [state.evidence[0]?.before[task] ?? null, ...state.evidence.map(evidence => evidence.after[task] ?? null), ...(state.session ? [state.belief.tasks[task].probability] : [])];
 
-// For each session that this robot has learned from, how sure it was of what it was taught, when it heard it.
+// For each session that this robot has learned from, how sure it was of the taught task when it heard the command.
 const scores = () => Array.from({ length: state.sessions }, (_, at) => state.robot.scores?.[at] ?? null);
 
 export function renderCharts() {
@@ -56,7 +56,7 @@ const CITATION = 'MacGlashan et al. (2014): Training an Agent to Ground Commands
 
 const cell = value => (/[",\n]/.test(String(value)) ? '"' + String(value).replaceAll('"', '""') + '"' : String(value));
 
-/** The sessions that this robot was taught by as a table: a line for each step. */
+/** The sessions of this robot's log as a table: a line for each step. */
 export function saveTable() {
   const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback', 'seed', 'version', 'citation', 'condition', 'consent']];
   const about = () => [state.robot.seeds?.[learned] ?? '', 'goodbot ' + GOODBOT_VERSION, CITATION, state.robot.study?.id ?? '', state.robot.study?.consent ?? ''];

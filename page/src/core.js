@@ -11,7 +11,7 @@ export { Goodbot };
 /** @type {(text: string) => any} */
 export const parsed = text => JSON.parse(text);
 
-/** Starts the core. Throws where the browser cannot run it.
+/** Starts the core. Throws if the browser cannot run it.
  * @param {Uint8Array} module */
 export function startCore(module) {
   initSync({ module });

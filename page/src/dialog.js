@@ -1,9 +1,9 @@
 // A question that must be answered before something is given up.
 import { $, make } from './state.js';
 
-/** Asks, and returns the key of the answer; the last one where the dialog is closed without an answer.
+/** Asks, and returns the key of the answer; the last one if the dialog is closed without an answer.
  * @param {string} question
- * @param {Record<string, string>} answers key and label, the first being what most want
+ * @param {Record<string, string>} answers key and label; the first is the answer of most people
  * @returns {Promise<string>} */
 export function ask(question, answers) {
   const dialog = $('ask');

@@ -1,4 +1,4 @@
-// Files that are saved and opened.
+// Saves and opens files.
 import { make } from './state.js';
 
 /** @param {string} name

@@ -1,4 +1,4 @@
-// The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to pass on.
+// The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to share.
 import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
@@ -17,7 +17,7 @@ let shown = '';
 /** @type {Promise<{ link: string, file: File }> | null} */
 let card = null;
 
-// A link to a file on this machine leads nobody else to the robot.
+// A link to a file on this machine is of no use to others.
 async function makeCard(score) {
   const link = location.protocol === 'file:' ? '' : await robotLink();
   const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot));
@@ -36,7 +36,7 @@ async function shareCard() {
   try {
     await navigator.share({ files: [made.file], title: t('link.meet', state.robot), ...(made.link ? { url: made.link } : {}) });
   } catch (error) {
-    // Who closes the sheet has changed their mind.
+    // Closing the sheet is no error.
     if (error.name !== 'AbortError') tell(error.message, true);
   }
 }
@@ -57,7 +57,7 @@ async function giveName(name) {
   dance();
 }
 
-/** What the robot knows, and a picture of it.
+/** The words that the robot knows, and a picture of it.
  * @param {boolean} over whether the tour is over
  * @param {string} score
  * @param {{ home: string, intended: string, test: boolean }[]} stops the tour's lessons and tests */
@@ -87,7 +87,7 @@ export function renderFinale(over, score, stops) {
   if (!world.ways()) renderWorth(stops);
 }
 
-// What the trainer's words were worth. Who said none has nothing to compare.
+// The worth of the trainer's feedback and answers. Without any there is nothing to compare.
 function renderWorth(stops) {
   const isQuiet = !/"feedback":"[rp]|"type":"answer"/.test(logOf(state.robot));
   const shown = isQuiet ? 2 : 3;

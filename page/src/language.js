@@ -1,4 +1,4 @@
-// The texts of the interface, in the language that the browser prefers or somebody has chosen. They stand in page/languages, one file each.
+// The texts of the interface, in the language that the browser prefers or somebody has chosen. They are in page/languages, one file each.
 import { make } from './state.js';
 
 /** @typedef {keyof typeof import('../languages/en.json')} Key */
@@ -9,8 +9,8 @@ let languages = {};
 let texts = {};
 let plural = new Intl.PluralRules('en');
 
-/** Takes all languages, as page/builder/src/languages.rs writes them: names on a line each, and then, behind an empty line, each language's
- * code and its texts in the order of the names. Texts behind those have numbers for names.
+/** Takes all languages, as page/builder/src/languages.rs writes them: names on a line each, then, after an empty line, each language's
+ * code and its texts in the order of the names. The texts after those have numbers as names.
  * @param {string} all */
 export function takeLanguages(all) {
   const [names, ...blocks] = all.split('\n\n').map(block => block.split('\n'));
@@ -22,7 +22,7 @@ export function takeLanguages(all) {
 /** The languages: code and name. */
 export const names = () => Object.entries(languages).map(([code, all]) => [code, all.name]);
 
-/** Speaks this language; where it is none of ours, the first of ours that the browser prefers.
+/** Switches to this language; if the page does not have it, to the first of the browser's languages that it has.
  * @param {string} code */
 export function speakLanguage(code) {
   const preferred = [code, ...(navigator.languages || [navigator.language])].map(one => String(one).toLowerCase().split('-')[0]);
@@ -32,7 +32,7 @@ export function speakLanguage(code) {
   document.documentElement.lang = chosen;
 }
 
-/** A text, with values for what stands in braces. Where it depends on a number, that is `n`.
+/** A text, with values for the names in braces. If it depends on a number, that is `n`.
  * @param {Key} key
  * @param {Record<string, any>} values */
 export function t(key, values = {}) {
@@ -41,14 +41,14 @@ export function t(key, values = {}) {
   return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
 }
 
-/** The text of a name that comes from elsewhere, such as a colour; `undefined` where there is none.
+/** The text of a name that comes from elsewhere, such as a colour; `undefined` if there is none.
  * @param {string} key
  * @returns {string | undefined} */
 export const named = key => (typeof texts[key] === 'string' ? texts[key] : undefined);
 
-/** Several as one text, as the language joins them.
+/** Several parts as one text, as the language joins them.
  * @param {string[]} parts
- * @param {Key} last what stands before the last one */
+ * @param {Key} last the word before the last one */
 export const listed = (parts, last = 'listOf') => parts.reduce((list, part, at) => (last !== 'listOf' && at === parts.length - 1 ? list + t(last) + part : t('listOf', { 0: list, 1: part })));
 
 /** A text with its emphasis, as nodes.
@@ -60,7 +60,7 @@ function rich(text) {
   });
 }
 
-/** Writes the texts of the page that stay. */
+/** Writes the fixed texts of the page. */
 export function writePage() {
   document.title = t('title');
   for (const element of document.querySelectorAll('[data-t]')) element.replaceChildren(...rich(t(/** @type {Key} */ (element.getAttribute('data-t')))));

@@ -1,16 +1,16 @@
-// What the robot has learned, in words: which word means what, by its dictionary.
+// The robot's dictionary in words: the meaning of each word.
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
 import { state } from './state.js';
 import { logOf } from './store.js';
 import { beliefNow, colorWords, quoted, shapeWords } from './words.js';
 
-// A word is said to mean an idea where it is expected for it this often, and this many times as often as for the next idea. A word such as “the”
-// stands in every command: it is expected that often for no idea at all.
+// A word means an idea if its probability for the idea is at least this, and this many times its probability for the next idea, and for
+// no idea at all: a word such as “the”, which is in every command, is as probable without any idea.
 const OFTEN = 0.3;
 const AHEAD = 2;
 
-/** The words whose meaning stands out, each with its idea.
+/** The words with a clear meaning, each with its idea.
  * @param {import('./state.js').Heat | null} heat
  * @returns {Map<string, string>} */
 export function meanings(heat) {
@@ -24,12 +24,12 @@ export function meanings(heat) {
   return found;
 }
 
-/** What words are made of. */
+/** A word: letters, marks, digits and apostrophes. */
 export const WORD = /[\p{L}\p{M}\p{N}'’]+/gu;
 let [written, writtenIn] = [/** @type {Map<string, string>} */ (new Map()), ''];
 
-/** A word as it was written in a command. The robot keeps small letters only, but German nouns have a capital. A capital at a command's
- * beginning tells nothing.
+/** A word as it was written in a command. The robot keeps only small letters, but German nouns have a capital. The first word of a command is left
+ * out, because its capital says nothing.
  * @param {string} word */
 export function asWritten(word) {
   const said = state.session?.command || '';
@@ -43,14 +43,14 @@ export function asWritten(word) {
   return written.get(word) || word;
 }
 
-/** The words whose meaning stands out, as they were written, each with its idea.
+/** The words with a clear meaning, as they were written, each with its idea.
  * @returns {[string, string][]} */
 export const clearWords = () => [...meanings(state.heat.now)].map(([word, token]) => [asWritten(word), token]);
 
 // roomIsGreen becomes “room is green”: names of ideas that the page has no words for.
 const tokenWords = token => token.replace(/([A-Z])/g, ' $1').toLowerCase();
 
-/** An idea as a person says it.
+/** An idea in a person's words.
  * @param {string} token */
 export function ideaWords(token) {
   const [, kind, value] = token.match(/^(color|shape)(.+)$/) || [];
@@ -62,7 +62,7 @@ export function ideaWords(token) {
   return named('idea.' + token) || tokenWords(token);
 }
 
-/** What a word means, unless it says so itself: a chair is a chair.
+/** The meaning of a word, unless the word is its own meaning: a chair is a chair.
  * @param {string} word
  * @param {string} token */
 export function meaning(word, token) {
@@ -70,7 +70,7 @@ export function meaning(word, token) {
   return idea === t('idea.shape', { 0: word }) ? '' : ' = ' + idea;
 }
 
-/** What the last session taught: a sentence, and the words that became clear.
+/** The effect of the last session, as a sentence: the words that became clear, or else the new words.
  * @param {string[]} heardNew the words of the command that were new */
 export function lessonLearned(heardNew) {
   const [before, now] = [meanings(state.heat.before), meanings(state.heat.now)];
@@ -100,7 +100,7 @@ export const unspaced = command => (UNSPACED.test(command) ? command.replaceAll(
 
 const hasWay = task => / (through|avoiding) /.test(task.name);
 
-/** Commands that can be carried out here and are not yet: the robot's own words for some of its tasks.
+/** Commands for some tasks that are possible here and not yet done, in the robot's own words.
  * @returns {string[]} */
 export function ideas() {
   const found = { agent: /** @type {string[]} */ ([]), block: /** @type {string[]} */ ([]), way: /** @type {string[]} */ ([]) };
@@ -117,7 +117,7 @@ export function ideas() {
       const cells = route && parsed(route)?.cells;
       if (cells && cells.length > 1) found[kind].push(task.words);
     });
-  } catch { /* Where a home has no tasks there is nothing to suggest. */ }
+  } catch { /* A home without tasks has nothing to suggest. */ }
   world.forget();
   return [...found.agent.slice(0, 1), ...found.block, ...found.way, ...found.agent.slice(1)];
 }

@@ -1,4 +1,4 @@
-/** The bytes of letters from the page's builder: of 93 from `!` to `~`, without `<`, the first 35 are six bits each, the others seven.
+/** The bytes of letters from the page's builder. Of the 93 letters from `!` to `~` without `<`, the first 35 are six bits each, the others seven.
  * @param {string} text */
 export function fromLetters(text) {
   const bytes = new Uint8Array(text.length);

@@ -1,4 +1,4 @@
-// What an address carries behind its #: a home with settings, a robot with all that it knows, a session of it, or a study.
+// The part of an address after its #: a home with settings, a robot with its model, a session of it, or a study.
 import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { expectTrainer, expectedNow } from './believes.js';
 import { world } from './core.js';
@@ -9,7 +9,7 @@ import { RULES, SPEEDS } from './session.js';
 import { state, tell } from './state.js';
 import { logOf } from './store.js';
 
-// The settings that a link carries; the look and the keys are everybody's own.
+// The settings in a link; the look and the keys are everybody's own.
 const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'seed'];
 
 /** The address of this page with the home and the settings. */
@@ -18,7 +18,7 @@ export function homeLink() {
   return location.href.split('#')[0] + '#home=' + toAddress(new TextEncoder().encode(JSON.stringify(share)));
 }
 
-// A robot in an address: a version, a checksum, and then, packed, the length of a JSON text, that text and the model.
+// A robot in an address: a version, a checksum, and then, packed: the length of a JSON text, that text and the model.
 const ROBOT_VERSION = 1;
 
 /** The checksum CRC-32 of bytes.
@@ -32,9 +32,9 @@ export function checksum(bytes) {
   return ~sum >>> 0;
 }
 
-/** The address of this page with this tab's robot: what it knows, its name, its home and settings.
- * @param {{ secret?: boolean, session?: any[] }} more `secret`: what it knows is to be found out; `session`: what is shown, the records of a log
- * @param {string} known what it knows, as it is kept */
+/** The address of this page with this tab's robot: its model, name, home and settings.
+ * @param {{ secret?: boolean, session?: any[] }} more `secret`: the visitor is to find out its words; `session`: the records of a log, to be shown
+ * @param {string} known its model, as it is kept */
 export async function robotLink(more = {}, known = state.robot.model) {
   const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), ...more }));
   const model = fromBase64(known);
@@ -50,8 +50,8 @@ export async function robotLink(more = {}, known = state.robot.model) {
   return location.href.split('#')[0] + (more.session ? '#session=' : '#robot=') + toAddress(bytes);
 }
 
-/** The link to the session that this robot learned from last, with what the robot knew before. Nothing where there is none, or where it came with
- * others from a log. */
+/** The link to the last session that this robot learned from, with the robot's model from before. `undefined` if there is none, or if it came from a log
+ * with others. */
 export async function sessionLink() {
   const log = logOf(state.robot);
   const before = state.robot.past.findLast(point => point.length < log.length);
@@ -60,7 +60,7 @@ export async function sessionLink() {
   return before && records.length === session.length + 1 ? robotLink({ session }, before.model) : undefined;
 }
 
-/** The robot that the address carries, taken off it; `null` where there is none, and where it is damaged, which is told.
+/** The robot in the address, which is removed from it; `null` if there is none, or if it is damaged, which is told.
  * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, secret: boolean, session: any[] | undefined, model: Uint8Array } | null>} */
 export async function readRobot() {
   const text = takeOff('robot|session');
@@ -84,8 +84,8 @@ export async function readRobot() {
   }
 }
 
-/** The study that the address invites to, taken off it: its condition, the text that people agree to, and settings. `null` where there is none, and
- * where something in it is wrong, which is told.
+/** The study in the address, which is removed from it: its condition, the text that people agree to, and settings. `null` if there is none, or if
+ * something in it is wrong, which is told.
  * @returns {{ id: string, consent: any, settings: Record<string, any> } | null} */
 export function readStudy() {
   const text = takeOff('study');
@@ -110,15 +110,15 @@ export function isSetting(name, value) {
   return typeof value === 'boolean';
 }
 
-// What the address carries by this name, taken off it, so that a reload does not undo what was changed since. Other marks behind the #, such as the
-// one of the skip link, are none of ours.
+// The text of this name in the address, which is removed from it, so that a reload does not undo later changes. Other names after the #,
+// such as that of the skip link, are left alone.
 function takeOff(name) {
   const [, text] = location.hash.match('^#(?:' + name + ')=(.*)$') || [];
   if (text !== undefined) history.replaceState(null, '', location.href.split('#')[0]);
   return text;
 }
 
-/** Takes the home and the settings that the address carries. Returns whether there was something. */
+/** Takes the home and the settings from the address. Returns whether there were any. */
 export function readLink() {
   const text = takeOff('home');
   if (text === undefined) return false;

@@ -1,4 +1,4 @@
-// A session log, gone through once more: the robot learns from its sessions one after the other.
+// Replays a session log: the robot learns from its sessions one after the other.
 import { NO_LAG, expectedNow, restsAsMoves } from './believes.js';
 import { readFile } from './files.js';
 import { world } from './core.js';
@@ -17,7 +17,7 @@ const LOG_FIELDS = {
   end: ['type', 'learn'],
 };
 
-/** Throws what is wrong with a line of a log. */
+/** Throws if a line of a log is wrong, and says why. */
 export function checkRecord(record) {
   const fields = LOG_FIELDS[record.type];
   if (!fields) throw new Error(t('log.type'));
@@ -33,14 +33,14 @@ const numbersOf = one => [one.mu_plus, one.mu_minus, one.epsilon, one.prior, ...
 
 /** @returns {[string, boolean, number, number, string]} */
 const ofAnswer = ({ tasks, yes, eta, others, words }) => [tasks.join('\n'), yes, eta, others ?? 1, words || ''];
-// Where the robot listened.
+// The beginning of a session in which the robot listened.
 /** @returns {[string, string | undefined, string]} */
 const ofListening = ({ utterance, after, conversation }) => [utterance, after, Object.entries(conversation || {}).flat().join('\n')];
 
-/** Takes in an answer as the log has it. */
+/** Takes in an answer of a log. */
 export const answerRecorded = record => world.answerAs(...ofAnswer(record));
 
-/** Begins a session of this page's own anew, as the log has it. */
+/** Begins a session of this page's own log anew. */
 export function beginAnew(record) {
   world.setPulls((record.actions || []).includes('pull'));
   world.setEnvironment(JSON.stringify(record.environment));
@@ -52,7 +52,7 @@ export function beginAnew(record) {
 // Probabilities in any unit: the largest becomes 1, so that single precision never makes all of them 0.
 const inUnit = numbers => numbers.map(number => number / Math.max(...numbers));
 
-// Tells the robot how a recorded session begins; `last` is the one before.
+// Begins a recorded session; `last` is the session before.
 function tellBeginning(record, last) {
   const same = last && last.command === record.command && JSON.stringify(last.environment) === JSON.stringify(record.environment);
   if (record.continues && !same) throw new Error(t('log.continues'));
@@ -67,7 +67,7 @@ function tellBeginning(record, last) {
   if (record.prior) world.recordedPrior(Object.keys(record.prior).join('\n'), Float32Array.from(inUnit(Object.values(record.prior))));
 }
 
-// Goes through the lines, and gives those that were learned from, with the sessions that they go on from.
+// Replays the lines, and returns those of sessions that were learned, with the sessions that they continue.
 export async function learnFrom(lines) {
   /** @type {string[]} */
   const learned = [];

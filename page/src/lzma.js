@@ -1,12 +1,12 @@
-// Expands what the page's builder has packed: LZMA without a header. A bit is as probable as it was in bits alike before it; those are alike
-// that stand in one place of a literal, a length or a distance. `pb` and `lp` are 0: where a byte stands tells nothing.
+// Expands the parts that the page's builder has packed: LZMA without a header. The probability of a bit is learned from earlier bits at
+// the same place of a literal, a length or a distance. `pb` and `lp` are 0: the position of a byte does not matter.
 
 const EVEN = 1 << 10;
 const even = length => new Uint16Array(length).fill(EVEN);
 
 /** @param {Uint8Array} packed
- * @param {number} size of what it expands to
- * @param {number} lc how many bits of the byte before count */
+ * @param {number} size bytes when expanded
+ * @param {number} lc how many bits of the previous byte predict a byte */
 export function expanded(packed, size, lc) {
   const whole = new Uint8Array(size);
   const literals = even(768 << lc);
@@ -71,7 +71,7 @@ export function expanded(packed, size, lc) {
     return distance + reversed(aligned, 4, 0);
   };
 
-  // `state` tells what the last few were: from 7 on the last one was a copy.
+  // `state` stands for the last few symbols: from 7 on the last one was a copy.
   let [state, end] = [0, 0];
   const distances = [0, 0, 0, 0];
   while (end < size) {
@@ -79,7 +79,7 @@ export function expanded(packed, size, lc) {
       const offset = 768 * ((end && whole[end - 1]) >> 8 - lc);
       let node = 1;
       if (state > 6) {
-        // Most often it is another one than what would have been copied.
+        // After a copy, the byte is mostly another one than the copy would have continued with.
         const model = whole[end - distances[0] - 1];
         for (let place = 7, same = true; same && place >= 0; place -= 1) {
           const expected = model >> place & 1;

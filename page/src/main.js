@@ -1,4 +1,4 @@
-// The page is set up.
+// Sets up the page.
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { saveTable, shareSession } from './charts.js';
 import { startCore, world } from './core.js';
@@ -62,7 +62,7 @@ function setUp() {
     if (key === 'drawing') drawnElsewhere();
     if (key.startsWith('robot.')) render();
   });
-  // What the browser does not keep is gone with the page.
+  // Data that the browser does not keep are lost with the page.
   window.addEventListener('beforeunload', event => { if (wouldBeLost()) event.preventDefault(); });
 }
 
@@ -82,7 +82,7 @@ async function takeOver() {
   else state.tour.at = at;
 }
 
-// Begins, with what was packed: the core's module, and the texts of all languages.
+// Begins with the unpacked parts: the core's module, and the texts of all languages.
 async function begin(module, languages) {
   takeLanguages(languages);
   restoreSettings();

@@ -1,5 +1,5 @@
-// To a micro:bit: the program that `cargo xtask microbit` makes, with what this robot knows, its home if that has room there, and the
-// commands that it was taught. `formats/src/microbit.rs` says what stands where, `docs/format.md` what a slot is.
+// To a micro:bit: the program that `cargo xtask microbit` makes, with this robot's model, its home if there is room, and the commands
+// that it was taught. `formats/src/microbit.rs` has the layout of the flash, `docs/format.md` that of a slot.
 import { world } from './core.js';
 import { download, readFile } from './files.js';
 import { t } from './language.js';
@@ -11,7 +11,7 @@ const [HOME, SLOTS, END] = [0x3dc00, 0x3e000, 0x40000];
 const ERASED = -1;
 const MOST_LINE = 64;
 
-// The flash that a file of Intel HEX describes; nothing where it is none, or another program.
+// The flash that a file of Intel HEX describes; `null` if it is no such file, or another program.
 function flashOf(text) {
   const flash = new Int16Array(END).fill(ERASED);
   let [upper, ended] = [0, false];
@@ -63,7 +63,7 @@ function slotsWith(model) {
 
 const size = text => new TextEncoder().encode(text).length;
 
-/** Gives back the program that was chosen, with this robot in it.
+/** Saves the chosen program with this robot in it.
  * @param {HTMLInputElement} input
  * @param {string} name */
 export async function toMicrobit(input, name) {
@@ -75,7 +75,7 @@ export async function toMicrobit(input, name) {
   }
   try {
     const model = world.forMicrobit();
-    // What the board is told at its beginning, as far as there is room.
+    // The requests that the board reads when it starts, as far as there is room.
     let lines = '';
     const add = line => {
       const fits = size(line) <= MOST_LINE && size(lines + line) < SLOTS - HOME && !/\p{Cc}/u.test(line);

@@ -1,4 +1,4 @@
-// What to teach next: the lesson that teaches most of what the robot is to understand in the end, and why.
+// The next lesson: the one that teaches most of the commands that the robot shall understand in the end, and why.
 import { course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { spaced, unspaced } from './learned.js';
@@ -11,7 +11,7 @@ import { logOf } from './store.js';
 import { enterHome } from './tour.js';
 import { sceneOf, sessionsWord, taskWords } from './words.js';
 
-/** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the one where the robot is */
+/** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the robot's current home */
 
 /** All that can be taught in the course's homes, the simplest home first.
  * @returns {Lesson[]} */

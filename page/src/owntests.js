@@ -1,4 +1,4 @@
-// Commands of one's own to test the robot by, each with what it means. It never learns from them; they stay with it, and go to a file as
+// The user's own tests of the robot: commands, each with its meaning. It never learns from them. They are kept with it, and can be saved as
 // labelled sessions of a log, which `goodbot evaluate --test` reads.
 import { parsed, world } from './core.js';
 import { download, readFile } from './files.js';
@@ -17,13 +17,13 @@ const tests = () => state.robot.tests || [];
 
 const keep = all => patch(state.robot, { tests: all });
 
-// What came of each test, as long as the robot knows what it knew then.
+// The result of each test; valid until the robot learns something.
 let results = { of: '', verdicts: /** @type {string[]} */ ([]), right: 0 };
 const knowledge = () => JSON.stringify([state.robot.id, state.robot.model, tests(), document.documentElement.lang]);
 
 const idle = () => !state.session && state.phase === 'none';
 
-// Asks one command after the other, as long as nothing else begins.
+// Tests one command after the other, until something else begins.
 async function run() {
   const of = knowledge();
   const verdicts = [];
@@ -47,7 +47,7 @@ async function run() {
 
 let offered = '';
 
-// All that a command may mean in the home that is shown.
+// Offers all tasks that a command may mean in the home that is shown.
 function offer() {
   const home = parsed(world.environment());
   const key = JSON.stringify([home, world.ways(), document.documentElement.lang]);
@@ -71,7 +71,7 @@ export function renderOwnTests() {
     known ? make('p', {}, results.verdicts[at]) : null)));
 }
 
-// What is taken off the list can be changed and put on it again.
+// Takes a test off the list; its command stays in the field, so that it can be changed and added again.
 async function remove(at) {
   const [test] = tests().slice(at);
   await keep(tests().filter((_, index) => index !== at));
@@ -80,7 +80,7 @@ async function remove(at) {
   $('test-command').focus();
 }
 
-// The tasks that a way names, as logs have them.
+// The tasks of a way, as in a log.
 const wayOf = (clause, places) => (clause === 'through' ? { through: [places.split(' or ')] } : { avoiding: places.split(' or ') });
 
 /** @param {OwnTest} test */
@@ -90,7 +90,7 @@ function lines({ home, command, meant }) {
   return [session, { type: 'end', learn: false }].map(line => JSON.stringify(line) + '\n').join('');
 }
 
-/** The test that a session of a log is, or null where it tells no meaning. Throws where the robot cannot be asked it.
+/** A session of a log as a test; null if its meaning is not given. Throws if the robot cannot be tested by it.
  * @returns {OwnTest | null} */
 function asTest({ type, environment: home, command, intended, through, avoiding }) {
   if (type !== 'session' || !intended) return null;

@@ -1,4 +1,4 @@
-// A card with what the robot knows, as a picture that stands by itself.
+// A card with the words that the robot knows, as a picture of its own.
 import { robotDrawing } from './robot.js';
 import { squares } from './share.js';
 import { draw } from './state.js';
@@ -15,7 +15,7 @@ const widthOf = (text, size) => [...text].reduce((sum, sign) => sum + (sign > '\
 
 const line = (text, y, size, weight = 400) => draw('text', { x: MIDDLE, y, 'text-anchor': 'middle', 'font-size': Math.min(size, size * (WIDTH - 3 * EDGE) / widthOf(text, size)), 'font-weight': weight }, text);
 
-/** Words and their ideas in rows, each in a frame of its own.
+/** Words and their ideas in rows, each word in a frame.
  * @param {[string, string][]} known
  * @param {number} top */
 function chips(known, top) {
@@ -47,8 +47,8 @@ function chips(known, top) {
 /** @param {string} name
  * @param {string} score
  * @param {[string, string][]} known words and their ideas
- * @param {string} [link] where others meet this robot: a code leads there
- * @param {string} [meet] what stands above the code
+ * @param {string} [link] the address where others meet this robot, for a QR code
+ * @param {string} [meet] the text above the code
  * @returns {Promise<Blob>} a PNG file */
 export async function picture(name, score, known, link = '', meet = '') {
   const words = chips(known, 690);

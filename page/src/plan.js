@@ -7,7 +7,7 @@ import { describeScene, formsOf, labelWords } from './words.js';
 
 export const CELL = 48;
 
-// A small number that is always the same for the same place, so that the hand does not tremble.
+// A small number that is always the same for the same place, so that the drawing does not flicker.
 function wobble(x, y, seed) {
   const mixed = Math.sin(x * 127.1 + y * 311.7 + seed * 74.7) * 43758.5453;
   return (mixed - Math.floor(mixed) - 0.5) * 2;
@@ -32,7 +32,7 @@ function stroke(x0, y0, x1, y1, seed, amount) {
   return path;
 }
 
-// Where things are on the drawing: north is up, and a margin of half a cell lies around the walls.
+// Coordinates on the drawing: north is up, with a margin of half a cell around the walls.
 export class Frame {
   constructor(bounds) {
     this.bounds = bounds;
@@ -49,7 +49,7 @@ export class Frame {
   }
 }
 
-// The walls: runs of cells that are wall, from middle to middle. `wall(x, y)` says what is wall.
+// The walls: runs of wall cells, from middle to middle. `wall(x, y)` says whether a cell is wall.
 function wallPaths(frame, wall) {
   const { left, right, bottom, top } = frame.bounds;
   const paths = [];
@@ -102,7 +102,7 @@ function doorDrawing(frame, door, wall) {
   return group;
 }
 
-// What does not move: floors, names, doors and walls.
+// The fixed parts: floors, names, doors and walls.
 export function houseDrawing(frame, scene) {
   const rows = scene.map.split('\n');
   const character = (x, y) => (rows[frame.bounds.top - y] || '')[x - frame.bounds.left] || ' ';
@@ -137,7 +137,7 @@ export function houseDrawing(frame, scene) {
   return house;
 }
 
-// What a room is called: what tells it from others, and the word “room”, which is left out where there is no place for it.
+// The name of a room: its colour, and the word “room”, which is left out if there is no place for it.
 function roomName(room) {
   const name = labelWords({ ...room, shape: 'room' });
   const color = formsOf(room.color).find(form => name.includes(form));
@@ -155,7 +155,7 @@ export function thingDrawing(frame, thing, isRobot) {
   return group;
 }
 
-// The plan as it stands in the page. It is built anew for another home; else things only move.
+// The plan in the page. It is built anew for another home; otherwise things only move.
 const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null), asked: /** @type {any} */ (null) };
 
 export function renderPlan() {
@@ -205,7 +205,7 @@ function renderAsked() {
   plan.asked.replaceChildren(...marks);
 }
 
-// Footprints to where the most likely task leads, and a ghost of what will stand there.
+// Footprints on the route of the task that the robot follows, and ghosts of the things at its end.
 function renderAhead() {
   const route = state.settings.ghost && state.session && state.route;
   if (!route || route.cells.length < 2) {
@@ -229,7 +229,7 @@ function renderAhead() {
   plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
 }
 
-/** Keeps the names on a drawing readable, however small it stands on the screen: 12 pixels at least. */
+/** Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels. */
 export function watchSize() {
   const sizes = new ResizeObserver(entries => {
     for (const { target } of entries) {
@@ -242,7 +242,7 @@ export function watchSize() {
     }
   });
   for (const id of ['plan', 'draft']) sizes.observe($(id));
-  // The bubble has another width at each step; where the plan ends depends on heights alone.
+  // The bubble has another width at each step; the end of the plan depends only on heights.
   const heights = new Map();
   const around = new ResizeObserver(entries => {
     const changed = entries.filter(({ target, contentRect }) => heights.get(target) !== contentRect.height);
@@ -253,7 +253,7 @@ export function watchSize() {
   window.addEventListener('resize', fitPlan);
 }
 
-// Where the buttons lie over the page, as on a phone, the plan ends above them.
+// If the buttons are fixed over the page, as on a phone, the plan ends above them.
 function fitPlan() {
   const desk = $('good').closest('.desk');
   if (getComputedStyle(desk).position !== 'fixed') {
@@ -262,6 +262,6 @@ function fitPlan() {
   }
   const free = window.innerHeight - desk.getBoundingClientRect().height - 14;
   const room = free - ($('plan').getBoundingClientRect().top + window.scrollY);
-  // Where it begins below what is seen, it is scrolled to, and seen whole then.
+  // If it begins below the visible part, people scroll to it, and then see all of it.
   $('plan').style.maxHeight = (room < 90 && !state.session ? free - 60 : Math.max(90, room)) + 'px';
 }

@@ -1,4 +1,4 @@
-// Free play: any command in any home, and how one gets from one tab to another.
+// Free play: any command in any home, and the change between tour, free play and editor.
 import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
 import { t } from './language.js';
@@ -10,7 +10,7 @@ import { $, make, state } from './state.js';
 import { say, tellRobot } from './talk.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
 
-// Commands that make sense here, for those who do not know what to say.
+// Commands that make sense here, for people who do not know what to say.
 export function renderIdeas() {
   $('ideas').hidden = Boolean(state.session) || state.secret === 'open';
   if (state.session || state.phase !== 'none' || state.mode !== 'play' || state.secret === 'open') return;
@@ -33,7 +33,7 @@ export async function setMode(mode) {
   }
 }
 
-// Which of the homes on the list this is.
+// Chooses the current home on the list.
 export function nameHome() {
   const home = world.environment();
   const known = course.homes.find(([, other]) => JSON.stringify(other) === home);

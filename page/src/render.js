@@ -1,4 +1,4 @@
-// The one place from which everything is drawn.
+// Draws everything.
 import { renderQuestion } from './asking.js';
 import { renderBuild } from './build.js';
 import { t } from './language.js';
@@ -18,7 +18,7 @@ import { renderTour } from './tour.js';
 import { renderTrick } from './trick.js';
 import { acted, isThere, speech } from './words.js';
 
-// How long the robot still waits, as it is drawn.
+// The animation of the time that the robot still waits.
 /** @type {Animation | undefined} */
 let waiting;
 
@@ -68,7 +68,7 @@ export function render() {
   for (const id of ['finish', 'drop']) $(id).hidden = !session || session.looking || state.tour.watching;
   $('finish').textContent = t(isThere() ? 'train.thatWasIt' : 'train.finish');
   $('finish').classList.toggle('big', isThere());
-  // Who has said nothing yet is not asked to end.
+  // A trainer who has said nothing yet is not asked to end.
   $('finish').classList.toggle('primary', Boolean(session) && (isThere() || hasWords(session)));
   $('finish').disabled = $('drop').disabled = !session || busy || Boolean(session && session.looking);
   for (const [id, points] of /** @type {const} */ ([['undo', state.robot.past], ['redo', state.robot.future]])) {
@@ -85,11 +85,11 @@ export function render() {
   if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
     waiting = $('wait').animate([{ transform: 'scaleX(0)' }, { transform: 'scaleX(1)' }], { duration: session.delay, delay: session.since - performance.now(), fill: 'both' });
   }
-  // Who works by keyboard is not left on a button that has gone.
+  // The focus does not stay on a button that is gone.
   if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session?.question ? $('answers') : session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
 }
 
-// The command, with the words underlined that the robot does not know.
+// The command, with unknown words underlined.
 export function heardWords(command) {
   const unknown = new Set(unknownWords());
   return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part === ' ' && unspaced(command) !== command ? '' : part));

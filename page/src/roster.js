@@ -1,4 +1,4 @@
-// The robots of this browser: which one learns here, their names, copies, and the deleted ones.
+// The robots of this browser: the one that learns here, their names, copies, and the deleted ones.
 import { readFile } from './files.js';
 import { world } from './core.js';
 import { render } from './render.js';
@@ -32,10 +32,10 @@ function renderList(all) {
   $('deleted').replaceChildren(t('robots.deleted'), ' ', ...deleted.map(robot => make('button', { type: 'button', class: 'small', onclick: () => bringBack(robot) }, t('robots.back', robot))));
 }
 
-/** Says who learns here, and what of it is not kept. */
+/** Shows which robot learns here, and which of its data are not kept. */
 export function renderRoster() {
   const guest = state.robot.log !== undefined;
-  // In a session nothing of them changes, and all that is kept would be read at each step.
+  // In a session the robots do not change, and all kept data would be read at each step.
   if (!state.session || isShown('robots')) renderList(robots());
   $('who').textContent = state.robot.name;
   const lost = refused();
@@ -112,7 +112,7 @@ function restart() {
   world.setWays(false);
 }
 
-/** A robot that has learned nothing becomes the one of this tab. The others stay. */
+/** A new robot, which has learned nothing, becomes the one of this tab. The others stay. */
 export async function newRobot() {
   restart();
   const robot = newRecord(freeName(t('robots.first')));
@@ -122,7 +122,7 @@ export async function newRobot() {
   tell(t('robots.isNew', robot));
 }
 
-/** A robot that is shown and not kept, unless somebody says so. `home` is the one that waits. */
+/** Begins with a robot that is shown and not kept, unless the user asks for it. The user's own robot waits. */
 export async function beginGuest(name) {
   restart();
   const mine = state.robot.log === undefined ? state.robot : state.mine;
@@ -132,7 +132,7 @@ export async function beginGuest(name) {
   [state.visitor, state.secret, state.shown] = [false, '', ''];
 }
 
-/** The robot of a link visits: one's own waits. Returns it where it has come. */
+/** The robot of a link visits: the user's own robot waits. Returns the visitor, if there is one. */
 export async function meet() {
   const visitor = await readRobot();
   if (!visitor) return null;
@@ -158,8 +158,8 @@ export async function meet() {
   return visitor;
 }
 
-/** Takes part in the study that the address invites to, where the visitor agrees: with a robot of its own, from the tour's beginning. Returns whether
- * there was one. */
+/** Takes part in the study of the address, if the visitor agrees: with a new robot, from the beginning of the tour. Returns whether there was a
+ * study. */
 export async function joinStudy() {
   const study = readStudy();
   if (!study || !await leaveSession()) return false;
@@ -180,7 +180,7 @@ export async function joinStudy() {
   return true;
 }
 
-/** Back to one's own robot. */
+/** Goes back to the user's own robot. */
 export async function endGuest() {
   if (!await leaveSession() || !state.mine) return;
   await open(robots().find(robot => robot.id === state.mine?.id) || state.mine);
@@ -188,7 +188,7 @@ export async function endGuest() {
   tell(t('robots.isHere', state.robot));
 }
 
-/** The robot that was only shown becomes one of one's own. */
+/** Keeps a robot that was only shown. */
 export async function keepGuest() {
   const log = logOf(state.robot);
   const robot = { ...state.robot, name: freeName(state.robot.name), tour: { at: state.tour.at, done: [...state.tour.done] } };
@@ -198,7 +198,7 @@ export async function keepGuest() {
   tell(t('robots.isKept', robot));
 }
 
-/** A model from a file is one more robot. */
+/** Adds a robot with the model of a file. */
 export async function loadModel(input) {
   const { content, name } = await readFile(input, 'bytes');
   if (!await leaveSession()) return;

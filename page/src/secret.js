@@ -1,5 +1,5 @@
-// The game of a secret language: a robot that was taught in invented words comes by a link, and whoever opens it finds out what each word means, from
-// what the robot does. Until then the page tells nothing of its thoughts.
+// The game of a secret language: a robot that was taught invented words comes by a link. Whoever opens the link finds out what each word
+// means, from the robot's actions. Until then the page does not show its thoughts.
 import { download } from './files.js';
 import { t } from './language.js';
 import { clearWords, ideaWords, meaning } from './learned.js';
@@ -27,7 +27,7 @@ async function sayWord(word) {
   startSession(word, { looking: true });
 }
 
-/** How many words are found out: those with the idea that was chosen for them. */
+/** Shows how many words have the right idea chosen. */
 function check() {
   const all = words();
   const chosen = [...$('secret-words').querySelectorAll('select')];

@@ -1,4 +1,4 @@
-// A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between two frames.
+// A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between frames.
 import { parsed, world } from './core.js';
 import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
@@ -23,7 +23,7 @@ export const SPEEDS = {
   confidence: { delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
 };
 
-// How long the robot waits, from 0 to 1, the less sure it is of its next action (the authors' three rules).
+// How long the robot waits, from 0 to 1: the less sure it is of its next action, the longer (the authors' three rules).
 export const RULES = {
   linear: { wait: sure => 1 - sure },
   sigmoid: { wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
@@ -36,7 +36,7 @@ const LOOK_BUDGET = 4000;
 const RESTS = 3;
 // The whole tour is watched in less than a minute.
 const WATCH_DELAY = 260;
-// Of a test the verdict is known; its way there is for looking at.
+// The verdict of a test is known at once; its way is only shown.
 const TEST_DELAY = 500;
 const MOST_STEPS = 300;
 
@@ -47,7 +47,7 @@ export function refresh() {
 
 // Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
 /** @param {string} command
- * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how `picked` is what the trainer says at once that it means */
+ * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how `picked` is the meaning that the trainer gives at once */
 export function startSession(command, { intended = null, looking = false, picked = '' } = {}) {
   stopSession();
   command = spaced(command);
@@ -77,7 +77,7 @@ export function begin(command, { intended = null, looking = false, picked = '', 
   if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
   go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
-    // On a small screen the plan and the buttons are what matters now; by keyboard, the keys.
+    // On a small screen the plan and the buttons matter now; with a keyboard, the focus does.
     window.scrollTo({ top: 0 });
     $(looking && state.mode === 'tour' ? 'lesson' : 'good').focus({ preventScroll: true });
   }
@@ -95,7 +95,7 @@ function newSession(command, { intended = null, looking = false, recorded = unde
   };
 }
 
-/** Shows a session from a link, step by step: the robot does what it did then, and hears what it was told. It learns nothing from that.
+/** Shows a session from a link, step by step: the same actions and the same feedback. The robot learns nothing from that.
  * @param {any[] | undefined} records */
 export function showSession(records) {
   if (!records || attempt(() => (beginAnew(records[0]), true)) !== true) return;
@@ -107,7 +107,7 @@ export function showSession(records) {
   };
 }
 
-// Looks where the robot is heading, a part at a time, while it waits for a word.
+// Looks ahead to where the robot is going, a part at a time, while it waits for feedback.
 async function lookAhead(session) {
   const { decided } = session;
   state.route = null;
@@ -120,10 +120,10 @@ async function lookAhead(session) {
   renderPlan();
 }
 
-/** Whether the trainer has said anything in this session that would be lost with it. */
+/** Whether the trainer has given feedback or answers in this session that would be lost with it. */
 export const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
 
-/** Whether the session under way may be left: asks, where words were said in it. */
+/** Whether the session under way may be left: asks, if the trainer has said something in it. */
 export async function leaveSession() {
   const { session } = state;
   if (state.phase === 'learning') {
@@ -145,13 +145,13 @@ export async function leaveSession() {
 // Milliseconds since the session began.
 const sinceBeginning = (session, moment) => Math.round(moment - session.began);
 
-/** Writes down when an answer was given. */
+/** Records the time of an answer. */
 export const noteAnswer = session => session.times.push({ said_ms: sinceBeginning(session, performance.now()) });
 
-// When the last action was done, and the word on it said.
+// The times of the last action and of the feedback to it.
 const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.given ? sinceBeginning(session, session.said) : undefined });
 
-// The session as a log has it, with the times of its steps and answers.
+// The session as lines of a log, with the times of its steps and answers.
 function logNow({ times }) {
   let at = 0;
   return world.log().replace(/^{"type":"(?:step|answer)".*/gm, line => {
@@ -160,7 +160,7 @@ function logNow({ times }) {
   });
 }
 
-// Writes the session down after each step, for a reload of this tab.
+// Keeps the session after each step, for a reload of this tab.
 export function keepSession(session) {
   if (session.looking || session.intended !== null || state.robot.log !== undefined) return;
   const steps = attempt(() => logNow(session).trimEnd().split('\n').slice(0, -1)) || [];
@@ -168,7 +168,7 @@ export function keepSession(session) {
   underWay.put(JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
-/** Takes up the session that was under way when this tab was reloaded, or another one closed. Returns whether there was one. */
+/** Resumes the session that was under way when this tab was reloaded, or another one closed. Returns whether there was one. */
 export async function takeUpSession() {
   /** @type {import('./state.js').Session} */
   let session;
@@ -176,7 +176,7 @@ export async function takeUpSession() {
     const { value, closed } = await underWay.get();
     const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
-    // A session that only began is not taken up from a tab that was closed.
+    // A session without steps is not resumed from a tab that was closed.
     if (closed && kept.steps.length < 2) return false;
     const [first, ...steps] = kept.steps.map(parsed);
     state.mode = kept.mode;
@@ -236,7 +236,7 @@ export function wake(session) {
   if (resolve) resolve();
 }
 
-// Waits for so many milliseconds, or until somebody wakes the session.
+// Waits this many milliseconds, or until the session is woken.
 export function pause(session, milliseconds) {
   return new Promise(resolve => {
     session.wake = resolve;
@@ -307,10 +307,10 @@ async function go(session) {
   return undefined;
 }
 
-// How often a meaning is picked by mistake.
+// The probability that a meaning is picked by mistake.
 const PICKED_WRONG = 0.05;
 
-// The trainer has picked a meaning: between two steps, as logs have it, that is an answer.
+// The trainer has picked a meaning: between two steps, as in a log, that is an answer.
 function takePick(session) {
   const { picked } = session;
   session.picked = '';
@@ -328,7 +328,7 @@ const mayPick = () => {
   return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
 };
 
-/** The trainer picks what was meant, of all that the robot thinks of.
+/** The trainer picks the meaning among the robot's tasks.
  * @param {string} name */
 export function pick(name) {
   const { session } = state;
@@ -338,7 +338,7 @@ export function pick(name) {
   wake(session);
 }
 
-// At its goal the robot waits for the trainer; else as long as the speed says.
+// At its goal the robot waits for the trainer; otherwise as long as the speed says.
 function waitOf(session, auto) {
   const { action, confidence } = session.decided;
   const speed = SPEEDS[state.settings.speed];
@@ -349,8 +349,8 @@ function waitOf(session, auto) {
   return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
 }
 
-// The core takes in the feedback to the last action. A robot that is only watched takes nothing in: its silence would be evidence, and might turn it
-// round and round.
+// The core takes in the feedback to the last action. A robot that is only watched takes in nothing: silence would be evidence, and might
+// send it to and fro.
 function commit(session) {
   const evidence = session.looking && !session.recorded ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
   if (evidence) state.evidence.push(evidence);
@@ -363,7 +363,7 @@ function commit(session) {
   keepSession(session);
 }
 
-// Whether a session that goes on by itself has come to its end.
+// Whether a session that runs by itself is over.
 async function ended(session) {
   if (session.recorded || (session.intended === null && !session.looking)) return false;
   const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];
@@ -374,7 +374,7 @@ async function ended(session) {
   return true;
 }
 
-/** The robot that is only watched has arrived, or nobody wants to see it arrive. */
+/** Ends the walk of a robot that is only watched: it has arrived, or the user skips it. */
 export function endWalk() {
   const { session } = state;
   stopSession();
@@ -382,7 +382,7 @@ export function endWalk() {
   session?.onEnd?.();
 }
 
-// The trainer's word on the last action. The last one before the next action counts.
+// The trainer's feedback to the last action. The last word before the next action counts.
 export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell(t('judge.nothing'));
@@ -405,7 +405,7 @@ export function giveFeedback(feedback) {
   }
 }
 
-/** Withdraws the word on the last step. */
+/** Withdraws the feedback to the last step. */
 export function takeBack() {
   const session = state.session;
   if (!session || !session.given || session.question || state.phase === 'learning') return;
@@ -417,7 +417,7 @@ export function takeBack() {
   render();
 }
 
-/** Takes back the word on the last step, or else that step, and waits. */
+/** Takes back the feedback to the last step, or else that step, and waits. */
 export function takeStepBack() {
   const session = state.session;
   if (session?.given) takeBack();
@@ -427,7 +427,7 @@ export function takeStepBack() {
   if (!pending) {
     session.steps -= 1;
     state.evidence.pop();
-    // The session as its log has it now, without its first line and its last.
+    // One for each line of the session's log, without its first and its last.
     session.times.length = world.log().trimEnd().split('\n').length - 2;
   }
   Object.assign(session, { undone: true, decided: null, paused: true, rests: 0 });
@@ -437,7 +437,7 @@ export function takeStepBack() {
   wake(session);
 }
 
-/** The robot is where it was meant to be: that is good, and the session is over. */
+/** The robot has reached the meant goal: that is good, and the session is over. */
 export async function thatWasIt() {
   const session = state.session;
   if (!session || !session.decided || session.looking || session.question) return;
@@ -476,7 +476,7 @@ export async function finishSession() {
   wake(session);
   const heat = heatNow();
   session.took = ranked()[0] || null;
-  // How sure it was, when it heard the command, of what it takes it for in the end.
+  // How sure it was, when it heard the command, of the task that is the most likely in the end.
   const sure = session.heard.find(task => task.index === session.took?.index)?.probability ?? null;
   const own = attempt(() => logNow(session).replace('"learn":false', '"learn":true'));
   if (own === undefined) {
@@ -490,12 +490,12 @@ export async function finishSession() {
   render();
   if (session.onLearn) session.onLearn();
   try {
-    // What shall not be, and "again", have no words to learn.
+    // A negated command, and "again", have no words to learn.
     if (!teaches) {
       world.finish();
       await inParts(() => world.learn(LEARN_BUDGET));
     } else await change(quoted(session.command), async stale => {
-      // Another tab has taught this robot meanwhile: this session comes on top of that.
+      // Another tab has taught this robot meanwhile: this session is learned on top of that.
       if (stale) {
         const home = world.environment();
         await learnFrom(own.trimEnd().split('\n'));
@@ -532,7 +532,7 @@ export function finishWithoutLearning() {
   tell(t('session.dropped'));
 }
 
-/** Takes back what was done last, or does it again.
+/** Undoes the last change, or redoes it.
  * @param {'past' | 'future'} from */
 export async function undo(from) {
   if (state.session || state.phase === 'learning') return;

@@ -1,4 +1,4 @@
-// Settings, shortcuts, and what is kept and shared.
+// Settings, shortcuts, and saving and sharing.
 import { answer } from './asking.js';
 import { CHOICES, expectTrainer, expectedNow } from './believes.js';
 import { download } from './files.js';
@@ -46,7 +46,7 @@ function renderBelieves() {
   if (document.activeElement !== $('strategies')) $('strategies').value = style;
 }
 
-// This changes what the robot is like, in the middle of a session.
+// Changes the trainer strategies that the robot expects; a session under way must be left first.
 async function believe(text) {
   typing = false;
   if (text !== state.settings.style && await leaveSession()) {
@@ -67,7 +67,7 @@ async function believe(text) {
 
 const LOOKS = ['auto', 'light', 'dark'];
 
-// What can be chosen from, in words.
+// Writes the options of the lists, in words.
 function writeOptions() {
   for (const [id, prefix, options] of /** @type {[string, string, string[]][]} */ ([['speed', 'speed.', Object.keys(SPEEDS)], ['rule', 'rule.', Object.keys(RULES)], ['theme', 'look.', LOOKS], ['believes', 'believes.', CHOICES]])) {
     $(id).replaceChildren(...options.map(value => make('option', { value }, t(/** @type {import('./language.js').Key} */ (prefix + value)))));
@@ -169,7 +169,7 @@ export function setUpSettings() {
   $('end-guest').addEventListener('click', endGuest);
 }
 
-/** Whether commands to this robot may say how: it learns all that it knows anew with that. */
+/** Sets whether commands to this robot may say how: it learns its training data anew. */
 export async function considerWays(value) {
   state.phase = 'learning';
   render();
@@ -183,29 +183,29 @@ export async function considerWays(value) {
   state.heat = { now: heatNow(), before: null };
 }
 
-// The robot's name, as it may name a file.
+// The robot's name, made fit for a file's name.
 const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
 
-// Each setting by itself: another tab may have changed others.
+// Keeps one setting alone: another tab may have changed others.
 export function keepSetting(name) {
   const kept = shelf.read('settings', {});
   shelf.put('settings', JSON.stringify({ ...kept, [name]: state.settings[name] }));
 }
 
-/** Takes over the settings that were kept, as far as this version knows them. */
+/** Restores the kept settings, as far as this version knows them. */
 export function restoreSettings() {
   for (const [name, value] of Object.entries(shelf.read('settings', {}))) {
     if (name in state.settings && isSetting(name, value)) state.settings[name] = value;
   }
 }
 
-// Single keys, as long as nobody types.
+// Single keys, while no field has the focus.
 const KEYS_PRESSED = {
   g: () => giveFeedback('reward'), ArrowRight: () => giveFeedback('reward'), b: () => giveFeedback('punish'), ArrowLeft: () => giveFeedback('punish'),
   p: togglePause, n: stepOnce, f: () => (isThere() ? thatWasIt() : finishSession()), Backspace: takeBack,
 };
 
-// Where the robot asks.
+// Keys for the answers to a question.
 const ANSWERS = { y: 'yes', n: 'no', 1: '1', 2: '2', 3: '3' };
 
 export function setUpShortcuts() {

@@ -3,10 +3,10 @@ import { generate } from 'lean-qr/nano';
 import { t } from './language.js';
 import { $, draw, tell } from './state.js';
 
-// What fits a QR code that a phone still reads from a screen.
+// The most letters of a QR code that a phone still reads from a screen.
 const MOST_LETTERS = 2200;
 
-/** Shows a link, and copies it where that is asked.
+/** Shows a link, with a button that copies it.
  * @param {string} link
  * @param {string} title
  * @param {string} about */
@@ -18,7 +18,7 @@ export function share(link, title, about) {
   $('shared').showModal();
 }
 
-/** A link as a QR code: how many squares wide, and the black ones as a path. `null` where it is too long for a phone.
+/** A link as a QR code: how many squares wide, and the black ones as a path. `null` if it is too long for a phone.
  * @param {string} link */
 export function squares(link) {
   if (link.length > MOST_LETTERS) return null;

@@ -1,10 +1,10 @@
-// The browser's storage. What it refuses is held in this tab, so that it can be used and saved as a file all the same.
+// The browser's storage. Texts that it refuses are held in this tab, so that they can still be used and saved as files.
 const PREFIX = 'goodbot.';
 
 /** @type {Map<string, string | null>} */
 const held = new Map();
 
-/** Keeps a text; none where it is null. Returns whether the browser took it.
+/** Keeps a text, or removes it if `value` is null. Returns whether the browser took it.
  * @param {string} key
  * @param {string | null} value */
 export function put(key, value) {
@@ -43,10 +43,10 @@ export function keysOf(beginning) {
   return [...new Set(keys)].filter(key => key.startsWith(beginning) && get(key) !== null).map(key => key.slice(beginning.length));
 }
 
-/** What the browser refused to keep: the keys. */
+/** The keys that the browser refused to keep. */
 export const refused = () => [...held.keys()].filter(key => held.get(key) !== null);
 
-/** A JSON text, or `otherwise` where there is none that can be read.
+/** The value of a JSON text, or `otherwise` if there is none that can be read.
  * @param {string} key
  * @param {any} otherwise */
 export function read(key, otherwise) {
@@ -57,7 +57,7 @@ export function read(key, otherwise) {
   }
 }
 
-/** What belongs to this tab alone, and survives its reload. */
+/** Texts that belong to this tab alone, and survive its reload. */
 export const ofTab = {
   /** @param {string} key */
   get(key) {
@@ -77,15 +77,15 @@ export const ofTab = {
   },
 };
 
-// Who writes here: a page, as long as it is open.
+// The name of this page, as long as it is open.
 const here = Date.now().toString(36) + Math.random().toString(36).slice(2);
 
-/** From now on the other tabs know that this page is open. */
+/** Lets the other tabs know that this page is open. */
 export function beHere() {
-  navigator.locks?.request(PREFIX + 'here.' + here, () => new Promise(() => { /* As long as the page is open. */ })).catch(() => { /* Then nobody takes over what it leaves. */ });
+  navigator.locks?.request(PREFIX + 'here.' + here, () => new Promise(() => { /* As long as the page is open. */ })).catch(() => { /* Then no tab resumes its session. */ });
 }
 
-/** What a tab is in the middle of: it is there after a reload, and where the tab is closed or the browser ends, in the next one. */
+/** The session of a tab: it is kept for a reload, and for the next tab if this one is closed or the browser ends. */
 export const underWay = {
   /** @param {string | null} value */
   put(value) {
@@ -93,7 +93,7 @@ export const underWay = {
     if (value !== null) put('session', JSON.stringify({ here, value }));
     else if (read('session', {}).here === here) put('session', null);
   },
-  /** What this tab was in the middle of, or else one that is closed; `closed` says which.
+  /** The session of this tab, or else that of a closed one; `closed` says which.
    * @returns {Promise<{ value: string | null, closed: boolean }>} */
   async get() {
     const own = ofTab.get('session');

@@ -1,4 +1,4 @@
-// What the trainer's words are worth: a second robot hears the same lessons, and nobody says a word to it.
+// The worth of the trainer's feedback: a second robot hears the same lessons without any.
 import { Goodbot, parsed } from './core.js';
 import { LEARN_BUDGET } from './session.js';
 import { state } from './state.js';
@@ -9,11 +9,10 @@ import { askedIn, sceneOf, taskWords } from './words.js';
 
 let [known, about] = [/** @type {[string, number, number][]} */ ([]), ''];
 
-// How probable what is meant is among these tasks.
+// The probability of the meant task.
 const sureOf = (tasks, { intended }) => tasks.find(task => task.name === intended)?.probability ?? 0;
 
-/** For each test its command, and how sure of its meaning are this robot and one that was taught the same lessons in silence. No session may be under
- * way.
+/** For each test its command, and how sure of its meaning this robot is, and one that had the same lessons in silence. No session may be under way.
  * @param {Stop[]} stops
  * @returns {[string, number, number][]} */
 export function sureness(stops) {

@@ -1,4 +1,4 @@
-// Spoken commands, where the browser can recognise speech, and what the robot says aloud, where somebody has switched that on.
+// Spoken commands, if the browser recognises speech, and a robot that speaks, if that is switched on.
 import { named, t } from './language.js';
 import { $, announce, state, tell } from './state.js';
 

@@ -17,12 +17,12 @@ import { t } from './language.js';
  * A session under way.
  * @typedef {object} Session
  * @property {string} command
- * @property {number | null} intended the task of a trainer who gives the feedback by itself
+ * @property {number | null} intended the task of a simulated trainer
  * @property {boolean} looking a test: no feedback
- * @property {Ranked[]} heard what it believed at first
+ * @property {Ranked[]} heard the belief at first
  * @property {Decided | null} decided
  * @property {string | null} feedback
- * @property {boolean} given whether the trainer has said a word on the last action
+ * @property {boolean} given whether the trainer has given feedback to the last action
  * @property {number} rests
  * @property {number} steps
  * @property {number} delay
@@ -33,19 +33,19 @@ import { t } from './language.js';
  * @property {boolean} stepping
  * @property {(() => void) | null} wake
  * @property {number} soon
- * @property {number} said when the word on the last step was said
- * @property {any[] | undefined} recorded what is still to come of a session that is shown: records of a log
+ * @property {number} said when the feedback to the last step was given
+ * @property {any[] | undefined} recorded the remaining records of a session from a log that is shown
  * @property {string[]} heardNew the words that were new to the robot
- * @property {import('goodbot-wasm').Question | null} question what the robot asks, and waits for
+ * @property {import('goodbot-wasm').Question | null} question the open question
  * @property {number} asked when it asked
  * @property {number} answers how many answers it was given
  * @property {string} picked the meaning that the trainer has just picked
  * @property {boolean} affirmed whether the trainer has said that this was it
- * @property {Ranked | null} took what it takes the command for in the end
+ * @property {Ranked | null} took the most likely task in the end
  * @property {boolean} undone whether its last step was taken back, and the next is still to come
  * @property {boolean} over
- * @property {(() => void) | null} onEnd what comes after it
- * @property {(() => void) | null} onLearn what comes before it is learned from
+ * @property {(() => void) | null} onEnd called after its end
+ * @property {(() => void) | null} onLearn called before it is learned
  */
 
 export const state = {
@@ -62,7 +62,7 @@ export const state = {
   evidence: /** @type {Evidence[]} */ ([]),
   // The robot of this tab, as it is kept.
   robot: /** @type {import('./store.js').Robot} */ (/** @type {unknown} */ (null)),
-  // One's own robot, while another is shown.
+  // The user's own robot, while another is shown.
   mine: /** @type {import('./store.js').Robot | null} */ (null),
   // Whether the robot that is shown came with a link.
   visitor: false,
@@ -72,15 +72,15 @@ export const state = {
   secret: '',
   // The tab of the panel that is shown.
   tab: /** @type {import('./tabs.js').Tab} */ ('thoughts'),
-  // What the robot says while nothing is asked of it.
+  // What the robot says between two sessions.
   said: /** @type {string[] | null} */ (null),
-  // The command that the robot takes for done already.
+  // The command that the robot did not begin, such as one for a done task; the user may insist on it.
   already: '',
-  // What came of the lesson or test before, until the next begins.
+  // The verdict on the last lesson or test, until the next begins.
   verdict: '',
   // Whether that lesson has taught another meaning than the tour's.
   astray: false,
-  // What is being learned from, where that takes a while.
+  // The progress of long learning, as a text.
   progress: '',
   sessions: 0,
   tour: { at: 0, done: /** @type {string[]} */ ([]), said: /** @type {Record<string, string>} */ ({}), watching: false },
@@ -116,7 +116,7 @@ function fill(element, attributes, children) {
 
 export const percent = p => t('percent', { n: p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100) });
 
-// Tells those who listen, and shows it for a moment to those who look.
+// Tells screen readers a text, and shows it for a moment.
 let toastTimer = 0;
 export function tell(text, wrong = false) {
   announce(text);
@@ -132,7 +132,7 @@ export function announce(text) {
   $('live').textContent = text;
 }
 
-// Runs what the core may refuse; the refusal is told, and the answer is then undefined.
+// Runs a call that the core may refuse; a refusal is told, and the result is then undefined.
 export function attempt(action) {
   try {
     return action();
@@ -143,7 +143,7 @@ export function attempt(action) {
   }
 }
 
-// Long work in parts, `part` until it gives something, with a frame now and then so that the page never stands still.
+// Does long work in parts: calls `part` until it returns something, with a frame now and then so that the page never freezes.
 export async function inParts(part) {
   let started = performance.now();
   for (;;) {

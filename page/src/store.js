@@ -1,5 +1,5 @@
-// What lasts: robots with what they know, their logs, and what can be undone. Several tabs may use them at once: what one has learned,
-// the others take over, and a session that ends in one is learned on top of what another learned meanwhile.
+// Kept data: robots with their models, their logs, and the changes that can be undone. Several tabs may use them at once: each takes over
+// the lessons of the others, and a session that ends in one is learned on top of those that another learned meanwhile.
 import { fromBase64, toBase64 } from './base64.js';
 import { expectedNow } from './believes.js';
 import { world } from './core.js';
@@ -15,7 +15,7 @@ const DAYS_KEPT = 30;
 /**
  * A point to which one can go back, or forward again.
  * @typedef {object} Point
- * @property {string} what what was done since
+ * @property {string} what the change after it, in words
  * @property {string} model
  * @property {number} sessions
  * @property {{ at: number, done: string[], said?: Record<string, string> }} tour
@@ -25,7 +25,7 @@ const DAYS_KEPT = 30;
  */
 
 /**
- * A robot as it is kept. Its log stands beside it.
+ * A robot as it is kept. Its log is kept separately.
  * @typedef {object} Robot
  * @property {number} version
  * @property {string} id
@@ -34,9 +34,9 @@ const DAYS_KEPT = 30;
  * @property {number} deleted when it was deleted, or 0
  * @property {string} model
  * @property {number} sessions
- * @property {{ at: number, done: string[], said?: Record<string, string> }} tour where the tour stands, and one's own words for its commands
+ * @property {{ at: number, done: string[], said?: Record<string, string> }} tour the progress of the tour, and the user's own words for its commands
  * @property {boolean} [ways] whether commands to it may say how
- * @property {(number | null)[]} [scores] for each session, how sure it was of what it was taught, when it heard it
+ * @property {(number | null)[]} [scores] for each session, how sure it was of the taught task when it heard the command
  * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
  * @property {{ id: string, consent: string }} [study] the condition of the study that it is for, and when its trainer agreed to take part
@@ -53,21 +53,21 @@ export const robots = () => shelf.keysOf('robot.').map(id => shelf.read('robot.'
 
 const isRobot = robot => Boolean(robot) && robot.version === VERSION && typeof robot.model === 'string' && Array.isArray(robot.past) && Array.isArray(robot.tour?.done);
 
-/** A robot that knows what the world's robot knows now.
+/** A robot with the current model of the world's robot.
  * @param {string} name
  * @returns {Robot} */
 export const newRecord = name => ({
   version: VERSION, id: newId(), name, changed: Date.now(), deleted: 0, model: toBase64(world.save()), sessions: world.sessions(), tour: { at: 0, done: [] }, ways: world.ways(), past: [], future: [],
 });
 
-// What is written is read before, to keep what other tabs have written: only where no other tab does so, in `shelf.alone`.
+// Before a robot is written it is read, to keep the changes of other tabs. Call this only in `shelf.alone`, while no other tab writes.
 /** @param {Robot} robot */
 function write(robot) {
   robot.changed = Date.now();
   if (robot.log === undefined) shelf.put('robot.' + robot.id, JSON.stringify(robot));
 }
 
-/** The robot as it is kept; `null` where it is not kept.
+/** The robot as it is kept; `null` if it is not kept.
  * @param {Robot} robot
  * @returns {Robot | null} */
 function kept(robot) {
@@ -89,7 +89,7 @@ const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { 
 /** @returns {Point} */
 const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), length: logOf(state.robot).length });
 
-/** Takes over a model, a part at a time; throws where it is none.
+/** Restores a model, a part at a time; throws if it is none.
  * @param {Uint8Array} bytes
  * @param {boolean} ways whether commands may say how */
 export async function takeModel(bytes, ways = world.ways()) {
@@ -101,7 +101,7 @@ export async function takeModel(bytes, ways = world.ways()) {
   state.settings.style = expectedNow();
 }
 
-// What another tab has taught this robot since it was last read. Returns whether there was something.
+// Takes over the lessons that another tab has given this robot since it was last read. Returns whether there were any.
 async function catchUp() {
   const { robot } = state;
   const stored = kept(robot);
@@ -112,11 +112,11 @@ async function catchUp() {
   return stale;
 }
 
-/** Takes over what another tab has taught this robot. Returns whether there was something. */
+/** Takes over the lessons that another tab has given this robot. Returns whether there were any. */
 export const othersTaught = () => shelf.alone(state.robot.id, catchUp);
 
-/** Does what changes what the robot knows, on top of what other tabs have taught it: `work(stale)` says by `stale` whether they have, and
- * returns the lines to add to the log. `what` names it for who wants to undo it.
+/** Changes the robot's model, on top of the lessons from other tabs: `work(stale)` is told whether there were any, and returns the lines to add
+ * to the log. `what` names the change for undo.
  * @param {string} what
  * @param {(stale: boolean) => Promise<string>} work */
 export async function change(what, work) {
@@ -137,7 +137,7 @@ export async function change(what, work) {
   });
 }
 
-/** Goes back to before what was done last, or forward again. Returns what that was, or undefined where there is nothing.
+/** Undoes the last change, or redoes it. Returns its name, or undefined if there is none.
  * @param {'past' | 'future'} from
  * @returns {Promise<string | undefined>} */
 export async function travel(from) {
@@ -170,7 +170,7 @@ export async function travel(from) {
   return what;
 }
 
-/** Changes what is not learned, such as the name or where the tour stands, and leaves what other tabs have taught.
+/** Changes fields that are not learned, such as the name or the progress of the tour, and keeps the lessons from other tabs.
  * @param {Robot} robot
  * @param {Partial<Robot>} fields */
 export async function patch(robot, fields) {
@@ -181,7 +181,7 @@ export async function patch(robot, fields) {
 
 export const keepTour = () => patch(state.robot, { tour: tourNow() });
 
-/** Makes this the robot of this tab: its model goes into the world.
+/** Makes this the robot of this tab: restores its model in the world.
  * @param {Robot} robot */
 export async function open(robot) {
   await takeModel(fromBase64(robot.model), robot.ways === true);
@@ -221,7 +221,7 @@ export function freeName(name) {
   return free;
 }
 
-/** Whether the browser does not keep something that was taught or drawn. */
+/** Whether lessons or drawings would be lost because the browser does not keep them. */
 export const wouldBeLost = () => shelf.refused().some(key => /^(drawing$|log\.)/.test(key) || (key.startsWith('robot.') && shelf.read(key, {}).sessions > 0));
 
 /** Opens the robot that this tab or else this browser used last, or a new one. */

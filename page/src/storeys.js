@@ -2,7 +2,7 @@
 
 const LEFT = [0, 4, 8];
 
-// A room below, where the robot is, three above it that lead to one more, and a door wherever two storeys meet.
+// A room below with the robot, three rooms above it, one room above those, and a door wherever two storeys meet.
 /** @param {string[]} colors below, left, middle, right, above */
 function storeys([below, left, middle, right, above]) {
   const room = (name, color, left, bottom, right) => ({ class: 'room', name, left, bottom, right, top: bottom + 4, color });

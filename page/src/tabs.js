@@ -1,4 +1,4 @@
-// One panel beside the stage, with a tab for each kind of thing to look at. Which tabs there are depends on what is done, and on what the robot knows.
+// One panel beside the stage, with tabs. Which tabs there are depends on the mode, and on whether the robot knows anything.
 import { render } from './render.js';
 import { $, all, state } from './state.js';
 
@@ -12,7 +12,7 @@ function offered() {
   return [...(/** @type {Tab[]} */ (nothing ? ['thoughts'] : ['thoughts', 'words', 'steps'])), ...(/** @type {Tab[]} */ (state.mode === 'play' ? ['challenges'] : [])), 'robots', 'settings'];
 }
 
-/** Whether a tab's panel is seen: what is large is drawn only then.
+/** Whether a tab's panel is visible: large tables and charts are drawn only then.
  * @param {Tab} tab */
 export const isShown = tab => !$('panel').hidden && !$('panel-' + tab).hidden;
 
@@ -25,11 +25,11 @@ export function showTab(tab) {
 let taught = false;
 
 export function renderTabs() {
-  // In free play, what to teach next gives way to what the robot thinks, and comes back after it.
+  // In free play, the challenges give way to the robot's thoughts while a session is under way.
   const teaching = Boolean(state.session && !state.session.looking);
   if (state.mode === 'play' && taught !== teaching && state.tab === (teaching ? 'challenges' : 'thoughts')) state.tab = teaching ? 'thoughts' : 'challenges';
   taught = teaching;
-  // The game of a secret language tells no thoughts.
+  // The game of a secret language hides the thoughts.
   $('panel').hidden = state.secret === 'open';
   const tabs = offered();
   if (!tabs.includes(state.tab)) state.tab = tabs[0];

@@ -1,4 +1,4 @@
-// What people say in the one field: commands, and words to a robot on its way. The core tells which is which.
+// What people write in the one field: commands, and words to a robot on its way. The core tells which is which.
 import { answer } from './asking.js';
 import { parsed, world } from './core.js';
 import { t } from './language.js';
@@ -8,14 +8,14 @@ import { begin, finishWithoutLearning, giveFeedback, keepSession, leaveSession, 
 import { $, announce, attempt, state, tell } from './state.js';
 import { beliefNow, taskWords } from './words.js';
 
-/** What is answered where nothing is under way.
+/** The answers while no session is under way.
  * @type {Record<string, import('./language.js').Key>} */
 const IDLE = { unjudged: 'judge.nothing', undo: 'undo.nothing', unchanged: 'talk.unchanged' };
 
-// The command that was told last.
+// The last command.
 let last = '';
 
-/** Says something, wherever things stand.
+/** Says something, in or between sessions.
  * @param {string} written */
 export async function say(written) {
   const words = spaced(written).trim();
@@ -35,11 +35,11 @@ export async function say(written) {
     if (await leaveSession()) tellRobot(said === 'again' ? last : words);
   } else if (session) toTheRobot(session, said, words);
   else if (said === 'undo' && state.robot.past.length) undo('past');
-  // It may be a command all the same, in a secret language.
+  // It may still be a command, in a secret language.
   else remark(t(IDLE[said] || 'say.ready'), words);
 }
 
-// What is said to a robot on its way.
+// Handles words to a robot on its way.
 function toTheRobot(session, said, words) {
   $('command').value = '';
   const judges = said === 'reward' || said === 'punish';
@@ -53,7 +53,7 @@ function toTheRobot(session, said, words) {
   else if (said === 'unjudged') announce(t('judge.nothing'));
 }
 
-/** Judges by a button. What is written in the field is said along with it: such words are praise or blame from then on.
+/** Judges by a button. Words in the field are said along with it: the robot learns them as praise or blame.
  * @param {string} feedback */
 export function judge(feedback) {
   const words = $('command').value.trim();
@@ -64,7 +64,7 @@ export function judge(feedback) {
   giveFeedback(feedback);
 }
 
-// Words turn the robot round. Where it asks or waits, it goes on.
+// Corrects the robot by words. If it asks or waits, it goes on.
 function correct(session, words) {
   if (session.looking || attempt(() => (world.correct(words), true)) !== true) return;
   session.answers += 1;
@@ -75,7 +75,7 @@ function correct(session, words) {
   wake(session);
 }
 
-/** Tells the robot a command. Where there is nothing to do, it says why, and waits.
+/** Tells the robot a command. If there is nothing to do, it says why, and waits.
  * @param {string} words
  * @param {boolean} insists whether it is a command, whatever the robot takes it for */
 export function tellRobot(words, insists = false) {
@@ -87,7 +87,7 @@ export function tellRobot(words, insists = false) {
   else render();
 }
 
-/** A session is over: goes on with what is still to come of what was said. Returns whether there was something. */
+/** After a session: goes on with the rest of the utterance. Returns whether there was one. */
 export function tellRest() {
   const heard = world.isMore() ? attempt(() => parsed(world.listenOn())) : null;
   if (heard) follow(heard, '');
@@ -102,8 +102,8 @@ function follow(heard, words) {
   else remark(t(heard.verdict === 'none' ? 'talk.none' : 'talk.unsure'), words);
 }
 
-// The robot says something while nothing is asked of it. `words` may be a command all the same. On its way its bubble says what it does: it would
-// say the rest when nobody thinks of it any more.
+// The robot says something between sessions. `words` may still be a command. In a session the text is a short message instead, because
+// the robot's bubble says what it does.
 function remark(text, words) {
   if (state.session) {
     $('command').value = '';

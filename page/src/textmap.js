@@ -1,4 +1,5 @@
-// The home as a text map: the core's drawing, and notes of what the letters cannot say. Cells count from the drawing's south-west corner.
+// The home as a text map: the core's drawing, and notes on colours and shapes, which letters cannot say. Cells count from the drawing's
+// south-west corner.
 
 import { t } from './language.js';
 
@@ -14,7 +15,7 @@ const LETTERS = {
   C: 'yellow chair', B: 'yellow bag', K: 'yellow backpack', S: 'yellow star', A: 'yellow ball',
 };
 
-// A drawing has no signs but those of a map, and one robot.
+// Checks that a drawing has only the signs of a map, and at most one robot.
 function checkSigns(drawing) {
   let robots = 0;
   drawing.forEach((row, index) => {
@@ -27,9 +28,9 @@ function checkSigns(drawing) {
   });
 }
 
-// A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Below stands what
-// letters mean ('b: blue', 'B: yellow bag'), and notes of single things, which count before that. Each room is the box around cells that hang
-// together without a door. Throws where the drawing is none.
+// A home from a drawing: '#' wall, '+' doorway, '@' the robot, lower-case letters for a room's colour, capitals for a block. Lines below
+// say what letters mean ('b: blue', 'B: yellow bag'); notes on single things overrule them. Each room is the box around cells that are
+// connected without a door. Throws if the drawing is no home.
 export function fromTextMap(text) {
   const drawing = [];
   const said = { ...LETTERS };
@@ -42,7 +43,7 @@ export function fromTextMap(text) {
     else drawing.push(row);
   }
   if (!drawing.length) throw new Error(t('map.empty'));
-  // What is noted of a thing, or else what its letter means.
+  // The note on a thing, or else the meaning of its letter.
   const meaning = (kind, place, letter, example) => {
     const key = [kind, ...place].join(' ');
     const found = notes[key] || said[letter];

@@ -1,4 +1,4 @@
-// What the robot thinks: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
+// The robot's thoughts: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
 import { renderCharts } from './charts.js';
 import { world } from './core.js';
 import { t } from './language.js';
@@ -51,7 +51,7 @@ function renderBars() {
 
 let offered = { session: /** @type {import('./state.js').Session | null} */ (null), language: '' };
 
-// All that the command may mean, to pick from.
+// The list of all tasks that the command may mean, to pick from.
 function renderPick() {
   const { session } = state;
   $('pick').closest('.field').hidden = !session || session.looking || session.intended !== null || (state.mode === 'tour' && !world.ways());
@@ -93,7 +93,7 @@ function renderSupport() {
 }
 
 export function renderHeat() {
-  // The table may be large: it is drawn when it is seen.
+  // The table may be large: it is drawn only when it is visible.
   if (!isShown('words')) return;
   const older = state.heat.before;
   $('heat-before').disabled = !older || older.words.length === 0;

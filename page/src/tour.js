@@ -13,7 +13,7 @@ import { APPENDIX } from './storeys.js';
 import { keepTour, logOf } from './store.js';
 import { taskWords, understands } from './words.js';
 
-// The course's commands are what the language says for their tasks.
+// The course's commands are the current language's words for their tasks.
 export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
 const ofCourse = (stop, test) => ({ home: homeNamed(stop.home), intended: stop.intended, test, appendix: false });
 // The appendix is for robots to which commands may say how.
@@ -27,12 +27,12 @@ const stopAt = () => stops()[state.tour.at];
 // The home must be that of the lesson or test.
 const commandOf = stop => taskWords(stop.intended);
 
-/** A command of the tour in one's own words, where they were said.
+/** A command of the tour in the user's own words, if there are any.
  * @param {string} command */
 export const inOwnWords = command => state.tour.said[command] || command;
 
-// What a test says of its command: three of the paper's tests repeat a lesson's, in another home. Only a log that knows all of a robot's sessions
-// tells what it has heard.
+// A test's hint about its command: three of the paper's tests repeat a lesson's command, in another home. Only a log with all of a
+// robot's sessions shows what it has heard.
 function aboutTest(stop) {
   const log = logOf(state.robot);
   if ((log.match(/"learn":true/g) || []).length < state.sessions) return t('tour.hint.test');
@@ -71,7 +71,7 @@ export function enterHome(json) {
   return true;
 }
 
-// Begins the lesson or test where the tour stands.
+// Begins the current lesson or test of the tour.
 export function beginStop(auto) {
   const stop = stopAt();
   if (!stop) return;
@@ -83,18 +83,18 @@ export function beginStop(auto) {
   refresh();
   const own = auto || !mayReword() ? '' : $('own-words').value.trim();
   if (own) state.tour.said[commandOf(stop)] = own;
-  // Feedback to steps hardly tells ways apart: who trains by itself picks the meaning.
+  // Feedback to steps hardly tells ways apart: the simulated trainer picks the meaning.
   const session = startSession(inOwnWords(commandOf(stop)), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
   if (!session) return;
   attend(session);
   if (!stop.test) return;
-  // It believes what it believes: nothing that comes changes that.
+  // The verdict is known at once: nothing in a test changes the belief.
   state.verdict = verdictOf(stop, session);
   announce(state.verdict);
   render();
 }
 
-// What came of a test, or of a lesson.
+// The verdict on a test, or on a lesson.
 function verdictOf(stop, session) {
   const [best] = session.heard;
   const [understood, meant] = [understands(best, stop.intended), best.name === stop.intended];
@@ -103,20 +103,20 @@ function verdictOf(stop, session) {
   return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) }) + guess;
 }
 
-// Nobody knows whether it was right where nobody said a word.
+// Without any feedback it is not known whether the robot was right.
 const hasStar = session => session.intended !== null || state.evidence.some(evidence => evidence.feedback !== 'neutral');
 
 // Whether a lesson has taught another meaning than the tour's: the trainer said yes in the wrong place, or let the robot believe it.
 const wentAstray = (stop, { intended, took, affirmed }) => !stop.test && intended === null && took.name !== stop.intended && (affirmed || took.probability > 0.5);
 
-/** Lets the tour go on when this session ends. Returns whether the command was understood at once: it came first, and more likely than not. */
+/** Lets the tour go on when this session ends. Returns whether the command was understood at once: its task is the most likely, and above one half. */
 export function attend(session) {
   const understood = understands(session.heard[0], stopAt()?.intended);
   session.onEnd = () => passStop(understood, session);
   return understood;
 }
 
-// The lesson or test is over: on to the next. What came of it stays until that begins.
+// After a lesson or test: on to the next. The verdict stays until that begins.
 function passStop(understood, session) {
   const stop = stopAt();
   const astray = wentAstray(stop, session);
@@ -141,7 +141,7 @@ const nameOf = at => (at >= lengthOfCourse() ? t('tour.appendix', { n: at - leng
 const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
-/** Shows the whole tour, with a robot that is only shown: one's own waits. */
+/** Shows the whole tour, with a robot that is only shown: the user's own waits. */
 export async function watchTour() {
   if (state.tour.watching) {
     state.tour.watching = false;
@@ -156,14 +156,14 @@ export async function watchTour() {
   beginStop(true);
 }
 
-/** The tour goes on with commands that say how. */
+/** Goes on with the tour's appendix: commands that say how. */
 export async function beginAppendix() {
   await considerWays(true);
   enterStop(lengthOfCourse());
   $('lesson').focus();
 }
 
-/** The tour from the beginning, with one more robot. */
+/** Begins the tour anew, with a new robot. */
 export async function restartTour() {
   if (!await leaveSession()) return;
   await newRobot();
@@ -207,7 +207,7 @@ export function renderTour() {
     $('tour-hint').textContent = t(rightTests() === course.tests.length ? 'tour.allRight' : 'tour.notAll');
   } else {
     const name = stop.appendix ? nameOf(at) : stop.test ? t('tour.testOf', { n: at - lessons + 1, of: course.tests.length }) : t('tour.lessonOf', { n: at + 1, of: lessons });
-    // The command stands where the language has it, with its words underlined.
+    // The command is placed as the language wants it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
     $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
     $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';

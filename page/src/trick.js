@@ -1,5 +1,5 @@
-// The game of tricking the robot: what it was taught leaves two ideas together, so that it takes one for the other; and one of some lessons repairs that.
-// What it understands is the core's own answer, each time.
+// The game of tricking the robot: its lessons always showed two ideas together, so that it takes one for the other. One of several
+// further lessons repairs that. Each answer is the core's own.
 import { world } from './core.js';
 import { listed, t } from './language.js';
 import { spaced } from './learned.js';
@@ -14,7 +14,8 @@ import { beliefNow, quoted, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: string, intended: string, command: string }} Lesson */
 
-// A lesson as it is written below: the rooms from left to right, the blocks in the middle one, and what is to go where; without a block, the robot.
+// A lesson as written below: the rooms from left to right, the blocks in the middle room, and the block that goes to a room; without a
+// block, the robot goes.
 /** @typedef {[rooms: string, blocks: string, block: string, room: string]} Written */
 
 const RGY = 'red green yellow';
@@ -62,7 +63,7 @@ function lesson([rooms, blocks, block, room]) {
 /** @type {{ level: number, robot: object, repaired: boolean, says: string[], choices: [string, () => any][] } | null} */
 let game = null;
 
-// The trainer says what is meant: no step is needed to learn from that.
+// The trainer gives the meaning: the robot learns from that without a step.
 /** @param {Lesson} taught */
 async function teach({ home, intended, command }) {
   await change(quoted(command), async () => {
@@ -125,7 +126,7 @@ function ask() {
   };
 }
 
-// One lesson more, in place of the one that did not help.
+// One more lesson, in place of one that did not help.
 /** @param {Lesson} chosen */
 async function repair(chosen) {
   if (state.session || !game) return;

@@ -1,4 +1,4 @@
-// The page in words: what a screen reader reads, and what the status line says.
+// The page in words: for screen readers, and for the status line.
 import { questionWords } from './asking.js';
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
@@ -9,11 +9,11 @@ import { isOver } from './tour.js';
 /** @typedef {import('./language.js').Key} Key */
 
 export const ACTIONS = ['north', 'south', 'east', 'west', 'pull', 'noop'];
-/** What an action is called, done.
+/** The words for an action that was done.
  * @param {string} action */
 export const acted = action => named('did.' + action) || action;
 
-// A colour or a shape as it was entered, and in the language where it knows it. Colours may have a second form.
+// A colour or a shape in the current language, or else as it was entered. Colours may have a second form.
 /** @param {string} color */
 export const formsOf = color => (named('color.' + color.toLowerCase()) || color).split('|');
 const inForm = (text, thing) => {
@@ -23,7 +23,7 @@ const inForm = (text, thing) => {
 export const shapeWords = shape => named('shape.' + shape.toLowerCase()) || shape;
 export const colorWords = color => formsOf(color)[0];
 
-/** A room or a block with its article: `form` 0 is what something is done to, 1 what is something, 2 where somebody is.
+/** A room or a block with its article: `form` 0 as an object, 1 as a subject, 2 as a place.
  * @param {{ color: string, shape: string }} thing */
 function thingWords(thing, form = 0) {
   const forms = (named('thing.' + thing.shape.toLowerCase()) || t('thing.other')).split('|');
@@ -36,7 +36,7 @@ export const labelWords = thing => inForm(named('label.' + thing.shape.toLowerCa
 
 const asThing = room => ({ ...room, shape: 'room' });
 
-/** A room or a block by its looks, and by its name where another looks alike.
+/** A room or a block by its looks, and by its name if another looks alike.
  * @param {string} name
  * @param {number} form
  * @param {{ rooms: any[], blocks: any[] }} scene */
@@ -48,7 +48,7 @@ export function objectWords(name, form = 0, { rooms, blocks } = state.scene) {
   return thingWords(thing, form) + (alike > 1 ? ' (' + name + ')' : '');
 }
 
-/** A task as a person says it, by its name in logs.
+/** A task in a person's words, from its name in logs.
  * @param {string} name
  * @param {{ rooms: any[], blocks: any[] }} scene */
 export function taskWords(name, scene = state.scene) {
@@ -64,15 +64,15 @@ export function taskWords(name, scene = state.scene) {
   return t(clause === 'through' ? 'task.through' : 'task.avoiding', { task, room });
 }
 
-/** What stands in a home that is described.
+/** The rooms and blocks of a home given as JSON.
  * @param {any} home */
 export function sceneOf({ objects }) {
   const of = kind => objects.filter(object => object.class === kind);
   return { rooms: of('room'), blocks: of('block') };
 }
 
-/** What the robot would believe of a command in a home that is described: tasks. It learns nothing from that, and stays where it is. No session may
- * be under way.
+/** The belief that the robot would have on hearing a command in another home: tasks. It learns nothing from that, and stays in place. No session may be
+ * under way.
  * @param {object} home
  * @param {string} command
  * @returns {import('goodbot-wasm').Task[]} */
@@ -82,12 +82,12 @@ export const askedIn = (home, command) => parsed(world.asked(JSON.stringify(home
  * @param {T[]} tasks */
 export const likeliest = tasks => tasks.reduce((best, task) => (task.probability > best.probability ? task : best));
 
-/** Whether a command is understood: what is meant comes first, and is more likely than not, also as the page writes it: 50 % is a coin.
+/** Whether a command is understood: the meant task is the most likely, and above 50 % as the page rounds it.
  * @param {import('goodbot-wasm').Task} best
  * @param {string | undefined} meant */
 export const understands = (best, meant) => best.name === meant && Math.round(best.probability * 100) > 50;
 
-/** What the robot believes now. */
+/** The robot's current belief. */
 export function beliefNow() {
   const belief = parsed(world.belief());
   return { ...belief, tasks: belief.tasks.map(task => ({ ...task, words: taskWords(task.name) })) };
@@ -118,18 +118,18 @@ export function ranked() {
     .sort((a, b) => b.probability - a.probability || Number(b.index === followed) - Number(a.index === followed) || a.index - b.index);
 }
 
-// A word of which the robot may have kept the first letters only.
+// A word; if the robot may have kept only its first letters, with an ellipsis.
 export const wordShown = (word, letters) => (letters && [...word].length >= letters ? word + '…' : word);
 
 export const quoted = word => t('say.quoted', { 0: unspaced(word) });
 
-// The robot at its goal: where it is, or else what is done.
+// The robot's words at its goal: its room, or else the done task.
 const hereWords = (name, task) => {
   const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
   return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });
 };
 
-/** What the robot says of itself: what matters, and the rest.
+/** What the robot says about itself: the main sentence, and the rest.
  * @returns {[string, string]} */
 export function speech() {
   const session = state.session;
@@ -160,7 +160,7 @@ export function speech() {
   return [t(said, { task }), t('say.howSure', { sure: percent(best.probability) }) + strange];
 }
 
-/** Whether the robot rests where it believes to be meant. */
+/** Whether the robot rests at the goal of the task that it follows. */
 export function isThere() {
   const decided = state.session?.decided;
   return Boolean(decided && !state.session?.question && decided.action === 'noop' && decided.plans[decided.task] === 'goal');

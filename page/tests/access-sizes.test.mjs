@@ -1,4 +1,4 @@
-// What is seen on screens of every size.
+// The visible parts of the page on screens of every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { address, close, launch, learned, open, play, second, still } from './browser.mjs';
@@ -84,7 +84,7 @@ test('on the smallest phone all tabs are seen whole, in every language', async (
   }
 });
 
-// Those that can be pressed or looked at: where they are, whether nothing lies over them, and how wide the page is.
+// For the named elements: where they are, whether anything covers them, and how wide the page is.
 const seen = (page, ids) => page.evaluate(names => ({
   scroll: document.documentElement.scrollWidth,
   boxes: Object.fromEntries(names.map(id => {
@@ -207,7 +207,7 @@ test('no text is smaller than 12 pixels, in a large home neither', async () => {
       const texts = [...document.querySelectorAll('body *')].filter(element => [...element.childNodes].some(node => node.nodeType === 3 && node.textContent.trim()) && element.getClientRects().length && !element.closest('script, style, .hidden'));
       return texts.filter(element => parseFloat(getComputedStyle(element).fontSize) * scale(element) < 11.9).map(element => element.outerHTML.slice(0, 80));
     });
-    // The plan takes its size when the bubble has its own, and the names theirs when the plan has.
+    // The plan gets its size after the bubble, and the names get theirs after the plan.
     let small = await find();
     for (let frames = 0; small.length && frames < 20; frames += 1) {
       await still(page);

@@ -8,16 +8,16 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// What a finger must hit, by the way in which it is found.
+// The elements that a finger must hit, as a selector.
 const TARGETS = 'button:not(#dots button), select, summary, .check, .button, textarea, input:not([type=checkbox], [type=file])';
 
-// What is there now, light and dark, wide and narrow.
+// Checks the page as it is now, light and dark, wide and narrow.
 const check = (page, where) => eachTab(page, tab => checkTab(page, where + ', ' + tab));
 
 async function checkTab(page, where) {
   for (const width of [1280, 360]) {
     await page.setViewportSize({ width, height: 800 });
-    // What is dark differs in its colours alone, and they are the same at any width.
+    // The dark page differs only in its colours, which are the same at any width.
     for (const colorScheme of width === 360 ? ['light'] : ['light', 'dark']) {
       await page.emulateMedia({ colorScheme });
       await still(page);

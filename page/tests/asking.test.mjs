@@ -6,7 +6,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// A page in which the robot asks, told something whose words it does not know in a home where much could be meant.
+// A page in which the robot asks: it has heard unknown words in a home with many possible tasks.
 async function asked(options = {}) {
   const page = await open(browser, options);
   await opened(page, 'Settings, keeping, sharing');

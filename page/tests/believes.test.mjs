@@ -1,4 +1,4 @@
-// What the robot expects of its trainer, by the names and numbers that the command line takes.
+// The strategies that the robot expects of its trainer, by the names and numbers that the command line takes.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -11,11 +11,11 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// The numbers of the strategies, none where the robot expects real people.
+// The numbers of the strategies; none if the robot expects real people.
 const expected = page => page.evaluate(() => [...window.goodbot.strategies()].map(number => Number(number.toFixed(3))));
 const settings = page => opened(page, 'Settings, keeping, sharing');
 
-// Chooses numbers of one's own.
+// Enters the user's own numbers.
 async function own(page, text) {
   await page.selectOption('#believes', 'own');
   await page.fill('#strategies', text);
@@ -106,7 +106,7 @@ test('the command line believes the same of a session, told to expect the same',
   await page.getByText('Good or Bad?').waitFor();
   const { log, tasks } = await page.evaluate(() => ({ log: window.goodbot.log(), tasks: JSON.parse(window.goodbot.belief()).tasks }));
   const folder = mkdtempSync(join(tmpdir(), 'goodbot-believes-'));
-  // The page's log tells it by itself; here the command line is told.
+  // The page's log has the strategies; here they are given on the command line instead.
   writeFileSync(join(folder, 'log.jsonl'), log.replace(/,"strategies":\[.*?\]/, ''));
   assert.match(log, /"mu_plus":0\.05,"mu_minus":0\.7/);
   const beliefs = believes => execFileSync(program, ['replay', '--json', '--believes', believes, join(folder, 'log.jsonl')], { encoding: 'utf8' }).trim().split('\n').map(line => JSON.parse(line));

@@ -1,4 +1,4 @@
-// Opens the page from a file, and watches that it makes no error and asks no other host for anything.
+// Opens the page from a file, and checks that it makes no error and sends nothing to any host.
 import assert from 'node:assert/strict';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -21,16 +21,16 @@ export async function launch() {
   return chromium.launch({ executablePath, args: FLAGS });
 }
 
-// Debian's Firefox, or none where there is none: it is a second browser, and those tests are then left out.
+// Debian's Firefox, a second browser. Without it, its tests are left out.
 export const firefoxPath = process.env.GOODBOT_FIREFOX || ['/usr/bin/firefox-esr', '/usr/bin/firefox'].find(existsSync);
 
-// Where Firefox puts what it downloads: its driver tells only of downloads that come from a visit to another address.
+// The folder of Firefox's downloads: its driver reports only downloads that come from a visit to another address.
 let downloads = '';
 // One Firefox for all tests of a file.
 /** @type {Promise<import('playwright-core').Browser> | null} */
 export let second = null;
 
-/** From now on this file's tests run in Firefox. */
+/** Makes this file's tests run in Firefox. */
 export function takeFirefox() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
   downloads = mkdtempSync(join(tmpdir(), 'goodbot-firefox-'));
@@ -38,16 +38,16 @@ export function takeFirefox() {
   second = firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath: downloads });
 }
 
-// A page of its own, with a storage of its own. `complaints` is what went wrong in it. Nothing moves in it by itself, which takes a tenth of a
-// core for each page, but where a test is about what moves.
+// A new page with its own storage. `complaints` has its errors. Nothing is animated in it, except in tests of animations: animations take
+// a tenth of a core for each page.
 export async function open(browser, options = {}, hash = '') {
-  // Firefox has no phone's way to lay out a page, only its size.
+  // Firefox cannot lay out a page as a phone does; it only has the size.
   const { isMobile, ...others } = options;
   return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...others, ...(second ? {} : { isMobile }) }), hash);
 }
 
-// Questions come in the middle of what most tests are about: those that are about questions switch them on. The storage itself must not be
-// asked for so early: on a slow machine Chromium hands out an empty one to who asks before it knows whose page this is.
+// Questions would interrupt most tests: the tests of questions switch them on. The storage itself must not be read so early: on a slow
+// machine Chromium returns an empty one before it knows the page's origin.
 const WITHOUT_QUESTIONS = () => {
   const { getItem } = Storage.prototype;
   Storage.prototype.getItem = function (key) { return getItem.call(this, key) ?? (key === 'goodbot.settings' ? '{"questions":false}' : null); };
@@ -56,7 +56,7 @@ const WITHOUT_QUESTIONS = () => {
 // One more tab of the same browser. `prepare` runs in it before the page does.
 export async function openIn(context, hash = '', prepare = null) {
   const page = await context.newPage();
-  // Several files of tests run at once, and on a slow machine the whole tour takes its time.
+  // Several test files run at once, and on a slow machine the whole tour takes long.
   page.setDefaultTimeout(60000);
   await page.addInitScript(WITHOUT_QUESTIONS);
   if (prepare) await page.addInitScript(prepare);
@@ -64,9 +64,9 @@ export async function openIn(context, hash = '', prepare = null) {
   page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') page.complaints.push(message.text()); });
   page.on('pageerror', error => page.complaints.push(String(error)));
   page.on('request', request => { if (!/^(file|data|blob):/.test(request.url())) page.complaints.push('asked for ' + request.url()); });
-  // Who looks for something that stands in a tab chooses the tab first.
+  // To find an element in a tab, the tab is chosen first.
   for (const name of ['click', 'tap', 'check', 'uncheck', 'fill', 'selectOption']) {
-    // Firefox is driven without fingers.
+    // Firefox's driver has no taps.
     const plain = page[name === 'tap' && second ? 'click' : name].bind(page);
     page[name] = async (selector, ...others) => {
       const tab = await page.evaluate(wanted => {
@@ -99,14 +99,14 @@ export async function reload(page) {
   await page.waitForSelector('body.ready');
 }
 
-// Until nothing moves any more, but for what always does.
+// Waits until nothing moves any more, except endless animations.
 export const still = page => page.evaluate(async () => {
   const frame = () => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); });
   const moving = () => document.getAnimations().filter(({ effect }) => effect.target.id !== 'wait' && effect.getComputedTiming().endTime < Infinity && effect.getComputedTiming().progress !== null);
   do await frame(); while (moving().length);
 });
 
-// From now on time stands still in the page, and goes on by `pass` alone.
+// Stops the time in the page; from now on only `pass` moves it.
 export async function stopTime(page) {
   await page.clock.install();
   await page.clock.pauseAt(Date.now() + 60000);
@@ -114,12 +114,12 @@ export async function stopTime(page) {
 
 export const pass = (page, milliseconds) => page.clock.runFor(milliseconds);
 
-// Until the robot has learned from so many sessions.
+// Waits until the robot has learned this many sessions.
 export const learned = (page, count) => page.waitForFunction(wanted => window.goodbot.sessions() === wanted && document.body.dataset.phase === 'none', count);
 
 export const sessions = page => page.evaluate(() => window.goodbot.sessions());
 
-// Judges each step by whether the robot takes the command for what is meant, until it says that it is there.
+// Judges each step by whether the robot follows the meant task, until it says that it is there.
 export async function toTheGoal(page, meant, judge) {
   for (let step = 0; step < 40; step += 1) {
     await page.getByText('Good or Bad?').waitFor();
@@ -137,7 +137,7 @@ export async function play(page, home) {
   await page.selectOption('#home', home);
 }
 
-// Looks at each tab that is offered now.
+// Calls `look` for each tab that is offered now.
 export async function eachTab(page, look) {
   await page.evaluate(() => { for (const details of document.querySelectorAll('#in-words, #objects details')) details.open = true; });
   const tabs = await page.locator('#tabs button:visible').evaluateAll(buttons => buttons.map(button => button.id));
@@ -155,7 +155,7 @@ export const opened = async (page, title) => {
   await page.evaluate(() => new Promise(done => { requestAnimationFrame(() => setTimeout(done)); }));
 };
 
-// Presses at one cell of the drawing and lets go at another. Cells count from the drawing's north-west corner.
+// Presses on one cell of the drawing and releases on another. Cells count from the drawing's north-west corner.
 export async function drag(page, tool, from, to = from) {
   await page.click('[data-tool=' + tool + ']');
   await page.locator('#draft').scrollIntoViewIfNeeded();
@@ -169,7 +169,7 @@ export async function drag(page, tool, from, to = from) {
   await page.mouse.up();
 }
 
-// What a button downloads: its name and its bytes.
+// The download of a button: its name and its bytes.
 export async function downloaded(page, button) {
   if (!downloads) {
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(button)]);
@@ -178,7 +178,7 @@ export async function downloaded(page, button) {
   for (const name of readdirSync(downloads)) rmSync(join(downloads, name), { recursive: true });
   await page.click(button);
   for (let attempt = 0; attempt < 600; attempt += 1) {
-    // Firefox makes an empty file first, and moves what it got into its place.
+    // Firefox makes an empty file first, and then moves the download to its place.
     const [name] = readdirSync(downloads).filter(each => !each.endsWith('.part'));
     const bytes = name ? readFileSync(join(downloads, name)) : '';
     if (bytes.length) return { name, bytes };

@@ -1,4 +1,4 @@
-// What the page writes, the command line reads, and the other way round: by the real program, which GOODBOT_CLI names.
+// The command line reads the page's files, and the page reads the command line's: with the real program, which GOODBOT_CLI names.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -29,7 +29,7 @@ function file(name, content) {
   return path;
 }
 
-// Each task's probability as the 32 bits of its number.
+// Each task's probability as 32 bits.
 function bits(tasks) {
   const number = new Float32Array(1);
   const whole = new Uint32Array(number.buffer);
@@ -53,7 +53,7 @@ async function watchTour(page) {
   await opened(page, 'Settings, keeping, sharing');
 }
 
-// The home where the page is, by its own download.
+// The page's current home, by its download.
 async function home(page) {
   await page.click('[data-mode=build]');
   return saved(page, '#download-home');

@@ -1,4 +1,4 @@
-// Pace, pause, feedback, speech: what the trainer has in hand.
+// The trainer's controls: pace, pause, feedback, speech.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { address, close, launch, open, pass, play, stopTime } from './browser.mjs';

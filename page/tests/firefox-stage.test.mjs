@@ -1,4 +1,4 @@
-// Once more in Firefox: the stage, whatever the screen's size, the end of the tour, own words, and what links bring.
+// Once more in Firefox: the stage on screens of every size, the end of the tour, own words, and links.
 import { test } from 'node:test';
 import { firefoxPath, takeFirefox } from './browser.mjs';
 

@@ -1,4 +1,4 @@
-// Once more in Firefox: what the tour says is true, and nothing is lost.
+// Once more in Firefox: the tour tells the truth, and nothing is lost.
 import { test } from 'node:test';
 import { firefoxPath, takeFirefox } from './browser.mjs';
 

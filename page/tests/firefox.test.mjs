@@ -1,4 +1,4 @@
-// What differs between browsers, once more in Firefox: beginning, input, storage of a page from a disk, tabs, links, files.
+// The parts that differ between browsers, once more in Firefox: beginning, input, storage of a page from a disk, tabs, links, files.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { BLOCKED, close, downloaded, firefoxPath, launch, learned, model, open, openIn, opened, play, reload, sessions, takeFirefox, toTheGoal } from './browser.mjs';

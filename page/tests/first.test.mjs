@@ -1,4 +1,4 @@
-// A first visitor: opens the page and taps, and the robot soon does what was meant. And what a step costs the page.
+// A first visitor: opens the page and taps, and the robot soon does the meant task. And the cost of a step in the page.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { close, launch, open, pass, stopTime } from './browser.mjs';
@@ -18,7 +18,7 @@ test('in at most fifteen seconds after the first tap the robot has gone where it
     passed += 200;
     const now = await page.evaluate(() => [document.querySelectorAll('#steps tr').length, document.body.dataset.phase, document.querySelector('#bars .best .label')?.textContent]);
     if (now[1] !== 'waiting' || now[0] < steps) continue;
-    // Who sees it go somewhere says so, once for each step.
+    // The visitor judges once for each step.
     await page.tap(/green/.test(now[2]) ? '#good' : '#bad');
     steps = now[0] + 1;
   }

@@ -18,7 +18,7 @@ async function axeClean(page, where) {
 const choices = page => page.locator('#trick-choices button');
 const many = (page, count) => page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button').length === wanted && document.body.dataset.phase === 'none', count);
 
-// Presses one, and waits until others stand in the place of those that were there.
+// Presses a choice, and waits until new choices replace the old ones.
 const pick = async (page, choice, count) => {
   await page.evaluate(() => document.querySelectorAll('#trick-choices button').forEach(button => button.setAttribute('data-old', '')));
   await choice.click();

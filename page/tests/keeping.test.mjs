@@ -65,7 +65,7 @@ test('a model goes out as a file and comes back into another page', async () => 
   await other.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: bytes });
   await other.getByText('Kept in this browser: 7 sessions').waitFor();
   assert.deepEqual(await model(other), Array.from(bytes));
-  // For the host's tests: what this model believes of a command, to the last bit.
+  // For the host's tests: this model's belief on a command, to the last bit.
   const folder = process.env.GOODBOT_PAGE_EXPORT;
   if (folder) {
     mkdirSync(folder, { recursive: true });
@@ -114,7 +114,7 @@ test('a log with a table of closed words of its own is heard with that table', a
     await tab.setInputFiles('#load-log', { name: 'log.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(lines.map(line => JSON.stringify(line)).join('\n') + '\n') });
     await tab.getByText(told).first().waitFor();
   };
-  // Where "nix" forbids, the same words say something else.
+  // With "nix" as a negation, the same words mean something else.
   await load(page, [...session({}), ...session({ utterance: command, closed_words: 'negation: nix' })], 'The robot has gone through the log');
   await load(other, [...session({}), ...session({ utterance: command })], 'The robot has gone through the log');
   assert.deepEqual([await sessions(page), await sessions(other)], [2, 2]);

@@ -23,7 +23,7 @@ test('a language can be chosen, at once and after a reload', async () => {
   await close(page);
 });
 
-// Browsers of these languages; one that we do not have is English.
+// Browsers of these languages; for one that the page does not have, it is English.
 for (const [locale, code] of [['de-AT', 'de'], ['pt-BR', 'en'], ['es', 'es'], ['fr', 'fr'], ['zh-CN', 'zh']]) {
   test('the tour in a browser of ' + locale + ': the robot learns the words of ' + LANGUAGES[code][0], async () => {
     const page = await open(browser, { locale });
@@ -39,7 +39,7 @@ for (const [locale, code] of [['de-AT', 'de'], ['pt-BR', 'en'], ['es', 'es'], ['
   });
 }
 
-// All that can be read or heard: texts, names for listeners, hints, what stands in empty fields.
+// All texts that can be read or heard: also names for screen readers, hints, and placeholders.
 const said = page => page.evaluate(() => {
   const texts = [document.title];
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -66,7 +66,7 @@ test('in Chinese, no English is left anywhere', async () => {
   await learned(page, 1);
   await look('after a lesson');
   await page.check('#set-questions');
-  // Of a trainer who is mostly silent, the robot asks.
+  // If the trainer is mostly silent, the robot asks.
   await page.selectOption('#believes', 'balanced');
   await page.click('[data-mode=play]');
   await page.selectOption('#home', 'Test');
@@ -133,7 +133,7 @@ test('a language that is changed in a session leaves the session as it is', asyn
   await close(page);
 });
 
-// English and Chinese write 51%, German and Spanish leave a space, French a narrow one.
+// English and Chinese write 51%; German and Spanish have a space before the sign, French a narrow one.
 for (const [locale, form] of [['en', /\d%/], ['zh-CN', /\d%/], ['de', /\d\u00a0%/], ['es', /\d\u00a0%/], ['fr', /\d\u202f%/]]) {
   test('shares of a hundred are written as ' + locale + ' writes them', async () => {
     const page = await open(browser, { locale });

@@ -16,7 +16,7 @@ async function teach(page, command, speed = 'step') {
 }
 
 async function begin(page, command, speed = 'step') {
-  // The robot may stand by now where it is to go.
+  // The robot may already be at the goal.
   await page.click('#reset');
   await page.selectOption('#speed', speed);
   await page.fill('#command', command);
@@ -41,7 +41,7 @@ test('two tabs teach one robot, and it learns from both', async () => {
   await play(two, 'B');
   await begin(one, 'go to the red room');
   await teach(two, 'go to the blue room');
-  // What one tab keeps, the others see a moment later.
+  // The other tabs see kept data a moment later.
   await one.waitForFunction(() => Object.entries(localStorage).some(([key, kept]) => key.startsWith('goodbot.robot.') && JSON.parse(kept).sessions === 1));
   await one.click('#finish');
   await one.waitForFunction(() => window.goodbot.sessions() === 2 && document.body.dataset.phase === 'none');
@@ -63,7 +63,7 @@ test('two tabs that finish at the same moment teach one robot both lessons, agai
     const both = ['red', 'blue'].map(color => 'go to the ' + color + ' room, ' + round);
     said.push(...both);
     await Promise.all([one, two].map((page, at) => begin(page, both[at])));
-    // Each presses the button by its own clock, at one agreed time.
+    // Each tab presses the button by its own clock, at the same moment.
     const moment = Date.now() + 400;
     await Promise.all([one, two].map(page => page.evaluate(at => { while (Date.now() < at) { /* Wait. */ } document.getElementById('finish').click(); }, moment)));
     for (const page of [one, two]) await page.waitForFunction(count => window.goodbot.sessions() === count && document.body.dataset.phase === 'none', 2 * round);
@@ -329,7 +329,7 @@ test('while a log is gone through, nothing else changes the robot', async () => 
   await teach(page, 'go to the red room');
   const session = await log(page);
   await opened(page, 'Your robots');
-  // Pressed as soon as it learns: the log is soon over.
+  // The button is pressed as soon as the robot learns: the log is short.
   await page.evaluate(() => {
     const observer = new MutationObserver(() => {
       if (document.body.dataset.phase !== 'learning') return;

@@ -1,5 +1,5 @@
-// Nothing is lost unseen: a page that keeps nothing asks before it goes, a closed tab leaves its session, two tabs share the tour's place, and what is
-// no home is refused in words.
+// Nothing is lost unseen: a page that keeps nothing asks before it is closed, the session of a closed tab is resumed, two tabs share the
+// progress of the tour, and a drawing that is no home is refused in words.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { BLOCKED, close, launch, open, openIn, play, sessions } from './browser.mjs';

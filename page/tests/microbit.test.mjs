@@ -31,7 +31,7 @@ function record(at, kind, data) {
   return ':' + Buffer.from([...bytes, -bytes.reduce((sum, byte) => sum + byte) & 255]).toString('hex') + '\r\n';
 }
 
-// A program with the mark of goodbot's and 70,000 bytes, written as no program of ours writes it: in small letters, in lines of 32 bytes that
+// A program with goodbot's mark and 70,000 bytes, in a form that goodbot does not write: in small letters, in lines of 32 bytes that
 // cross the border of 64 KiB, the second half before the first.
 function foreign() {
   const bytes = Buffer.concat([Buffer.from('....goodbot on the micro:bit; say help'), Buffer.from(Array.from({ length: 70000 }, (_, at) => at * 7 & 255))]);
@@ -47,7 +47,7 @@ async function exported(page, hex) {
   return readFileSync(await download.path(), 'utf8');
 }
 
-// Files of half a megabyte: no difference is shown.
+// The files have half a megabyte: a difference is not printed.
 const same = (one, other) => assert.ok(one === other, 'the page and the command line write the same');
 
 async function teach(page) {
@@ -58,7 +58,7 @@ async function teach(page) {
   }
 }
 
-// What the command line makes of the page's robot, a home and the commands that the robot was taught.
+// The command line's file for the page's robot, a home and the commands that the robot was taught.
 async function byCommand(page, hex, home) {
   await opened(page, 'Settings, keeping, sharing');
   const trained = file('robot.goodbot', await saved(page, '#save-model'));

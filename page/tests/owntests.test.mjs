@@ -1,4 +1,4 @@
-// Tests of one's own: commands that the robot is never taught, and how many of them it understands.
+// The user's own tests: commands that the robot is never taught, and how many of them it understands.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
@@ -19,7 +19,7 @@ async function add(page, command, meant) {
   await page.waitForFunction(wanted => document.querySelectorAll('#tests li').length === wanted, count + 1);
 }
 
-// One lesson, in which the trainer picks what is meant.
+// One lesson, in which the trainer picks the meaning.
 async function teach(page, command, meant = command) {
   const count = await sessions(page);
   await page.fill('#command', command);

@@ -18,7 +18,7 @@ for (let step = 0; step < 3; step += 1) {
   await page.click(/chair to the yellow/.test(meant) ? '#good' : '#bad');
   await page.waitForTimeout(900);
 }
-// The heart is on its way while a word waits for the next step.
+// The heart is shown while the feedback waits for the next step.
 await page.click('#pause');
 await page.click('#good');
 await page.waitForTimeout(230);

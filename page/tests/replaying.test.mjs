@@ -1,4 +1,4 @@
-// A link shows a session once more, step by step, and changes nothing of whoever opens it.
+// A link shows a session once more, step by step, and changes none of the visitor's data.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { close, launch, learned, model, open, openIn, opened, play } from './browser.mjs';
@@ -7,7 +7,7 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-// A robot that has learned one lesson and then a session with words, and what it believed at that session's end.
+// A robot that has learned one lesson and then a session with feedback, and its belief at the end of that session.
 async function teacher() {
   const page = await open(browser);
   await page.selectOption('#speed', 'once');

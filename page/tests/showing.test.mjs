@@ -1,4 +1,4 @@
-// What the page shows of the robot's thoughts.
+// The page shows the robot's thoughts.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { close, launch, learned, open, opened, play, reload, saved } from './browser.mjs';

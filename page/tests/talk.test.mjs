@@ -1,4 +1,4 @@
-// What people say in the one field: commands, and words to a robot on its way.
+// What people write in the one field: commands, and words to a robot on its way.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { close, launch, learned, model, open, play, reload, saved, sessions } from './browser.mjs';
@@ -20,7 +20,7 @@ const WORDINGS = {
   de: (thing, room) => (thing ? 'bring ' + SHAPES[thing[1]].replace('{}', COLORS[thing[0]]) : 'geh') + ' in den ' + COLORS[room] + 'en Raum',
 };
 
-// A robot that was told what thirty commands mean, in the page's language, as a log of another one.
+// A robot that has learned the meanings of thirty commands, in the page's language, from a log of another one.
 async function taught(language = 'en', options = {}) {
   const page = await open(browser, options);
   if (language !== 'en') await page.selectOption('#language', language);
@@ -44,7 +44,7 @@ async function taught(language = 'en', options = {}) {
 const waits = page => page.getByText('Good or Bad?').waitFor();
 const tasks = page => page.evaluate(() => JSON.parse(window.goodbot.belief()).tasks.map(({ name, probability }) => [name, probability]).sort((a, b) => b[1] - a[1]));
 const likeliest = async page => (await tasks(page))[0]?.[0];
-// Looks until the robot rests at its goal.
+// Waits until the robot rests at its goal.
 async function walk(page) {
   for (let step = 0; step < 60; step += 1) {
     await page.waitForFunction(() => ['waiting', 'paused'].includes(document.body.dataset.phase));

@@ -1,4 +1,4 @@
-// What the tour says of its lessons and tests is true.
+// The tour tells the truth about its lessons and tests.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { close, launch, open, opened, saved, sessions, toTheGoal } from './browser.mjs';
@@ -16,7 +16,7 @@ async function silentLessons(page) {
   }
 }
 
-// Asks a test, and does not look on as the robot walks.
+// Begins a test, and skips the robot's walk.
 async function ask(page, at) {
   await page.click('#lesson');
   await page.getByText('Skip the walk').waitFor();
@@ -153,7 +153,7 @@ test('yes in the wrong room is not “learned”: the page says what went wrong,
 test('a test tells its verdict at once, believes the same all the way, and its walk can be skipped', async () => {
   const page = await open(browser);
   await page.locator('#dots button').nth(7).click();
-  // A robot that knows nothing takes all tasks for equally likely: its own silence must not turn it round.
+  // A robot that knows nothing finds all tasks equally likely: silence must not make it turn around.
   await page.click('#lesson');
   await page.getByText('Skip the walk').waitFor();
   assert.match(await page.textContent('#verdict'), /Test 1: (understood|a lucky guess|not understood).*% sure/);
@@ -185,7 +185,7 @@ test('the table has every session, also those that were ended at their first ste
 
 test('“the” stands in every command and means nothing, in the secret language neither', async () => {
   const page = await open(browser);
-  // A trainer who answers each question: a thing first, then a room.
+  // A trainer who answers each question: first a thing, then a room.
   const log = await page.evaluate(() => {
     const Robot = window.goodbot.constructor;
     const course = JSON.parse(Robot.course(0));

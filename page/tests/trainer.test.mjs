@@ -20,7 +20,7 @@ before(async () => {
 });
 after(() => Promise.all([browser.close(), server.close()]));
 
-// What the site hears, in order.
+// The events that the site gets, in order.
 async function visit() {
   const page = await (await browser.newContext({ locale: 'en-GB', reducedMotion: 'reduce' })).newPage();
   await page.addInitScript(() => {

@@ -1,8 +1,8 @@
-"""The figures of docs/python.md: what a call costs over Rust's own, and how fast many homes are stepped beside MiniGrid.
+"""The figures of docs/python.md: what a call costs more than the same call in Rust, and how fast many homes step, compared with MiniGrid.
 
     python benches/figures.py
 
-Both sides of each comparison are measured in turn in one run, and the medians are printed. MiniGrid is left out where it is not installed.
+Both sides of each comparison are measured in turn in one run, and the medians are printed. MiniGrid is left out if it is not installed.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ ROUNDS = 9
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """How long a work takes this program's own cores, once: what else the machine does is not counted."""
+    """The processor time that some work takes once: other programs on the machine are not counted."""
     begun = time.process_time()
     work()
     return time.process_time() - begun
 
 
 def overhead(count: int = 20_000) -> None:
-    """A round of plan, decide, acted and feedback in Python, beside the same in Rust."""
+    """A round of plan, decide, acted and feedback in Python, compared with the same in Rust."""
     home = goodbot.Home.random(1)
     agent, state = goodbot.Agent(), home.start
     agent.hear(home, state, "go to the red room")
@@ -50,7 +50,7 @@ def overhead(count: int = 20_000) -> None:
 
 
 def courses(count: int = 200) -> None:
-    """The paper's course, seven lessons and five tests: how many sessions a core does in a second, and what 10^9 of them would take."""
+    """The paper's course, seven lessons and five tests: how many sessions a core does in a second, and how long 10^9 of them would take."""
     took = statistics.median(
         seconds(lambda: goodbot.run_courses(range(count), threads=1, progress=False)) / count for _ in range(ROUNDS)
     )
@@ -59,12 +59,12 @@ def courses(count: int = 200) -> None:
 
 
 def steps_a_second(step: Callable[[int], object], count: int) -> float:
-    """Steps a second of a function that takes a number of them."""
+    """Steps a second of a function that takes the number of steps."""
     return count / seconds(lambda: step(count))
 
 
 def worlds(num_envs: int = 1024) -> None:
-    """Many homes at once, beside MiniGrid's environment without obstacles, both with random actions."""
+    """Many homes at once, compared with MiniGrid's environment without obstacles, both with random actions."""
     envs = HomeVectorEnv(num_envs)
     envs.reset(seed=1)
     actions = np.random.default_rng(1).integers(len(envs.actions), size=(64, num_envs))

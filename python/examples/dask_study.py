@@ -4,8 +4,8 @@
     python dask_study.py --out study.jsonl --shards 64 --scheduler tcp://host:8786 -- --runs 1000
 
 The arguments after `--` go to `goodbot study`. Without `--scheduler`, a cluster of this machine's cores is made; Dask says where its
-dashboard is. A part is done again elsewhere where its worker is lost. Parts are deterministic: what is merged is, byte for byte, what one
-machine alone would have written.
+dashboard is. If a worker is lost, its part is done again elsewhere. Parts are deterministic: the merged study is, byte for byte, the one
+that a single machine would write.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def merged(program: str, parts: dict[int, bytes]) -> bytes:
 
 
 def what_is_missing(out: Path, program: str) -> str | None:
-    """What must be done before a study can begin, or None. It is found out before the hours of work."""
+    """What must be done before a study can begin, or None. It is checked before the hours of work."""
     if out.exists():
         return f"{out} is there already; name another file, or remove it"
     if not out.parent.is_dir():
@@ -62,7 +62,7 @@ def what_is_missing(out: Path, program: str) -> str | None:
 
 
 def write(out: Path, study: bytes) -> None:
-    """Writes a file as a whole or not at all, so that nothing half done is in the way of the next try."""
+    """Writes a file whole or not at all, so that no half-written file is in the way of the next try."""
     with tempfile.NamedTemporaryFile(dir=out.parent, delete=False) as file:
         file.write(study)
     try:
@@ -76,11 +76,11 @@ def write(out: Path, study: bytes) -> None:
 def main() -> None:
     """Runs a study and writes it."""
     parser = argparse.ArgumentParser(description="goodbot study on a Dask cluster")
-    parser.add_argument("--out", type=Path, required=True, help="the file for the merged study; it must not be there")
+    parser.add_argument("--out", type=Path, required=True, help="the file for the merged study; it must not exist yet")
     parser.add_argument("--shards", type=int, default=16, help="how many parts (several for each core, so that little is lost with one)")
     parser.add_argument("--scheduler", help="the address of a Dask scheduler; a cluster of this machine without it")
     parser.add_argument("--goodbot", default="goodbot", help="the command line, as the workers find it")
-    parser.add_argument("arguments", nargs="*", metavar="-- ...", help="what goodbot study is given")
+    parser.add_argument("arguments", nargs="*", metavar="-- ...", help="the arguments of goodbot study")
     options = parser.parse_args()
     if missing := what_is_missing(options.out, options.goodbot):
         parser.error(missing)

@@ -3,7 +3,7 @@
     python own_model.py --runs 20
 
 The language model translates features of tasks, such as `agentInRoom` or `blockInRoom 0 color blue`, into words. After each session it is trained
-anew on all sessions, each with what was believed at its end.
+anew on all sessions, each with the belief at its end.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class Encouraging:
 
 
 def main() -> None:
-    """Runs the course and prints what it came to."""
+    """Runs the course and prints the results."""
     parser = argparse.ArgumentParser(description="A language model and a trainer of one's own, in the paper's course")
     parser.add_argument("--runs", type=int, default=20, help="how many seeds")
     options = parser.parse_args()

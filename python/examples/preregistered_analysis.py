@@ -4,8 +4,8 @@
     python preregistered_analysis.py data                    the analysis
     python preregistered_analysis.py --power 40              how often a difference such as the simulated one would be found
 
-`data` has a folder for each of two conditions, and there a session log for each person: `data/paper/p01.jsonl`. The sessions that are not to be
-learned from are tests.
+`data` has a folder for each of two conditions, and there a session log for each person: `data/paper/p01.jsonl`. Sessions that are not to be
+learned are tests.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ DRAWS, ALPHA, SEED = 10_000, 0.05, 20_260
 
 @dataclass(frozen=True)
 class Person:
-    """What is measured of a person."""
+    """The measures of a person."""
 
     condition: str
     name: str
@@ -49,7 +49,7 @@ class Person:
 
 
 def measured(log: Path, condition: Condition) -> Person:
-    """Goes through the log of a person with the robot of the condition."""
+    """Replays the log of a person with the robot of the condition."""
     posteriors = goodbot.posteriors(log, goodbot.Agent(learner=condition))
     lessons = [one.session for one in posteriors if one.session.learn]
     tests = [one for one in posteriors if not one.session.learn]
@@ -70,7 +70,7 @@ def people(data: Path) -> list[Person]:
 
 
 def compared(found: Sequence[Person]) -> dict[str, float | int]:
-    """The difference of the conditions' means, its 95 % interval (bootstrap over people), and the p of a permutation test with two sides."""
+    """The difference of the conditions' means, its 95 % interval (bootstrap over people), and the p of a two-sided permutation test."""
     taken = [person for person in found if not person.is_left_out]
     first, second = (np.array([person.understood for person in taken if person.condition == condition]) for condition in CONDITIONS)
     if not len(first) or not len(second):
@@ -95,7 +95,7 @@ def compared(found: Sequence[Person]) -> dict[str, float | int]:
 
 
 def simulate(count: int, data: Path, seed: int = 1) -> None:
-    """Writes the logs of simulated people: half of them in each condition, each quiet and mistaken to another degree."""
+    """Writes the logs of simulated people: half of them in each condition, each silent and mistaken to a different degree."""
     for number in range(count):
         draw, condition = random.Random(seed * 1_000_003 + number), CONDITIONS[number % len(CONDITIONS)]
         kind = (draw.uniform(0.9, 1.0), draw.uniform(0.9, 1.0), draw.uniform(0.1, 0.4))

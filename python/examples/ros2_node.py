@@ -7,10 +7,10 @@
 | `command` | topic, in | `std_msgs/String` | what to do, in a person's words; a command that is under way is dropped |
 | `feedback` | topic, in | `std_msgs/Int8` | of the last action: 1 good, -1 bad, 0 nothing |
 | `done` | topic, in | `std_msgs/Empty` | the command is carried out: learn from it |
-| `pose` | topic, in | `geometry_msgs/Point` | the robot's cell, where it senses that |
+| `pose` | topic, in | `geometry_msgs/Point` | the robot's cell, if it senses that |
 | `action` | topic, out | `std_msgs/String` | what the robot does next: north, south, east, west or noop |
 | `believed` | service | `std_srvs/Trigger` | what the command is believed to mean, as JSON |
-| `save` | service | `std_srvs/Trigger` | writes what was learned to the file of the parameter `model` |
+| `save` | service | `std_srvs/Trigger` | writes the model to the file of the parameter `model` |
 
 The agent acts once a `period` (seconds). The trainer's word counts until the next action, as in the paper.
 """
@@ -56,11 +56,11 @@ class GoodbotNode(Node):
         self.create_timer(period, self.on_timer)
 
     def refused(self, refusal: Exception) -> None:
-        """A refusal is told, and the node lives on."""
+        """Logs a refusal; the node goes on."""
         self.get_logger().warning(str(refusal))
 
     def on_command(self, message: Any) -> None:
-        """Hears a command where things are now."""
+        """Hears a command in the current state."""
         try:
             self.agent.hear(self.home, self.state, message.data)
             self.listening = True
@@ -69,14 +69,14 @@ class GoodbotNode(Node):
             self.refused(refusal)
 
     def on_feedback(self, message: Any) -> None:
-        """Takes in the trainer's word about the last action."""
+        """Takes in the trainer's feedback to the last action."""
         try:
             self.agent.feedback(WORDS[max(-1, min(1, message.data))])
         except RuntimeError as refusal:
             self.refused(refusal)
 
     def on_pose(self, message: Any) -> None:
-        """Takes note of where the robot has come to."""
+        """Records the sensed cell of the robot."""
         agent = next(name for name, it in self.home.objects.items() if it["class"] == "agent")
         try:
             self.state = self.home.placed(self.state, {agent: (round(message.x), round(message.y))})
@@ -90,7 +90,7 @@ class GoodbotNode(Node):
             self.agent.finish(self.home)
 
     def on_timer(self) -> None:
-        """Decides on the next action and says what it is."""
+        """Decides on the next action and publishes it."""
         if not self.listening:
             return
         self.agent.plan(self.home, self.state)

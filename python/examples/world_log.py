@@ -1,4 +1,4 @@
-"""Commands in a house that is no robot: what they mean is told, and understood in other words of the same person.
+"""Commands in a house without a robot: a model learns their meanings, and is tested on commands that it has not seen.
 
     python world_log.py
 

@@ -36,7 +36,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, TryLockError};
 
-/// The most that any table may hold, whatever a file says.
+/// The most entries of the table of possible tasks, whatever the capacities say.
 const MOST_OF_A_FIELD: usize = 1 << 24;
 
 pub const fn evidence_name(evidence: Evidence) -> &'static str {
@@ -47,7 +47,7 @@ pub const fn evidence_name(evidence: Evidence) -> &'static str {
     }
 }
 
-/// What a trainer said, by name; `None` is silence.
+/// A trainer's feedback, by name; `None` is silence.
 pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
     match name {
         None => Ok(Feedback::Neutral),
@@ -55,13 +55,13 @@ pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
     }
 }
 
-/// Kinds of tasks that commands may mean, and their texts where a model file is to keep them.
+/// Kinds of tasks that commands may mean, and their texts if a model file shall keep them.
 pub struct Kinds {
     pub lifted: Vec<LiftedTask>,
     pub texts: Option<Vec<String>>,
 }
 
-/// The kinds of tasks that commands may mean: those named, or the paper's two. The latter are what a file without any means.
+/// The kinds of tasks that commands may mean: those named, or the paper's two. A model file without kinds means the paper's two.
 pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schema<'_>) -> PyResult<Kinds> {
     let paper = home::paper_tasks().map_err(value)?.to_vec();
     let Some(kinds) = kinds else { return Ok(Kinds { lifted: paper, texts: None }) };
@@ -84,7 +84,7 @@ fn are_same(some: &[LiftedTask], others: &[LiftedTask]) -> bool {
 /// The kinds of tasks of a model: those that its file keeps, or else those that are named.
 fn kinds_of_model(py: Python<'_>, model: &[u8], tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Kinds> {
     let kept = kept_kinds::of(model).map_err(|damaged| ModelError::new_err(damaged.to_string()))?;
-    // Kinds of another vocabulary are no kinds here, and the model is refused where it is restored.
+    // Kinds of another vocabulary are left out here; restoring such a model is refused later.
     let read = kept.and_then(|kept| Some((tasks_of(py, Some(kept.clone()), domain).ok()?, kept)));
     let Some((kinds, kept)) = read else { return tasks_of(py, tasks, domain) };
     if let Some(tasks) = tasks {
@@ -99,7 +99,7 @@ fn kinds_of_model(py: Python<'_>, model: &[u8], tasks: Option<Vec<String>>, doma
     Ok(kinds)
 }
 
-/// A table of closed words, the one that is built in where there is none.
+/// A table of closed words; without a text, the built-in one.
 fn table_of(text: Option<&str>) -> PyResult<ClosedWords<'_>> {
     text.map_or(Ok(ClosedWords::ALL), |text| ClosedWords::new(text).map_err(|error| value(format!("closed_words: {error}"))))
 }
@@ -115,11 +115,11 @@ fn strategies_of(numbers: &[StrategyNumbers]) -> PyResult<Vec<(Strategy, f32)>> 
 
 /// The robot's mind (the paper, Algorithm 1): it hears a command, plans, decides, takes feedback, and learns what words mean.
 ///
-/// `tasks` are the kinds of tasks that commands may mean, such as `agentInRoom(?a,?r)`; without them, the paper's two. `domain` is a robot
-/// of your own whose vocabulary they are written in. `learner` is `default`, `paper` or `smoothed`; `weights` is `paper`, `belief` or
-/// `evidence`. `strategies` are the trainer's possible strategies, each mu+, mu-, epsilon and prior; without them, the paper's balanced
-/// one. `capacities` are the sizes of the tables: `tiny`, `small`, `standard`, or a dict of what is to differ from `standard`. `seed` decides
-/// draws among what is equally good.
+/// `tasks` are the kinds of tasks that commands may mean, such as `agentInRoom(?a,?r)`; without them, the paper's two. `domain` is a
+/// robot of your own whose vocabulary they are written in. `learner` is `default`, `paper` or `smoothed`; `weights` is `paper`, `belief`
+/// or `evidence`. `strategies` are the trainer's possible strategies, each mu+, mu-, epsilon and prior; without them, the paper's
+/// balanced one. `capacities` are the sizes of the tables: `tiny`, `small`, `standard`, or a dict of sizes that differ from `standard`.
+/// `seed` decides between equally good choices.
 ///
 /// One thread at a time: a second one is refused with `InUseError`. Long calls let other threads run, and stop on ctrl-C.
 ///
@@ -150,7 +150,7 @@ fn strategies_of(numbers: &[StrategyNumbers]) -> PyResult<Vec<(Strategy, f32)>> 
 pub struct Agent(Mutex<Mind>);
 
 impl Agent {
-    /// Does something with the mind, unless another thread or an outer call does. A panic of goodbot's own does not pass.
+    /// Runs a call on the mind, unless another thread or an outer call uses it. A panic of goodbot's becomes an `InternalError`.
     pub fn with<T>(&self, run: impl FnOnce(&mut Mind) -> PyResult<T>) -> PyResult<T> {
         let broken = || InternalError::new_err("goodbot itself failed in an earlier call of this agent; load it anew, and report it");
         let mut mind = match self.0.try_lock() {
@@ -206,7 +206,7 @@ fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_
     }
 }
 
-/// Writes a model as the command line does. Another file is not replaced unless `force` says so.
+/// Writes a model as the command line does. A file that is no model is replaced only with `force`.
 fn write_model(path: &Path, bytes: &[u8], force: bool) -> PyResult<()> {
     if !force && !Kind::Model.may_replace(path) {
         let message = format!("{} is there and is no model; name another file, or say force=True", path.display());
@@ -241,10 +241,10 @@ impl Agent {
         Ok(Self(Mutex::new(mind)))
     }
 
-    /// An agent that knows what a model file knows, whoever wrote it: this package, the command line, the page, or a controller. Its kinds of
-    /// tasks are those that the file keeps, if it keeps any; `tasks` are for the others.
+    /// An agent from a model file, written by this package, the command line, the page, or a controller. Its kinds of tasks are those in
+    /// the file; `tasks` are for files without any.
     ///
-    /// Raises `ValueError` where `tasks` are other kinds than the file's, `ModelError`, `CapacityError` and `OSError`.
+    /// Raises `ValueError` if `tasks` differ from the kinds in the file, `ModelError`, `CapacityError` and `OSError`.
     #[staticmethod]
     #[pyo3(signature = (path, tasks=None, *, domain=None, seed=0))]
     fn load(py: Python<'_>, path: PathBuf, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
@@ -267,7 +267,7 @@ impl Agent {
         Self::restored(py, model, kinds, seed)
     }
 
-    /// Writes what was learned as a model file, whole or not at all. A file that is there and is no model is replaced only with `force=True`.
+    /// Writes a model file, whole or not at all. An existing file that is no model is replaced only with `force=True`.
     ///
     /// Raises `FileExistsError`, `OSError` and `ModelError`.
     #[pyo3(signature = (path, *, force=false))]
@@ -275,7 +275,7 @@ impl Agent {
         self.with(|mind| write_model(&path, &mind.saved()?, force))
     }
 
-    /// What was learned, as the bytes of a model file. A session under way is not in them.
+    /// The bytes of a model file. A session under way is not in them.
     ///
     /// >>> goodbot.Agent.from_bytes(goodbot.Agent().to_bytes()).sessions
     /// 0
@@ -310,17 +310,17 @@ impl Agent {
         })
     }
 
-    /// Hears words that may be no command, in a state. Returns a dict: `verdict` is `sure`, `unsure`, `done` or `none`; `taken_for` says what
-    /// the words are taken for; `tasks` are the tasks that are meant, of which those with `!` shall not be; `probability` is how sure that is;
-    /// `rest` is what else was said, or None. A session begins, as with `hear`. `goes_on` hears the rest of an utterance, in the state that the
-    /// part before leads to.
+    /// Hears words that may be no command, in a state. Returns a dict: `verdict` is `sure`, `unsure`, `done` or `none`; `taken_for` is
+    /// the most likely reading of the words; `tasks` are the tasks that are meant, negated if they begin with `!`; `probability` is how
+    /// probable they are; `rest` is the rest of several commands, or None. A session begins, as with `hear`. `goes_on` hears such a rest,
+    /// in the state after the previous command.
     ///
-    /// A robot with few lessons takes everything for a command, and one of the paper's model does.
+    /// A robot with few lessons takes everything for a command, and so does one with the paper's language model.
     ///
-    /// `closed_words` is a table of words such as "not", "and", "please", as text, in the place of the one that is built in
-    /// (`goodbot example closed-words` prints that); an empty text has no words.
+    /// `closed_words` is a table of words such as "not", "and", "please", as text, in place of the built-in one, which
+    /// `goodbot example closed-words` prints; an empty text has no words.
     ///
-    /// Raises as `hear` does, and ValueError where `closed_words` is no table.
+    /// Raises as `hear` does, and ValueError if `closed_words` is no table.
     #[pyo3(signature = (domain, state, words, *, goes_on=false, closed_words=None))]
     fn listen<'py>(
         &self,
@@ -357,10 +357,11 @@ impl Agent {
         })
     }
 
-    /// Remembers a task of the session, by its name or its position among `tasks`, as followed from where the session began: `listen` then knows
-    /// what "it", "there", "back", "the other one" and "again" refer to. Call it before the session is finished or forgotten.
+    /// Remembers that the robot followed a task of the session, by its name or its position among `tasks`, from the session's first state:
+    /// `listen` then knows what "it", "there", "back", "the other one" and "again" refer to. Call it before the session is finished or
+    /// forgotten.
     ///
-    /// Raises ValueError where there is no such task, and SessionError where no session is under way.
+    /// Raises ValueError if there is no such task, and SessionError if no session is under way.
     fn remember(&self, domain: &Bound<'_, PyAny>, task: &Bound<'_, PyAny>) -> PyResult<()> {
         let py = domain.py();
         self.with(|mind| {
@@ -375,7 +376,7 @@ impl Agent {
         })
     }
 
-    /// Begins another conversation: nothing is remembered of what was said.
+    /// Begins another conversation: the previous one is forgotten.
     fn converse_anew(&self) -> PyResult<()> {
         self.with(|mind| {
             mind.core.resume(Conversation::NEW);
@@ -383,8 +384,8 @@ impl Agent {
         })
     }
 
-    /// What a person's words ask for, given the session under way, the last action, and the question that is open. Nothing is done yet. Returns
-    /// what, and the answer where it is one:
+    /// Finds what a person's words ask for, given the session under way, the last action, and the open question. It does nothing yet.
+    /// Returns one of these names, and the answer if the words are one:
     ///
     /// - `command`: `listen`; `stop`: `forget`; `nothing`;
     /// - `reward`, `punish`: `feedback`; `finish`: praise for a robot that rests at its goal;
@@ -427,16 +428,16 @@ impl Agent {
         })
     }
 
-    /// Learns words that are said along with a button: from then on they are praise or blame to `said`, as long as they come with the one more
-    /// than twice as often as with the other. A saved robot does not keep them.
+    /// Learns words that are said along with a feedback button: `said` then takes them for praise or blame, as long as they come with one
+    /// of the two more than twice as often as with the other. A saved robot does not keep them.
     #[pyo3(signature = (words, feedback, *, closed_words=None))]
     fn learn_voice(&self, py: Python<'_>, words: &str, feedback: Option<&str>, closed_words: Option<&str>) -> PyResult<()> {
         let (feedback, closed) = (feedback_of(feedback)?, table_of(closed_words)?);
         self.with(|mind| mind.voice.learn(words, feedback, closed).map_err(|refused| error::agent(py, refused)))
     }
 
-    /// Takes in words that turn the robot on its way round: "no, the other one", "I meant the blue one", "not the red one". The task that it follows
-    /// is left with a twentieth of the belief in the next one at most, and the words are evidence.
+    /// Takes in words that correct the robot on its way: "no, the other one", "I meant the blue one", "not the red one". The belief in
+    /// the task that it follows drops to at most a twentieth of that in the next one, and the words are evidence.
     #[pyo3(signature = (domain, words, *, closed_words=None))]
     fn correct(&self, domain: &Bound<'_, PyAny>, words: &str, closed_words: Option<&str>) -> PyResult<()> {
         let (py, closed) = (domain.py(), table_of(closed_words)?);
@@ -447,7 +448,7 @@ impl Agent {
         })
     }
 
-    /// Hears the last command again in the same state: what was believed goes on.
+    /// Hears the last command again in the same state: the belief goes on.
     fn hear_again(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<()> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;
@@ -464,7 +465,7 @@ impl Agent {
         })
     }
 
-    /// Decides on an action in a state that was planned for. Raises `SessionError` where it was not.
+    /// Decides on an action in a state that was planned for. Raises `SessionError` if it was not.
     fn decide(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<Decision> {
         let py = domain.py();
         self.with(|mind| {
@@ -476,9 +477,9 @@ impl Agent {
         })
     }
 
-    /// Takes note that an action was done in a state that was planned for. Returns the state that it leads to.
+    /// Records that an action was done in a state that was planned for. Returns the next state.
     ///
-    /// Raises `ValueError` where the action cannot be done.
+    /// Raises `ValueError` if the action cannot be done.
     fn acted(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, action: &str) -> PyResult<Py<PyAny>> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;
@@ -487,16 +488,17 @@ impl Agent {
         })
     }
 
-    /// Takes in the trainer's word about the last action: `reward`, `punish`, or `neutral`, which None is too. Of several words the last counts.
+    /// Takes in the trainer's feedback to the last action: `reward`, `punish`, or `neutral`, which None means too. Of several words the
+    /// last counts.
     ///
-    /// Returns `used`, `says nothing` where no task's right actions are known exactly, or `impossible`, which is ignored.
+    /// Returns `used`, `says nothing` if no task's right actions are known exactly, or `impossible`, which is ignored.
     #[pyo3(signature = (feedback))]
     fn feedback(&self, py: Python<'_>, feedback: Option<&str>) -> PyResult<&'static str> {
         let feedback = feedback_of(feedback)?;
         self.with(|mind| mind.core.feedback(feedback).map(evidence_name).map_err(|refused| error::agent(py, refused)))
     }
 
-    /// Takes in that the trainer did an action in a state that was planned for, to show the way. Returns as `feedback`.
+    /// Takes in an action that the trainer did to show the way, in a state that was planned for. Returns the same as `feedback`.
     fn demonstrated(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, action: &str) -> PyResult<&'static str> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;
@@ -506,11 +508,11 @@ impl Agent {
         })
     }
 
-    /// Proposes a question in a state that was planned for, or None where acting teaches as much.
+    /// Proposes a question in a state that was planned for, or None if acting teaches as much.
     ///
-    /// A dict of `about` (`object`, `kind`, `task`, or `which` where there is something to choose), `choices`, a list of names of tasks for
-    /// each choice (one list where the answer is yes or no), and `bits`, what an answer is expected to tell. `kappa` is what a question costs
-    /// in steps, `eta` how often an answer is wrong.
+    /// A dict of `about` (`object`, `kind`, `task`, or `which` if there are choices), `choices`, a list of names of tasks for each choice
+    /// (one list if the answer is yes or no), and `bits`, the expected information of an answer. `kappa` is the cost of a question in
+    /// steps, `eta` the probability of a wrong answer.
     ///
     /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
     /// >>> agent = goodbot.Agent()
@@ -554,7 +556,7 @@ impl Agent {
     }
 
     /// Takes in the answer to the last question: `"yes"`, `"no"` (which also means none of these), or the position of a choice, from 0 on.
-    /// Returns as `feedback`.
+    /// Returns the same as `feedback`.
     fn answer(&self, answer: &Bound<'_, PyAny>) -> PyResult<&'static str> {
         let py = answer.py();
         let said = match answer.extract::<String>().as_deref() {
@@ -567,7 +569,7 @@ impl Agent {
         self.with(|mind| mind.core.answer(said).map(evidence_name).map_err(|refused| error::agent(py, refused)))
     }
 
-    /// Ends the session and learns from it. Returns how many older sessions gave way because memory was full.
+    /// Ends the session and learns from it. Returns how many older sessions were forgotten because memory was full.
     ///
     /// With `learn=False` the training is left to `learn`.
     #[pyo3(signature = (domain, *, learn=true))]
@@ -644,7 +646,8 @@ impl Agent {
 
     /// Which actions begin a shortest way to each task's goal, in the state that was planned for last: bool, shape (tasks, actions + 1).
     ///
-    /// The columns are the domain's actions and, last, `noop`, which is right at the goal. A row of a task that is not known is all False.
+    /// The columns are the domain's actions and, last, `noop`, which is right at the goal. In a dead end all possible actions are right. An
+    /// `approximate` plan has the actions that it found, perhaps not of a shortest way. The row of an `unknown` plan is all False.
     fn optimal_sets<'py>(&self, domain: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
         self.with(|mind| {
             let place = mind.place_of(domain)?;
@@ -659,13 +662,13 @@ impl Agent {
         })
     }
 
-    /// What the plan says of each task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    /// The kind of plan for each task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
     #[getter]
     fn plans(&self) -> PyResult<Vec<&'static str>> {
         self.with(|mind| Ok((0..mind.count()).map(|task| mind.core.planned().optimal(task).name()).collect()))
     }
 
-    /// The cost of a shortest way to each task's goal: int64, shape (tasks,); -1 where none is known.
+    /// The cost of a shortest way to each task's goal: int64, shape (tasks,); -1 if none is known.
     #[getter]
     fn distances<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         self.with(|mind| {
@@ -674,7 +677,7 @@ impl Agent {
         })
     }
 
-    /// The words that were learned from; of long words perhaps only their beginnings.
+    /// The words of the training data; long words may be cut.
     #[getter]
     fn words(&self) -> PyResult<Vec<String>> {
         self.with(|mind| {
@@ -683,8 +686,8 @@ impl Agent {
         })
     }
 
-    /// A command in words that were learned, as far as a table has them: for `hear`. Each line of `synonyms` has words that mean the same, with
-    /// blanks between them; what follows a `#` is a comment. A word that was learned stays, and so does one whose line has no such word.
+    /// A command for `hear`, with unknown words replaced by learned synonyms. Each line of `synonyms` has words of the same meaning, with
+    /// spaces between them; a `#` begins a comment. A learned word stays, and so does a word without a learned synonym.
     fn in_known_words(&self, py: Python<'_>, command: &str, synonyms: &str) -> PyResult<String> {
         let table = Synonyms::new(synonyms).map_err(value)?;
         self.with(|mind| table.in_known_words(mind.core.language(), command).map_err(|error| error::full(py, error)))
@@ -710,8 +713,8 @@ impl Agent {
         })
     }
 
-    /// What each word of the command is taken for if this task is meant, the task by name or position: for each word its meanings and their
-    /// shares, which sum to 1. Meanings are `background`, `task`, and values such as `goal colorRed`.
+    /// Explains each word of the command if this task, by name or position, is meant: the word's meanings and their shares, which sum to 1.
+    /// Meanings are `background`, `task`, and values such as `goal colorRed`.
     ///
     /// Empty dicts for the learners `paper` and `smoothed`, and before anything is learned.
     fn explain<'py>(&self, domain: &Bound<'py, PyAny>, task: &Bound<'py, PyAny>) -> PyResult<Vec<(String, Bound<'py, PyDict>)>> {
@@ -743,7 +746,7 @@ impl Agent {
         })
     }
 
-    /// How many sessions were learned from.
+    /// How many sessions are in the training data.
     #[getter]
     fn sessions(&self) -> PyResult<usize> {
         self.with(|mind| Ok(mind.core.language().bitext().sessions()))
@@ -761,14 +764,14 @@ impl Agent {
         self.with(|mind| as_dict(py, &mind.core.capacities()))
     }
 
-    /// How full each table was at most: capacities for the same life once more.
+    /// The most entries of each table after a command or a session so far. Those of a home and of the search are 0.
     #[getter]
     fn most_used<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.with(|mind| as_dict(py, &mind.core.most_used()))
     }
 
-    /// Plans, decides, acts and takes feedback this many times in one state, all in Rust: what the same calls cost from Python is measured
-    /// against it, by `benches/figures.py`.
+    /// Plans, decides, acts and takes feedback this many times in one state, all in Rust: `benches/figures.py` compares the same calls from
+    /// Python with it.
     fn _rounds(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, count: u32) -> PyResult<()> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;

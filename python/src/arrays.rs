@@ -9,9 +9,9 @@ fn numpy(py: Python<'_>) -> PyResult<&Bound<'_, PyModule>> {
     Ok(NUMPY.get_or_try_init(py, || py.import("numpy").map(Bound::unbind))?.bind(py))
 }
 
-/// A number that numpy has.
+/// A type of number that numpy has.
 pub trait Element: Copy {
-    /// numpy's name of it.
+    /// numpy's name for it.
     const NAME: &'static str;
     /// Its bytes, in this machine's order.
     fn write(self, bytes: &mut Vec<u8>);

@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use std::ffi::OsString;
 
-/// Does what was typed, the program's name first, and gives the exit code.
+/// Runs a command line, the program's name first, and returns the exit code.
 #[pyfunction]
 pub fn run_command(py: Python<'_>, typed: Vec<OsString>) -> u8 {
     py.detach(|| goodbot_cli::run(&typed))

@@ -12,7 +12,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-/// What the command line's runs have: it is enough for the whole course.
+/// The capacities of the command line's runs: enough for the whole course.
 const CAPACITIES: Capacities = Capacities::SMALL;
 
 fn homes(layouts: &str, random: &mut impl rand_core::Rng) -> PyResult<Homes> {
@@ -57,7 +57,7 @@ fn run(
     lifted: &[goodbot::task::LiftedTask],
 ) -> Result<goodbot_course::Results, CourseError> {
     let mut memory = HeapMemory::new(&CAPACITIES);
-    // As in the paper, any action that leads on.
+    // As in the paper: any action that leads on.
     let options = goodbot::Options { telling: false, ..options };
     let mut agent = Agent::new(&mut memory.agent, lifted, options).map_err(CourseError::Agent)?;
     let mut random = generator(seed);
@@ -77,7 +77,7 @@ fn row<'py>(py: Python<'py>, seed: u64, kind: &str, number: usize, exercise: &Ex
 /// Trains a new agent through the seven lessons and asks the five tests, as `goodbot paper --seed SEED` does: twelve rows.
 ///
 /// Each row has `seed`, `kind`, `number`, `command` and `right`; lessons also have `steps`, `ending`, `reward`, `punish` and `neutral`,
-/// tests the `probability` of what was meant. `layouts` is `fixed` or `random`.
+/// tests the `probability` of the intended task. `layouts` is `fixed` or `random`.
 ///
 /// >>> rows = goodbot.run_course(1)
 /// >>> [row["right"] for row in rows if row["kind"] == "test"]

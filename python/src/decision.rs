@@ -1,10 +1,10 @@
-//! What the agent does next.
+//! The agent's decision.
 
 use goodbot::planning::OptimalSet;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
-/// What the agent does next, and for which task.
+/// The agent's next action, and the task that it is for.
 #[pyclass(frozen, module = "goodbot")]
 #[derive(Debug)]
 pub struct Decision {
@@ -24,7 +24,7 @@ impl Decision {
         PyString::intern(py, &self.action)
     }
 
-    /// What the plan says for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    /// The kind of plan for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
     #[getter]
     fn plan(&self) -> &'static str {
         self.plan.name()

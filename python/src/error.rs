@@ -1,4 +1,4 @@
-//! What Python is told where something is refused: the core's own texts, each in an exception of its kind.
+//! The exceptions that Python gets: the core's own error texts, each in an exception of its kind.
 
 use goodbot::AgentError;
 use goodbot::capacity::CapacityError as Full;
@@ -14,7 +14,7 @@ create_exception!(
     goodbot,
     CapacityError,
     PyValueError,
-    "A table was full. `capacity` is the name of the table to raise, `limit` what it holds, `given` what was asked of it, at least."
+    "A table was full. `capacity` is the name of the table to raise, `limit` its size, and `given` the least size that is needed."
 );
 create_exception!(
     goodbot,
@@ -27,7 +27,7 @@ create_exception!(
     goodbot,
     SessionError,
     PyRuntimeError,
-    "A call does not come in its turn: a command must be heard, a plan done or an action acted first."
+    "A call is out of order: a command must be heard, a plan done or an action acted first."
 );
 create_exception!(goodbot, InUseError, PyRuntimeError, "Another thread, or an outer call, is using this agent.");
 create_exception!(goodbot, InternalError, PyRuntimeError, "goodbot itself is at fault; the agent cannot be used any more.");
@@ -37,17 +37,17 @@ pub fn value(text: impl Display) -> PyErr {
     PyValueError::new_err(text.to_string())
 }
 
-/// Something was full.
+/// The exception for a full table.
 pub fn full(py: Python<'_>, error: Full) -> PyErr {
     let raised = CapacityError::new_err(error.to_string());
-    // Plain attributes of a plain object: setting them fails only where memory ends.
+    // Plain attributes of a plain object: setting them fails only if memory runs out.
     let _ = raised.value(py).setattr("capacity", error.capacity.name());
     let _ = raised.value(py).setattr("limit", error.limit);
     let _ = raised.value(py).setattr("given", error.given);
     raised
 }
 
-/// What an agent refused.
+/// The exception for an agent's error.
 pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
     match error {
         AgentError::Capacity(error) => full(py, error),
@@ -65,7 +65,7 @@ pub fn agent(py: Python<'_>, error: AgentError) -> PyErr {
     }
 }
 
-/// Why a lesson or a course could not go on.
+/// The exception for a lesson or a course that could not go on.
 pub fn course(py: Python<'_>, error: CourseError) -> PyErr {
     match error {
         CourseError::Agent(error) => agent(py, error),
@@ -73,7 +73,7 @@ pub fn course(py: Python<'_>, error: CourseError) -> PyErr {
     }
 }
 
-/// Why a model was not taken.
+/// The exception for a model that was not restored.
 pub fn restore(py: Python<'_>, error: RestoreError) -> PyErr {
     match error {
         RestoreError::Capacity(error) => full(py, error),
@@ -81,17 +81,17 @@ pub fn restore(py: Python<'_>, error: RestoreError) -> PyErr {
     }
 }
 
-/// Why a model was not written.
+/// The exception for a model that was not written.
 pub fn save(error: SaveError) -> PyErr {
     ModelError::new_err(error.to_string())
 }
 
-/// What is wrong with a text.
+/// The exception for a malformed text.
 pub fn format(py: Python<'_>, error: &Misformed) -> PyErr {
     misformed(py, error, error.line, error.field.as_deref())
 }
 
-/// What is wrong with a text, on a line.
+/// The exception for a malformed text, with its line.
 pub fn misformed(py: Python<'_>, text: impl Display, line: usize, field: Option<&str>) -> PyErr {
     let raised = FormatError::new_err(text.to_string());
     let _ = raised.value(py).setattr("line", line);

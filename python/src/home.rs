@@ -27,7 +27,7 @@ pub type Rooms = home::Home<HomeHeap>;
 #[pyclass(frozen, eq, hash, module = "goodbot")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct State {
-    /// Of which home.
+    /// Marks the home that it belongs to.
     mark: u64,
     pub at: HomeState,
 }
@@ -57,7 +57,7 @@ const fn moves(pull: bool) -> Moves {
     if pull { Moves::PushAndPull } else { Moves::Push }
 }
 
-/// The tasks that there are in a state, of these kinds.
+/// The tasks of these kinds in a state.
 pub fn tasks(rooms: &Rooms, lifted: &[LiftedTask], state: &HomeState) -> Result<Vec<GroundedTask>, CapacityError> {
     let mut tasks = vec![GroundedTask::UNUSED; Capacities::STANDARD.tasks];
     let count = ground(rooms, lifted, state, &mut tasks)?;
@@ -133,7 +133,7 @@ impl Home {
     }
 }
 
-/// What is wrong with a home, naming the object and its line.
+/// The exception for a flaw of a home, naming the object and its line.
 fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &Flaw, text: &str) -> PyErr {
     if let Problem::Capacity(error) = error.problem {
         return full(py, error);
@@ -143,7 +143,7 @@ fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &Flaw, text: &str)
     misformed(py, message, line, position.map(|position| format!("objects[{position}]")).as_deref())
 }
 
-/// What makes a home again, and what it is called with: for pickle.
+/// For pickle: the function that makes a home again, and its arguments.
 type Reduced<'py> = (Bound<'py, PyAny>, (String, bool, Bound<'py, PyDict>));
 
 #[pymethods]
@@ -173,7 +173,7 @@ impl Home {
         Self::of(py, &environment, moves(pull), &capacities_of(capacities)?, text)
     }
 
-    /// A home at random: the same seed, the same home. `name` is one of the paper's, `A` to `F` or `Test`, with the blocks of that one.
+    /// A home at random: the same seed, the same home. `name` is one of the paper's homes, `A` to `F` or `Test`, whose blocks it has.
     /// Every command that the course gives there can be obeyed, and is not obeyed yet.
     ///
     /// >>> len(goodbot.Home.random(1).objects)
@@ -207,7 +207,7 @@ impl Home {
         PyTuple::new(py, self.rooms.actions().iter().map(|kind| kind.name))
     }
 
-    /// How many states there are at most: every number of a state is below it.
+    /// The most states that there can be: the number of each is below this.
     #[getter]
     fn state_count(&self) -> u64 {
         self.rooms.state_count()
@@ -321,14 +321,14 @@ impl Home {
         })
     }
 
-    /// The home drawn as text, in a state or as at the start; north is up.
+    /// The home drawn as text, in a state or at the start; north is up.
     #[pyo3(signature = (state=None))]
     fn map(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<String> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;
         Ok(Map::new(&self.rooms, &at).to_string())
     }
 
-    /// The home as JSON, with everything where it is in a state or at the start.
+    /// The home as JSON, with all things at their places in a state, or at the start.
     #[pyo3(signature = (state=None))]
     fn to_json(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<String> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;

@@ -1,8 +1,8 @@
-//! goodbot for Python: the module `goodbot._native`, one more shell around the core. `python/package/goodbot` has what is written in Python.
+//! goodbot for Python: the module `goodbot._native`, one more shell around the core. The part in Python is in `python/package/goodbot`.
 //!
 //! - `home`: homes and their states;
 //! - `robot`, `vocabulary`: a robot that a Python class describes; `world`: one that a file describes;
-//! - `place`: one of these, where a session takes place;
+//! - `place`: one of these with a state, where a session takes place;
 //! - `agent`: the robot's mind;
 //! - `trainer`: a simulated trainer, who teaches;
 //! - `course`: the paper's lessons and tests;
@@ -39,7 +39,7 @@ compile_error!(
     "a panic would end the user's Python: build the wheel by the profile of pyproject.toml, which `maturin build --release` replaces"
 );
 
-/// What is written in Rust; `goodbot` itself is the place to import from.
+/// The part that is written in Rust. Import from `goodbot` itself.
 #[pymodule(name = "_native")]
 mod native {
     #[pymodule_export]

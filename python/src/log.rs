@@ -1,4 +1,4 @@
-//! Recorded sessions: read, written, and gone through once more.
+//! Recorded sessions: read, written, and replayed.
 
 use crate::agent::{Agent, evidence_name};
 use crate::arrays::array;
@@ -16,7 +16,7 @@ use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
 
-/// A recorded session: a command in a home, and what was done and said.
+/// A recorded session: a command in a home, and the actions and feedback that followed.
 ///
 /// `steps` are pairs of an action and its feedback, which is None in a `demonstration`. A session that could not be read again is
 /// refused with `FormatError`.
@@ -126,7 +126,7 @@ struct Replayed {
     beliefs: Vec<Vec<f32>>,
 }
 
-/// What is wrong with a session, a line each.
+/// The faults of a session, one on each line.
 fn told(faults: &[Fault]) -> String {
     let one = |fault: &Fault| fault.field.as_ref().map_or_else(|| fault.message.clone(), |field| format!("{field}: {}", fault.message));
     faults.iter().map(one).collect::<Vec<_>>().join("\n")
@@ -165,7 +165,7 @@ impl Session {
         self.0.header.id.as_deref()
     }
 
-    /// What was said.
+    /// The command.
     #[getter]
     fn command(&self) -> &str {
         &self.0.header.command
@@ -187,7 +187,7 @@ impl Session {
         self.0.learn
     }
 
-    /// Whether it is the command before, once more.
+    /// Whether it is the previous command once more.
     #[getter]
     const fn continues(&self) -> bool {
         self.0.header.continues
@@ -199,7 +199,7 @@ impl Session {
         Some(self.0.header.meant()?.ok()?.to_string())
     }
 
-    /// What was done and said, in order.
+    /// The actions and their feedback, in order.
     #[getter]
     fn steps(&self) -> Vec<(&str, Option<&'static str>)> {
         self.0.steps.iter().map(|(_, step)| (step.action.as_str(), step.feedback.map(FeedbackWord::as_str))).collect()
@@ -235,14 +235,14 @@ impl Session {
     }
 
     /// Replays the session with an agent: it hears, plans, and takes in each step. Returns the effect of each step, as
-    /// `Agent.feedback` does. `learn` replaces the session's own word on whether to learn from it.
+    /// `Agent.feedback` does. `learn` overrides the session's own `learn`.
     #[pyo3(signature = (agent, *, learn=None))]
     fn teach(&self, py: Python<'_>, agent: &Bound<'_, Agent>, learn: Option<bool>) -> PyResult<Vec<&'static str>> {
         agent.get().with(|mind| Ok(self.replay(py, mind, learn.unwrap_or(self.0.learn))?.evidence))
     }
 
-    /// Goes through the session as `teach` does. Returns the names of its tasks, and how probable each was: float32, shape (steps + 1, tasks),
-    /// each row of sum 1. The first row is of the words alone; the last one has also what came after the last step, such as an answer.
+    /// Replays the session as `teach` does. Returns the names of its tasks, and how probable each was: float32, shape (steps + 1, tasks),
+    /// each row of sum 1. The first row is of the words alone; the last one includes evidence after the last step, such as an answer.
     #[pyo3(signature = (agent, *, learn=None))]
     fn posteriors<'py>(
         &self,

@@ -24,10 +24,10 @@ use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
 
-/// About how much work is done before others may run: some milliseconds.
+/// About how much work is done before other threads may run: some milliseconds.
 pub const PART: u32 = 1 << 16;
 
-/// What can go in parts.
+/// Work that can go in parts.
 #[derive(Clone, Copy)]
 pub enum Part {
     Hear,
@@ -35,10 +35,10 @@ pub enum Part {
     Finish,
 }
 
-/// A mind and what Python needs to know beside it.
+/// The core's agent, and what else Python needs.
 pub struct Mind {
     pub core: Core<AgentHeap>,
-    /// The texts of its kinds of tasks, where a file keeps them.
+    /// The texts of its kinds of tasks, if its file keeps them.
     pub kinds: Option<Vec<String>>,
     pub random: Pcg32,
     pub robot: Option<Arc<Robot>>,
@@ -48,7 +48,7 @@ pub struct Mind {
     pub broken: bool,
 }
 
-/// The words of a command that are read. Where there are more, Python is warned.
+/// The words of a command that are read. If there are more, Python is warned.
 pub fn words_read<'c>(py: Python<'_>, command: &'c str) -> PyResult<&'c str> {
     let read = read(command).map_err(|refused| error::full(py, refused))?;
     read.long().map_or(Ok(()), |long| warn(py, long))?;
@@ -62,7 +62,7 @@ pub fn warn(py: Python<'_>, long: Long) -> PyResult<()> {
 }
 
 impl Mind {
-    /// `tasks` is how many possible tasks it keeps of all sessions together.
+    /// `tasks` is the number of possible tasks that it keeps, of all sessions together.
     pub fn new(capacities: &Capacities, tasks: usize, kinds: Kinds, options: Options, seed: u64) -> Result<Self, AgentError> {
         let memory = AgentHeap::new(capacities);
         let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
@@ -72,7 +72,7 @@ impl Mind {
         Ok(Self { core, kinds, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
     }
 
-    /// What was learned, as the bytes of a model file with its kinds of tasks.
+    /// The bytes of a model file, with its kinds of tasks.
     pub fn saved(&self) -> PyResult<Vec<u8>> {
         let model = self.core.saved().map_err(error::save)?;
         Ok(match &self.kinds {
@@ -85,7 +85,7 @@ impl Mind {
         Place::of(domain, state, &mut self.robot)
     }
 
-    /// The place of a session's end, where the state plays no part.
+    /// The place for a call that needs no state, such as the end of a session.
     pub fn place_of(&mut self, domain: &Bound<'_, PyAny>) -> PyResult<Place> {
         if let Ok(home) = domain.cast::<home_of::Home>() {
             return Ok(Place::Home(home.clone().unbind(), home.get().start));
@@ -99,7 +99,7 @@ impl Mind {
         }
     }
 
-    /// What an exception of the robot's class, or a refusal, comes to. After the former, what was planned is worth nothing.
+    /// Raises an exception of the robot's class, or an error of the core. After the former, the session is left: its plans are worthless.
     pub fn settled<T>(&mut self, py: Python<'_>, place: &Place, result: Result<T, AgentError>) -> PyResult<T> {
         if let Some(failure) = place.failure() {
             self.core.leave();
@@ -119,7 +119,7 @@ impl Mind {
         })
     }
 
-    /// Goes on with a part of `budget`, or to the end. Gives how many sessions gave way once it is done.
+    /// Goes on with a part of `budget`, or to the end. Once it is done, returns how many sessions gave way (0 unless finishing).
     pub fn go_on(&mut self, py: Python<'_>, part: Part, place: &Place, budget: Option<u32>) -> PyResult<Option<usize>> {
         loop {
             let result = py.detach(|| self.part(part, place, budget.unwrap_or(PART)));
@@ -144,7 +144,7 @@ impl Mind {
         Ok(())
     }
 
-    /// Finishes to the end, and learns.
+    /// Finishes to the end. Returns how many older sessions gave way.
     pub fn finish(&mut self, py: Python<'_>, place: &Place) -> PyResult<usize> {
         let begun = in_place!(place, |domain, _state| self.core.begin_finishing(domain));
         self.settled(py, place, begun)?;
@@ -174,7 +174,7 @@ impl Mind {
         Ok(())
     }
 
-    /// Takes note of a recorded session that was heard.
+    /// Records that a recorded session was heard.
     pub fn heard<D: Domain>(&mut self, py: Python<'_>, session: &CheckedSession<D>) {
         session.walk.command.clone_into(&mut self.command);
         self.names = session.tasks.iter().map(|(_, name)| PyString::new(py, &name.to_string()).unbind()).collect();
@@ -216,7 +216,7 @@ impl Mind {
         self.names.iter().position(|known| known.bind(py).to_str().is_ok_and(|known| known == name))
     }
 
-    /// The position of a task that Python names, or counts.
+    /// The position of a task that Python gives by name or position.
     pub fn task(&self, task: &Bound<'_, PyAny>) -> PyResult<usize> {
         if let Ok(position) = task.extract::<usize>() {
             let count = self.core.tasks().len();
@@ -231,7 +231,7 @@ impl Mind {
         self.names.get(task).and_then(|name| name.bind(py).to_str().ok().map(str::to_owned)).unwrap_or_default()
     }
 
-    /// Reads the robot's class again: it may have been changed since the last command.
+    /// Makes the next call read the robot's class again: it may have changed since the last command.
     pub fn forget_robot(&mut self) {
         self.robot = None;
     }
@@ -257,7 +257,7 @@ impl Mind {
         self.core.set_strategies(strategies).map_err(|refused| error::agent(py, refused))
     }
 
-    /// How many tasks there are, while a session has some.
+    /// How many tasks the session has.
     pub fn count(&self) -> usize {
         self.core.tasks().len()
     }

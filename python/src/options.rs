@@ -8,7 +8,7 @@ use goodbot::{Capacities, Options};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// The most entries of any table: what is more is a slip, and would take all memory.
+/// The most entries of any table: a greater number is a slip, and would take all memory.
 const MOST: usize = 1 << 28;
 
 const PRESETS: [(&str, Capacities); 3] = [("tiny", Capacities::TINY), ("small", Capacities::SMALL), ("standard", Capacities::STANDARD)];
@@ -57,7 +57,7 @@ pub fn capacities<'py>(py: Python<'py>, preset: &str) -> PyResult<Bound<'py, PyD
     as_dict(py, &self::preset(preset)?)
 }
 
-/// How an agent understands and learns, by name.
+/// Options from the names of a learner and of its weights.
 pub fn options(learner: &str, weights: Option<&str>) -> PyResult<Options> {
     let options = match learner {
         "default" => Options { language: Settings::LAYERED, ..Options::DEFAULT },

@@ -1,4 +1,4 @@
-//! Where a session takes place: a home, a world from a file, or a robot of one's own, with the state that things are in.
+//! The place of a session: a home, a world from a file, or a robot of one's own, with its current state.
 
 use crate::error::value;
 use crate::home::Home;
@@ -34,7 +34,7 @@ macro_rules! in_place {
 pub(crate) use in_place;
 
 impl Place {
-    /// The place that Python names. The robot that was met last is known, so that it need not be read again.
+    /// The place that Python names. `last` keeps the last robot, so that it need not be read again.
     pub fn of(domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>, last: &mut Option<Arc<Robot>>) -> PyResult<Self> {
         if let Ok(home) = domain.cast::<Home>() {
             return Ok(Self::Home(home.clone().unbind(), home.get().check(state)?));
@@ -51,7 +51,7 @@ impl Place {
         Ok(Self::Robot(robot, number))
     }
 
-    /// A state as Python has it.
+    /// The state, as a Python object.
     pub fn state(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
         match self {
             Self::Home(home, state) => Ok(home.get().state(*state).into_pyobject(py)?.into_any().unbind()),

@@ -1,6 +1,6 @@
 //! A robot that a Python class describes: any object with `actions`, `objects`, `propositions`, `step`, `holds` and `number`.
 //!
-//! What a class answers is remembered: a domain does not change as the robot acts, and a search asks the same again and again. An exception
+//! The answers of a class are cached: a domain does not change as the robot acts, and a search asks the same again and again. An exception
 //! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
 
 use crate::error::{full, value};
@@ -32,7 +32,7 @@ pub struct Robot {
     known: Mutex<Known>,
 }
 
-/// What the class has answered.
+/// The cached answers of the class.
 #[derive(Debug, Default)]
 struct Known {
     states: HashMap<u64, Py<PyAny>>,
@@ -69,7 +69,7 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
     Ok(actions)
 }
 
-/// The position of a class, which is added where it is new.
+/// The position of a class, which is added if it is new.
 fn class_id(names: &mut Names, class: &str) -> ClassId {
     let position = names.classes.iter().position(|known| known == class).unwrap_or_else(|| {
         names.classes.push(class.to_owned());
@@ -108,7 +108,7 @@ fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
     Ok(names)
 }
 
-/// The names that a Python object speaks of, for an agent's tasks.
+/// The vocabulary of a Python object, for an agent's tasks.
 pub fn names_of(object: &Bound<'_, PyAny>) -> PyResult<Names> {
     Ok(described(object)?.0)
 }
@@ -162,7 +162,7 @@ impl Robot {
         Ok(Self { object: object.clone().unbind(), names, objects, name_bytes, name_ends, count, state_count, known: Mutex::default() })
     }
 
-    /// Whether it is this object's.
+    /// Whether this object describes it.
     pub fn is_of(&self, object: &Bound<'_, PyAny>) -> bool {
         self.object.is(object)
     }
@@ -171,12 +171,12 @@ impl Robot {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The exception that the class has raised since this was asked last.
+    /// The exception that the class has raised since the last call.
     pub fn failure(&self) -> Option<PyErr> {
         self.known().failed.take()
     }
 
-    /// The number of a state, and the state remembered.
+    /// The number of a state, which is kept.
     pub fn enter(&self, state: &Bound<'_, PyAny>) -> PyResult<u64> {
         let number: u64 = self.object.bind(state.py()).call_method1("number", (state,))?.extract()?;
         if number >= self.state_count {
@@ -209,7 +209,7 @@ impl Robot {
         self.object.bind(py).call_method1("holds", (name, arguments, state))?.is_truthy()
     }
 
-    /// Lends the robot to `call`, as the core has it.
+    /// Lends the robot to `call`, as a domain of the core.
     pub fn lend<T>(&self, call: impl FnOnce(&Lent<'_>) -> T) -> T {
         self.names.lend(|schema, actions| call(&Lent { robot: self, schema, actions }))
     }
@@ -237,7 +237,7 @@ impl Robot {
         holds
     }
 
-    /// What was asked, or nothing where it failed now or before.
+    /// The answer of the class; `None` if it failed now or before.
     fn asked<T>(&self, ask: impl FnOnce(Python<'_>) -> PyResult<T>) -> Option<T> {
         if self.known().failed.is_some() {
             return None;

@@ -1,4 +1,4 @@
-//! A simulated trainer, who knows what is meant, judges each action, and ends the lesson.
+//! A simulated trainer, who knows the intended task, judges each action, and ends the lesson.
 
 use crate::agent::Agent;
 use crate::error::{self, value};
@@ -29,7 +29,7 @@ pub fn trainer_of(kind: &Bound<'_, PyAny>) -> PyResult<CourseTrainer> {
     Ok(CourseTrainer::of(Strategy::new(mu_plus, mu_minus, epsilon).map_err(value)?))
 }
 
-/// A simulated trainer (the paper, section 3): who is silent, and mistakes a right action for a wrong one, as often as a strategy says.
+/// A simulated trainer (the paper, section 3), who is silent and makes mistakes as often as a strategy says.
 ///
 /// `kind` is `balanced`, `punish-only`, who never rewards, `reward-only`, who never punishes, or the numbers mu+, mu- and epsilon. The same seed,
 /// the same trainer.
@@ -44,21 +44,21 @@ pub struct Trainer {
     random: Mutex<Pcg32>,
 }
 
-/// What a lesson came to.
+/// The result of a lesson.
 #[pyclass(frozen, module = "goodbot")]
 #[derive(Debug)]
 pub struct Lesson {
     report: LessonReport,
-    /// Where it ended.
+    /// The last state.
     #[pyo3(get)]
     state: Py<PyAny>,
-    /// How many older sessions gave way because memory was full.
+    /// How many older sessions were forgotten because memory was full.
     #[pyo3(get)]
     gave_way: usize,
     session: Option<RecordedSession>,
 }
 
-/// What the trainer said, as a dict.
+/// The counts of feedback, as a dict.
 pub fn counts<'py>(py: Python<'py>, counts: FeedbackCounts) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     dict.set_item("reward", counts.reward)?;
@@ -87,7 +87,7 @@ impl Lesson {
         self.report.steps
     }
 
-    /// How often the trainer said what: a dict of `reward`, `punish` and `neutral`.
+    /// How often the trainer gave each feedback: a dict of `reward`, `punish` and `neutral`.
     #[getter]
     fn feedback<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         counts(py, self.report.feedback)
@@ -104,7 +104,7 @@ impl Lesson {
     }
 }
 
-/// A step as logs have it.
+/// A step as in a log.
 fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
     let feedback = match step.feedback {
         goodbot::feedback::Feedback::Reward => FeedbackWord::Reward,
@@ -115,7 +115,7 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
 }
 
 impl Trainer {
-    /// The lesson from the command that was heard to its end: what it came to, where, and its steps.
+    /// Runs a lesson whose command was heard to its end. Returns its report, its last place, and its steps.
     fn walk<D: Domain>(
         &self,
         py: Python<'_>,
@@ -150,7 +150,7 @@ impl Trainer {
         intended: &Bound<'_, PyAny>,
         learn: bool,
     ) -> PyResult<Lesson> {
-        // A copy goes through the lesson: who held the lock while others run could be waited for by one whom it waits for itself.
+        // The lesson draws from a copy: holding the lock while other threads run could deadlock.
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
         mind.hear(py, place, command)?;
         let task = mind.task(intended)?;
@@ -213,19 +213,19 @@ impl Trainer {
         self.trainer.punishes
     }
 
-    /// What the trainer says to an action that is right, or is not.
+    /// The trainer's feedback to an action that is right, or wrong.
     fn feedback(&self, correct: bool) -> &'static str {
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner);
         self.trainer.feedback(correct, &mut *random).name()
     }
 
-    /// What the trainer says to a step of a lesson, as a trainer of your own does: see `goodbot.Judge`.
+    /// The trainer's feedback to a step of a lesson, as that of a trainer of your own: see `goodbot.Judge`.
     fn judge(&self, step: &Bound<'_, PyAny>) -> PyResult<&'static str> {
         Ok(self.feedback(step.getattr("correct")?.extract()?))
     }
 
-    /// Gives a command, judges the agent's actions as one who means the task `intended` (its name or position), ends the lesson after three
-    /// times of `noop` at the goal, in a dead end or after 300 steps, and lets the agent learn from it unless `learn=False`.
+    /// Gives a command that means the task `intended` (its name or position), and judges the agent's actions. The lesson ends after `noop`
+    /// three times at the goal, in a dead end or after 300 steps. The agent learns from it unless `learn=False`.
     #[pyo3(signature = (agent, domain, state, command, intended, *, learn=true))]
     fn teach(
         &self,

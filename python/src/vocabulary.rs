@@ -1,8 +1,8 @@
-//! What a robot of one's own speaks of. The core borrows names; they are lent to it for the length of a call.
+//! The vocabulary of a robot of one's own. The core borrows names; they are lent to it for the length of a call.
 
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, Proposition, Schema};
 
-/// The names, in plain values. A class is told by its position.
+/// The names, as owned values. A class is given by its position.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Names {
     pub classes: Vec<String>,
@@ -14,7 +14,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Lends the names to `call`, as the core has them.
+    /// Lends the names to `call`, in the core's types.
     pub fn lend<T>(&self, call: impl FnOnce(Schema<'_>, &[ActionKind<'_>]) -> T) -> T {
         let classes: Vec<Class<'_>> = self.classes.iter().map(|name| Class { name }).collect();
         let carriers: Vec<Vec<Carrier<'_>>> = self.attributes.iter().map(|(_, carriers)| carried(carriers)).collect();

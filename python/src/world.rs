@@ -82,13 +82,13 @@ impl World {
         &self.0.file().name
     }
 
-    /// The state that it begins in.
+    /// The first state.
     #[getter]
     fn start(&self) -> u64 {
         self.0.start()
     }
 
-    /// How many states there are at most: each is below that.
+    /// The most states that there can be: the number of each is below this.
     #[getter]
     fn state_count(&self) -> u64 {
         self.0.lend(|robot| robot.state_count())
@@ -116,16 +116,16 @@ impl World {
         Ok(all)
     }
 
-    /// What holds in a state, by default at the start.
+    /// The facts that hold in a state, by default at the start.
     #[pyo3(signature = (state=None))]
     fn facts(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
         let state = self.checked(state)?;
         Ok(self.0.lend(|robot| robot.facts(state)).iter().map(ToString::to_string).collect())
     }
 
-    /// The state in which these facts hold, and no others. For a robot that senses what holds.
+    /// The state in which these facts hold, and no others. For a robot that senses facts.
     ///
-    /// Raises `ValueError` where they are no state.
+    /// Raises `ValueError` if there is no such state.
     fn state(&self, facts: Vec<String>) -> PyResult<u64> {
         let facts = facts.iter().map(|fact| parsed(fact)).collect::<PyResult<Vec<GroundAtomText>>>()?;
         if let Some(strange) = facts.iter().find(|fact| self.0.lend(|robot| goodbot_lesson::checked::known_atom(robot, fact)).is_err()) {

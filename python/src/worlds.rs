@@ -1,7 +1,7 @@
 //! Many homes at once, for reinforcement learning: one call steps them all, without the interpreter.
 //!
-//! A world is a home with a command in it. It ends where what the command means holds, or after a number of steps; the next step then begins
-//! another, at random among those that were given.
+//! A world is a home with a command. It ends when the command's task holds, or after a number of steps. The next step then begins another
+//! world, drawn from those given.
 
 use crate::error::value;
 use crate::home::{Home, State};
@@ -14,7 +14,7 @@ use pyo3::types::PyBytes;
 use rand_pcg::Pcg32;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Numbers of one cell: what it is, its colour, the thing there, and that thing's colour.
+/// Numbers of one cell: its kind, its colour, the thing there, and that thing's colour.
 const CHANNELS: usize = 4;
 const COLORS: [&str; 10] = ["red", "green", "blue", "yellow", "purple", "orange", "tan", "teal", "magenta", "star"];
 const SHAPES: [&str; 4] = ["chair", "bag", "backpack", "basket"];
@@ -23,7 +23,7 @@ const FLOOR: u8 = 2;
 const DOORWAY: u8 = 3;
 const AGENT: u8 = 1;
 
-/// A command, the task that it means, and the propositions of that.
+/// A command, the task that it means, and the task's propositions.
 #[derive(Debug)]
 struct Mission {
     command: String,
@@ -64,8 +64,8 @@ struct Inner {
 
 /// Many worlds that are stepped together. `places` are homes, each with its commands and the names of the tasks that they mean.
 ///
-/// Images have a row for each row of cells, north first, and for each cell what it is (0 outside, 1 wall, 2 floor, 3 door), its colour,
-/// the thing there (0 nothing, 1 the agent, from 2 on blocks by their shape), and the colour of that; uint8, shape (size, size, 4).
+/// Images have a row for each row of cells, north first, and for each cell its kind (0 outside, 1 wall, 2 floor, 3 door), its colour,
+/// the thing there (0 nothing, 1 the agent, from 2 on blocks by their shape), and that thing's colour; uint8, shape (size, size, 4).
 ///
 /// >>> home = goodbot.Home.from_map("#####\n#r@r#\n##+##\n#ggg#\n#####")
 /// >>> worlds = goodbot.Worlds(2, [(home, [("go to the green room", "agentInRoom(agent0,room0)")])])
@@ -147,7 +147,7 @@ fn place(bounds: &Area, size: usize, cell: Cell) -> Option<usize> {
 
 fn missions(py: Python<'_>, home: &Home, commands: Vec<(String, String)>) -> PyResult<Vec<Mission>> {
     let Home { rooms, start, .. } = home;
-    // Of the paper's kinds, and the agent and a block at once.
+    // The paper's kinds, and the agent and a block at once.
     let mut lifted = home::paper_tasks().map_err(value)?.to_vec();
     lifted.extend(
         crate::agent::kinds_of_tasks(py, Some(vec!["agentInRoom(?a,?r1) & blockInRoom(?o,?r2)".to_owned()]), &home::SCHEMA)?.lifted,
@@ -166,7 +166,7 @@ fn missions(py: Python<'_>, home: &Home, commands: Vec<(String, String)>) -> PyR
 }
 
 impl Inner {
-    /// A world at its beginning, at random.
+    /// A new world, at random.
     fn begun(&mut self) -> World {
         let site = below(self.sites.len(), &mut self.random);
         let mission = below(self.sites[site].missions.len(), &mut self.random);
@@ -210,7 +210,7 @@ impl Worlds {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes the lock as others run: another thread that holds it may wait for the interpreter.
+    /// Takes the lock without holding the interpreter: a thread that holds the lock may wait for the interpreter.
     fn detached<T: Send>(&self, py: Python<'_>, run: impl FnOnce(&mut Inner) -> T + Send) -> T {
         py.detach(|| run(&mut self.inner()))
     }
@@ -263,8 +263,8 @@ impl Worlds {
         self.image(py)
     }
 
-    /// Does an action in each world: a byte each, the position of the action, and `noop` from the last position on. A world that ended
-    /// before begins anew instead. Returns images, rewards (float32), terminated and truncated (bool), as bytes.
+    /// Does an action in each world: one byte each, the position of the action; a greater position is `noop`. A world that has ended
+    /// begins anew instead. Returns images, rewards (float32), terminated and truncated (bool), as bytes.
     fn step<'py>(&self, py: Python<'py>, actions: &[u8]) -> PyResult<Stepped<'py>> {
         let count = self.inner().worlds.len();
         if actions.len() != count {
@@ -314,7 +314,7 @@ impl Worlds {
         self.of(world, |inner, world| inner.sites[world.site].home.clone_ref(py))
     }
 
-    /// Where things are in one world.
+    /// The state of one world.
     fn state(&self, world: usize) -> PyResult<State> {
         self.of(world, |inner, world| inner.sites[world.site].home.get().state(world.state))
     }

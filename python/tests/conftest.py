@@ -1,4 +1,4 @@
-"""What several tests need: where the repository is, and the command line where it was built."""
+"""Fixtures of several tests: the repository's folder, and the command line that was built."""
 
 from __future__ import annotations
 

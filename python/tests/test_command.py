@@ -1,4 +1,4 @@
-"""The command line that the package has, and evaluation by it."""
+"""The command line of the package, and evaluation by it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Logs with checksums, in splits where nothing is on both sides; what is believed in them, and what is learned from them."""
+"""Logs with checksums, split so that nothing is on both sides; beliefs in them, and learning from them."""
 
 from __future__ import annotations
 

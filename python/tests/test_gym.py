@@ -26,7 +26,7 @@ def test_gymnasium_finds_nothing_wrong(name: str, render_mode: str) -> None:
 
 
 def walk(env: gymnasium.Env[gym.Observation, Any]) -> tuple[float, bool, bool, int]:
-    """Follows the shortest way to what is meant."""
+    """Follows the shortest way to the intended goal."""
     home_env = env.unwrapped
     assert isinstance(home_env, gym.HomeEnv)
     agent = goodbot.Agent()

@@ -1,4 +1,4 @@
-"""Whatever is given, what comes back is an exception with a text. The inputs are those that fuzzing has found."""
+"""Any bad input raises an exception with a text. The inputs are those that fuzzing has found."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_logs(root: Path) -> None:
 
 def test_models(root: Path) -> None:
     inputs = corpus(root, "model")
-    # Those with a right check come further.
+    # With a right checksum they are read further.
     inputs += [given[:-4] + struct.pack("<I", zlib.crc32(given[:-4])) for given in inputs if len(given) > 4]
     for given in inputs:
         try:

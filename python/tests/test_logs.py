@@ -74,7 +74,7 @@ def test_the_command_line_and_this_package_read_each_others_models(root: Path, t
 
 
 def test_a_life_by_lines_and_a_life_in_python_come_to_the_same_file(root: Path, tmp_path: Path, cli: str) -> None:
-    """What `goodbot teach` writes after a session is, bit for bit, what the same session teaches here."""
+    """The model that `goodbot teach` writes after a session is, bit for bit, the one that the same session makes here."""
     home = goodbot.Home.from_json((root / "docs/examples/home.json").read_text())
     lesson = goodbot.Trainer(seed=3).teach(goodbot.Agent(seed=3), home, home.start, "go to the blue room", home.tasks()[0])
     assert lesson.session is not None

@@ -41,7 +41,7 @@ def heard(hall: goodbot.Home) -> goodbot.Agent:
 
 @pytest.fixture
 def undisturbed() -> Iterator[None]:
-    """Python itself takes a thread's turn away after a minute only: until then another runs where a call lets it."""
+    """Python itself switches threads only after a minute: until then another thread runs only if a call lets it."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(60)
     yield
@@ -73,7 +73,7 @@ def test_another_thread_runs_while_a_robot_plans(hall: goodbot.Home) -> None:
 
 
 def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
-    """Plans, is interrupted after this many seconds, and says whether the plan was still to be done then."""
+    """Plans, is interrupted after this many seconds, and returns whether the plan was unfinished then."""
     timer = threading.Timer(after, _thread.interrupt_main)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
@@ -89,7 +89,7 @@ def interrupted(agent: goodbot.Agent, hall: goodbot.Home, after: float) -> bool:
 
 @pytest.fixture
 def interruptible() -> Iterator[None]:
-    """A shell starts what runs in its background deaf to ctrl-C; here it is heard."""
+    """A shell makes its background jobs ignore ctrl-C; here it is handled."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)
@@ -97,7 +97,7 @@ def interruptible() -> Iterator[None]:
 
 @pytest.mark.usefixtures("interruptible")
 def test_planning_stops_on_ctrl_c_and_goes_on_when_asked_to(hall: goodbot.Home) -> None:
-    # The interruption may come when all is done.
+    # The interruption may come after the plan is done.
     tried = ((heard(hall), delay) for delay in (0.01, 0.003, 0.001, 0.0003) for _ in range(20))
     agent = next(agent for agent, delay in tried if interrupted(agent, hall, delay))
     assert agent.plan(hall, hall.start)

@@ -1,4 +1,4 @@
-"""The ROS 2 node, against a stand-in for as much of rclpy as it uses: rclpy itself is in no package registry of Python."""
+"""The ROS 2 node, against a stand-in for the part of rclpy that it uses: rclpy itself is in no package registry of Python."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import goodbot
 
 
 class Node:
-    """What rclpy's node offers, with messages delivered at once."""
+    """A stand-in for rclpy's node, with messages delivered at once."""
 
     parameters: dict[str, Any] = {}
 

@@ -15,7 +15,7 @@ pub struct BruteForce<S> {
 }
 
 impl<S: Copy + PartialEq> BruteForce<S> {
-    /// Plans for all of `tasks` from all states that can be reached from `start`.
+    /// Plans for all `tasks` from all states that can be reached from `start`.
     pub fn new<D: Domain<State = S>>(domain: &D, start: &S, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Self {
         let actions: Vec<Action> = (0..domain.actions().len()).map(|position| Action::new(position as u8)).collect();
         let found = reachable(domain, start);

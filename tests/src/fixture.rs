@@ -1,4 +1,4 @@
-//! Homes and walks as the reference numbers write them.
+//! Homes and tasks of the reference numbers.
 
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::HomeMemory;
@@ -37,7 +37,7 @@ pub fn home<M: HomeMemory>(world: &Value, memory: M, moves: Moves) -> (Home<M>, 
     builder.build(moves).expect("a home")
 }
 
-/// A task as the reference writes it: `blockInRoom(block0, room1)`.
+/// The name of a task in the reference: `blockInRoom(block0, room1)`.
 pub fn task_text<D: Domain>(domain: &D, lifted: &[LiftedTask], task: &GroundedTask) -> String {
     let parts: Vec<String> = task
         .propositions(&lifted[usize::from(task.lifted)])

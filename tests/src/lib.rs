@@ -1,4 +1,4 @@
-//! What the tests that cross goodbot's crates share: reference numbers, and homes from them.
+//! Shared parts of the tests that cross goodbot's crates: reference numbers, homes from them, oracles for plans, and hostile input.
 
 #![deny(missing_docs)]
 

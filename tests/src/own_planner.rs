@@ -15,7 +15,7 @@ pub struct OwnPlanner {
 }
 
 impl OwnPlanner {
-    /// A planner for these tasks. Fails where they have no room.
+    /// A planner for these tasks. Panics if there is no room for them.
     pub fn new<D: Domain>(capacities: &Capacities, domain: &D, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Self {
         let mut own = Self { memory: AgentHeap::new(capacities), planner: Planner::new(), tasks: tasks.len() };
         own.with_tables(|planner, tables| planner.set_tasks(tables, domain, lifted, tasks)).expect("room for the goals");
@@ -37,7 +37,7 @@ impl OwnPlanner {
         self.planner.begin(wanted, TaskSet::EMPTY);
     }
 
-    /// Goes on.
+    /// Goes on planning.
     pub fn advance<D: Domain>(&mut self, domain: &D, state: &D::State, budget: u32) -> Progress {
         self.with_tables(|planner, tables| planner.advance(tables, domain, state, budget))
     }
@@ -49,7 +49,7 @@ impl OwnPlanner {
         self.plan()
     }
 
-    /// Plans at `state` for all tasks to the end, of which these are likely.
+    /// Plans at `state` for all tasks to the end; `likely` are the likely ones.
     pub fn plan_expecting<D: Domain>(&mut self, domain: &D, state: &D::State, likely: TaskSet) -> Plan<'_> {
         self.begin(self.all());
         self.planner.expect(likely);
@@ -57,7 +57,7 @@ impl OwnPlanner {
         self.plan()
     }
 
-    /// Plans at `state` for all tasks to the end, in calls of this budget. `tasks` are its tasks, with how far their ways have come.
+    /// Plans at `state` for all tasks to the end, in calls of this budget. `tasks` are its tasks, with the progress of their ways.
     pub fn plan_for_ways<D: Domain>(
         &mut self,
         domain: &D,
@@ -73,7 +73,7 @@ impl OwnPlanner {
         self.plan()
     }
 
-    /// What is known.
+    /// The plan so far.
     pub fn plan(&self) -> Plan<'_> {
         let plan = self.memory.read().session.plan;
         self.planner.plan(plan.optimal, plan.distances)

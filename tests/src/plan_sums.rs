@@ -1,4 +1,4 @@
-//! What the reference plans say of a task: sums over the states that can be reached.
+//! The reference plans of a task, as sums over the states that can be reached.
 
 use serde_json::Value;
 
@@ -20,7 +20,7 @@ impl PlanSums {
         self.optimal_moves += optimal_moves;
     }
 
-    /// Fails where the reference has other sums for the task of this name.
+    /// Panics if the reference has other sums for the task of this name.
     pub fn assert_are(&self, name: &str, reference: &Value) {
         let expected = ["max", "total", "goals", "optimal_moves"].map(|field| reference[field].as_u64().unwrap());
         assert_eq!([self.max, self.total, self.goals, self.optimal_moves], expected, "{name}");

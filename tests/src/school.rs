@@ -13,10 +13,10 @@ use rand_pcg::Pcg32;
 /// A block: its colour and shape.
 pub type Block = (&'static str, &'static str);
 
-/// A command with the home that it is given in and what is meant by it.
+/// A command with its home and its meaning.
 #[derive(Clone, Debug)]
 pub struct Lesson {
-    /// What the trainer says.
+    /// The command.
     pub command: String,
     /// The colours of the four rooms; the agent starts in the first.
     pub rooms: [&'static str; 4],
@@ -63,8 +63,8 @@ impl Lesson {
         self.home_in_order(&(0..11).collect::<Vec<_>>(), memory)
     }
 
-    /// The same home, its objects added in another order: 0 to 3 are the rooms, 4 to 7 the doors, 8 and 9 the blocks, 10 the agent. What
-    /// `order` leaves out comes last.
+    /// The same home, its objects added in another order: 0 to 3 are the rooms, 4 to 7 the doors, 8 and 9 the blocks, 10 the agent. Objects
+    /// that `order` leaves out come last.
     pub fn home_in_order<M: HomeMemory>(&self, order: &[usize], memory: M) -> (Home<M>, HomeState) {
         let mut builder = HomeBuilder::new(memory);
         let corners = [(0, 0), (4, 0), (0, 4), (4, 4)];
@@ -110,7 +110,7 @@ impl Lesson {
 /// Trains the agent by one lesson to its end: three times doing nothing at the goal, a dead end, or a hundred steps.
 ///
 /// # Errors
-/// What the agent refuses.
+/// An error of the agent.
 pub fn train(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, trainer: Strategy, random: &mut Pcg32) -> Result<(), AgentError> {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let (home, mut state) = lesson.home(&mut memory.home);

@@ -49,7 +49,7 @@ impl Sweep {
         let goals = sweep.reachable.iter().copied().enumerate().filter(|(_, met)| !met.is_empty()).collect();
         let costs: Vec<usize> = domain.actions().iter().map(|kind| usize::from(kind.cost)).collect();
         let highest = costs.iter().copied().max().unwrap_or(1);
-        // What was gained at each level: states with their new tasks.
+        // At each level, the states with their new tasks.
         let mut levels: Vec<Vec<(usize, TaskSet)>> = vec![goals];
         let mut gained = vec![TaskSet::EMPTY; states.len()];
         while levels.iter().rev().take(highest).any(|level| !level.is_empty()) {
@@ -124,7 +124,7 @@ impl Sweep {
         begins.fold(ActionSet::EMPTY, |set, (action, _)| set.with(Action::new(action as u8)))
     }
 
-    /// The cost of a shortest way to a task's goal, by going it.
+    /// The cost of a shortest way to a task's goal, by following it.
     pub fn distance<D: Domain>(&self, domain: &D, state: &D::State, task: usize) -> Option<u32> {
         if !self.reachable(domain, state).contains(task) {
             return None;

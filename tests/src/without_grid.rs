@@ -1,4 +1,4 @@
-//! A domain whose states are expanded one by one, whatever it could do itself.
+//! A domain whose states are expanded one by one, even if it has a floor of cells.
 
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 

@@ -4,7 +4,7 @@ import { Goodbot } from 'goodbot';
 import sessions from '../../docs/examples/sessions.jsonl';
 
 const { environment, command } = JSON.parse(sessions.split('\n', 1)[0]);
-// The paper's balanced trainer, for certain, as the page's text has it: mu+, mu-, epsilon; no lags; rests judged as moves.
+// The paper's balanced trainer, for certain, as in the page's text: mu+, mu-, epsilon; no lags; rests judged as moves.
 const BALANCED = new Float32Array([0.7, 0.7, 0.1, 1, 1, 0, 0, 0.7, 0.7, 0.1, 0]);
 const WORDS = [['Good bot', 'reward'], ['Bad bot', 'punish'], ['say nothing', 'neutral']];
 const STEPS = 40;
@@ -31,13 +31,13 @@ function begin() {
   draw([]);
 }
 
-/** Names as the text has them. */
+/** The name of a task in the page's text. */
 function named(task) {
   const color = environment.objects.find(({ name }) => task.endsWith(`${name})`))?.color ?? task;
   return (task.startsWith('block') ? 'chair to ' : 'go to ') + color;
 }
 
-/** Shows the belief, then does the next step: `said` is what came before. */
+/** Shows the belief, then does the next step; `said` has the steps and the words before. */
 function draw(said) {
   const { tasks } = JSON.parse(robot.belief());
   const action = steps < STEPS ? step() : '';

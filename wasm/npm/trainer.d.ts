@@ -7,7 +7,7 @@ import type { Goodbot } from './goodbot_wasm.js';
 export class GoodbotTrainer extends HTMLElement {
   /** The robot in the page; undefined until the event `goodbot-ready`. */
   readonly robot: Goodbot | undefined;
-  /** What it has learned, as bytes for `Goodbot.restore`, a file, or another shell. */
+  /** Its model, as bytes for `Goodbot.restore`, a file, or another shell. */
   readonly model: Uint8Array | undefined;
 }
 
@@ -21,7 +21,7 @@ declare global {
     'goodbot-trainer': GoodbotTrainer;
   }
   interface HTMLElementEventMap {
-    /** The page is there. */
+    /** The page is ready. */
     'goodbot-ready': CustomEvent<{ sessions: number }>;
     /** A session was learned from or taken back, or another robot came. `log` has the events of the latest session, a line of JSON for each. */
     'goodbot-session': CustomEvent<{ sessions: number; log: string }>;

@@ -1,4 +1,4 @@
-// <goodbot-trainer>: the trainer page in any site. The page is a document of its own: its style and the site's do not touch.
+// <goodbot-trainer>: the trainer page in any site. The page is a document of its own: its styles and the site's do not mix.
 const PAGE = new URL('./goodbot.html', import.meta.url).href;
 
 class GoodbotTrainer extends HTMLElement {
@@ -34,10 +34,10 @@ class GoodbotTrainer extends HTMLElement {
   /** The robot in the page, as the module's types describe it; undefined until the event `goodbot-ready`. */
   get robot() { return this.#inside?.defaultView?.goodbot; }
 
-  /** What the robot has learned, as bytes for `Goodbot.restore`, a file, or another shell. */
+  /** The robot's model, as bytes for `Goodbot.restore`, a file, or another shell. */
   get model() { return this.robot?.save(); }
 
-  // Null where the page comes from another site.
+  // Null if the page comes from another site.
   get #inside() { return this.#frame?.contentDocument; }
 
   #watch() {
@@ -50,7 +50,7 @@ class GoodbotTrainer extends HTMLElement {
     this.#observer = new MutationObserver(() => {
       if (isAsked) return;
       isAsked = true;
-      // Once for all that changes in a frame.
+      // Once for all changes in a frame.
       inside.defaultView?.requestAnimationFrame(() => {
         isAsked = false;
         this.#compare();
@@ -66,7 +66,7 @@ class GoodbotTrainer extends HTMLElement {
     const [before, sessions, belief] = [this.#told, robot.sessions(), robot.belief()];
     // There is a log while a session is under way.
     try { this.#log = robot.log(); } catch { /* None is. */ }
-    // Noted first: a listener may train the robot.
+    // Set first: a listener may train the robot.
     this.#told = { sessions, belief };
     if (before.sessions < 0) {
       this.#speak();

@@ -1,4 +1,4 @@
-//! Questions of the robot's, as a page shows them, and the trainer's answers.
+//! The robot's questions, as a page shows them, and the trainer's answers.
 
 use crate::view::{About, Question, Told};
 use crate::world::{Refusal, World};
@@ -9,9 +9,9 @@ use goodbot::session::Evidence;
 use goodbot::task::{Part, TaskSet};
 
 impl World {
-    /// Proposes a question where it teaches more than acting does, with at most about `budget` looks: see
-    /// [`Agent::consider`](goodbot::Agent::consider). `kappa` is what a question costs, in steps, and `eta` how often an answer is wrong.
-    /// The plan must be done. `None`: call again.
+    /// Proposes a question if it teaches more than acting, with at most about `budget` node expansions: see
+    /// [`Agent::consider`](goodbot::Agent::consider). `kappa` is the cost of a question, in steps, and `eta` the probability of a wrong
+    /// answer. The plan must be done. `None`: call again; `Some(None)`: there is nothing to ask.
     ///
     /// # Errors
     /// Where no session is under way, the plan is not done, or a number is out of range.
@@ -25,7 +25,7 @@ impl World {
         })
     }
 
-    /// The question that waits for its answer.
+    /// The open question.
     pub fn open_question(&self) -> Option<Question> {
         let (agent, home) = (self.agent(), self.home());
         let question = agent.open_question()?;
@@ -61,11 +61,10 @@ impl World {
         Some(Question { about, way, objects, choices, tasks: yes, information: question.information })
     }
 
-    /// Takes in the answer to the question that was proposed last: `yes`, `no` (none of these, where there is something to choose), or the
-    /// number of a choice, from 1 on.
+    /// Takes in the answer to the open question: `yes`, `no` (none of these, if there are choices), or the number of a choice, from 1 on.
     ///
     /// # Errors
-    /// Where no question waits for its answer, or this is none to it.
+    /// Where there is no open question, or this is no answer to it.
     pub fn answer(&mut self, answer: &str) -> Result<Told, Refusal> {
         let given = match answer {
             "yes" => Answer::Yes,
@@ -84,11 +83,11 @@ impl World {
         Ok(Told { outcome, before, after: self.probabilities() })
     }
 
-    /// Takes in an answer that is told in full, as a log has it: whether what is meant is among the tasks of these names, how often that is
-    /// wrong, how many other answers there were, and the words of a correction, or none.
+    /// Takes in an answer with all its parts, as in a log: whether the meant task is among those named, the probability that this is wrong,
+    /// how many other answers there were, and the words of a correction, or none.
     ///
     /// # Errors
-    /// A name that is no task's; what [`Agent::answered`](goodbot::Agent::answered) refuses.
+    /// A name that is no task's; the errors of [`Agent::answered`](goodbot::Agent::answered).
     pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8, words: &str) -> Result<(), Refusal> {
         let known = self.belief().tasks;
         let position =

@@ -1,4 +1,4 @@
-//! The paper's course for the page: the homes as environments, and what each command means.
+//! The paper's course for the page: the homes as environments, and the meaning of each command.
 
 use goodbot::memory::HomeHeap;
 use goodbot_course::layout::Layout;

@@ -3,14 +3,14 @@
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
 
-/// A value as JSON. Nothing of the view and of logs has a key that is no text, which is all that JSON would refuse.
+/// A value as JSON. `None` only for a key that is no text, which neither the view nor logs have.
 pub(crate) fn json<T: Serialize + ?Sized>(value: &T) -> Option<String> {
     let mut text = Vec::new();
     value.serialize(&mut Serializer::with_formatter(&mut text, Short)).ok()?;
     String::from_utf8(text).ok()
 }
 
-/// Without blanks. In the page, the browser writes the numbers: the tables for that would take two kilobytes of it.
+/// Writes without spaces. In the page, the browser writes the numbers: the tables for that would take two kilobytes of it.
 struct Short;
 
 impl Formatter for Short {
@@ -30,12 +30,12 @@ impl Formatter for Short {
             fn shortest(number: f64) -> String;
         }
 
-        // The first that is read as the same number: of nine digits all are.
+        // The fewest digits, six or more, that are read as the same number; nine always are.
         let exact: Number = JsValue::from_f64(value.into()).unchecked_into();
         let near = (6..9).map(|digits| number(&exact.with_digits(digits))).find(|near| *near as f32 == value);
         let text = shortest(near.unwrap_or_else(|| number(&exact.with_digits(9))));
         writer.write_all(text.as_bytes())?;
-        // As Rust writes it.
+        // Rust writes a whole number with `.0`.
         if text.bytes().all(|letter| letter == b'-' || letter.is_ascii_digit()) { writer.write_all(b".0") } else { Ok(()) }
     }
 }

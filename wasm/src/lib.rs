@@ -1,20 +1,20 @@
-//! goodbot for the browser: one world, one robot, and what a page needs to show them.
+//! goodbot for the browser: one world with one robot, for a page to show.
 //!
-//! [`World`] is plain Rust and is tested on the host; [`bindings`] is the same surface for JavaScript. What the page draws comes as JSON
-//! texts, whose fields are the public structs of [`view`].
+//! [`World`] is plain Rust and is tested on the host; [`bindings`] is the same surface for JavaScript. The page gets JSON texts, whose
+//! fields are those of the public structs of [`view`].
 //!
 //! | module | what it holds |
 //! |---|---|
 //! | [`world`] | the home, the robot's mind and the session under way |
-//! | [`talk`] | what people say beside commands, and how a session begins with it |
+//! | [`talk`] | utterances that may be no command, and sessions that begin with one |
 //! | [`training`] | a session from a command to a robot that has learned |
 //! | [`asking`] | questions, and the trainer's answers |
-//! | [`next`] | which lesson next |
-//! | [`replay`] | a session of a log, once more, with all that logs may say |
-//! | [`view`] | what the page draws: the scene, the beliefs, the evidence, the heat map |
+//! | [`next`] | the next lesson to teach |
+//! | [`replay`] | the replay of a session from a log |
+//! | [`view`] | the data that the page draws: the scene, the beliefs, the evidence, the heat map |
 //! | [`words`] | which word of a command speaks for which task |
 //! | [`route`] | where a task would lead the robot, for the ghost on the floor plan |
-//! | [`cells`] | memory together with what lives in it |
+//! | [`cells`] | the capacities of the robot, the homes and the scout |
 //! | [`course`] | the paper's lessons and tests |
 //! | [`bindings`] | the surface for JavaScript |
 

@@ -1,5 +1,5 @@
-//! A session as the lines of a log. The records of goodbot's formats are read again when they are written, which is large; these lines are
-//! not, and a test has them read.
+//! A session as the lines of a log. goodbot's formats read their records again when they write them, which takes much code; these lines are
+//! only written, and a test reads them.
 
 use crate::training::task_name;
 use goodbot::feedback::Strategy;
@@ -8,13 +8,13 @@ use goodbot_lesson::live::Lesson;
 use serde::Serialize;
 use std::fmt::Write;
 
-/// The session under way as lines, each with its end. Nothing where none is under way.
+/// The session under way as lines, each with its end; `None` without a session.
 pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     let (walk, session) = lesson.session()?;
     let (agent, home) = (&lesson.agent, lesson.home());
     let environment = json(&session.environment);
     let command = json(&walk.command);
-    // "Again" has no words for its task.
+    // "Again" has no words to learn.
     let learn = learn && !agent.sentence().is_empty();
     let mut log = format!(r#"{{"type":"session","version":1,"kind":"feedback","environment":{environment},"command":{command}"#);
     if let Some(listening) = &walk.listening {
@@ -69,7 +69,7 @@ fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {
     record + "}"
 }
 
-/// A list as JSON, of what is JSON already.
+/// A JSON list of items that are JSON already.
 fn list(items: impl Iterator<Item = String>) -> String {
     let mut list = String::new();
     for item in items {

@@ -1,4 +1,4 @@
-//! Which lesson next, for the words that this robot has heard.
+//! The next lesson to teach, by the words that this robot has heard.
 
 use goodbot_course::next_lesson::{next_lesson, times_heard};
 
@@ -6,8 +6,8 @@ use crate::view::NextLesson;
 use crate::world::{Refusal, World};
 
 impl World {
-    /// The lesson to teach next: of `lessons`, a command on each line, the one that teaches most of the commands in `wanted`, on a line each
-    /// too. Of equal ones it is the first. `None` where no lesson has a word that is wanted.
+    /// The next lesson to teach: of `lessons`, one command a line, the one that teaches most of the commands in `wanted`, also one a
+    /// line. Of equal ones it is the first. `None` if no lesson has a wanted word.
     ///
     /// # Errors
     /// Where a command has too many words, or one that is too long.

@@ -1,6 +1,6 @@
-//! A recorded session, once more: the same command in the same home, the same actions and the same feedback teach the same.
+//! The replay of a recorded session: the same command in the same home, the same actions and the same feedback teach the same.
 //!
-//! The strict reader of logs is large: the page reads their lines itself, and tells what they say.
+//! The strict reader of logs is large: the page reads their lines itself, and hands over their contents.
 
 use goodbot::feedback::Feedback;
 use goodbot::home::{Home, HomeState};
@@ -15,12 +15,12 @@ use crate::cells::{MIND, ROOMS};
 use crate::training::task_name;
 use crate::world::{Refusal, World, build};
 
-/// A recorded session that is being told, and then replayed.
+/// A recorded session that is handed over in parts, and then replayed.
 #[derive(Debug)]
 pub struct Replaying {
     replay: Replay,
     pub(crate) walk: Walk<Home<HomeHeap>>,
-    /// Where the last step led.
+    /// The state after the last step.
     end: HomeState,
     environment: EnvironmentFile,
     /// The tasks here, each with its name.
@@ -38,9 +38,9 @@ pub(crate) fn not_begun() -> Refusal {
 }
 
 impl World {
-    /// Begins to tell of a recorded session: its home, its command, whether the trainer showed the way, and whether it goes on from the session
-    /// before. Then [`recorded_step`](Self::recorded_step) and [`recorded_answer`](Self::recorded_answer) in their order, and at the end
-    /// [`replay_on`](Self::replay_on) until that is done. A session under way ends unlearned.
+    /// Begins a recorded session: its home, its command, whether the trainer showed the way, and whether it continues the session before.
+    /// Then call [`recorded_step`](Self::recorded_step) and [`recorded_answer`](Self::recorded_answer) in their order, and at the end
+    /// [`replay_on`](Self::replay_on) until it is done. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why the home cannot be used.
@@ -58,7 +58,7 @@ impl World {
         Ok(())
     }
 
-    /// How probable each task was beforehand, by its name in logs, in any unit up to 1; 0 for the tasks that are not named.
+    /// Adds the prior of each task, by its name in logs, in any unit up to 1; 0 for the tasks that are not named.
     ///
     /// # Errors
     /// A name that is no task's.
@@ -72,7 +72,7 @@ impl World {
         Ok(())
     }
 
-    /// The trainer strategies that the session names.
+    /// Adds the trainer strategies that the session names.
     ///
     /// # Errors
     /// Where no session was begun.
@@ -81,7 +81,7 @@ impl World {
         Ok(())
     }
 
-    /// What was done next, by the action's name, and what was said to it.
+    /// Adds the next step: the action, by its name, and the feedback to it.
     ///
     /// # Errors
     /// Where it cannot be done there.
@@ -95,7 +95,7 @@ impl World {
         Ok(())
     }
 
-    /// What was answered next, as [`answer_as`](Self::answer_as) has it.
+    /// Adds the next answer, as [`answer_as`](Self::answer_as) takes it.
     ///
     /// # Errors
     /// A name that is no task's.
@@ -110,7 +110,7 @@ impl World {
         let told = self.replaying.as_mut().ok_or_else(not_begun)?;
         let mut tasks = TaskSet::EMPTY;
         for name in names {
-            // A session about what shall not be has its tasks where the others would be.
+            // A negated task has the position of the plain one.
             let position = told.tasks.iter().position(|(_, known)| known == name.trim_start_matches('!'));
             tasks = tasks.with(position.ok_or_else(|| Refusal(format!("{name} is no task here")))?);
         }
@@ -126,11 +126,11 @@ impl World {
         Ok(())
     }
 
-    /// Goes on with the recorded session that was told, by a step or by about `budget` looks of planning. Gives whether it is done: the robot
-    /// is then where the session ended. Where `learn` says so, it has begun to learn from it; otherwise the next one can go on from it.
+    /// Replays the recorded session, by a step or by about `budget` node expansions. Returns whether it is done: the robot is then in the
+    /// session's last state. With `learn`, it has begun to learn from the session; otherwise the next one can continue it.
     ///
     /// # Errors
-    /// Why the session cannot be replayed; what was learned before is kept.
+    /// Why the session cannot be replayed; the training data are kept.
     pub fn replay_on(&mut self, budget: u32, learn: bool) -> Result<bool, Refusal> {
         let told = self.replaying.as_mut().ok_or_else(not_begun)?;
         match told.replay.advance(&mut self.lesson.agent, &told.walk, budget) {
@@ -153,10 +153,10 @@ impl World {
         Ok(true)
     }
 
-    /// Replays a session as a host has read it, and learns from it if that is so recorded.
+    /// Replays a session that a host has read, and learns from it if its record says so.
     ///
     /// # Errors
-    /// Why the session cannot be replayed; what was learned before is kept.
+    /// Why the session cannot be replayed; the training data are kept.
     pub fn replay(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
         self.tell(recorded)?;
         while !self.replay_on(u32::MAX, recorded.learn)? {}
@@ -164,10 +164,10 @@ impl World {
         Ok(())
     }
 
-    /// Tells of a session as a host has read it, in the order in which the page does.
+    /// Hands over a session that a host has read, in the same order as the page.
     ///
     /// # Errors
-    /// What is no session here.
+    /// Why it is no session here.
     pub fn tell(&mut self, recorded: &RecordedSession) -> Result<(), Refusal> {
         let header = &recorded.header;
         self.set_pulls(header.action_names().any(|name| name == "pull"))?;

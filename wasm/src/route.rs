@@ -9,9 +9,9 @@ use goodbot::task::{GroundedTask, LiftedTask, TaskSet, Way};
 
 use crate::cells::SCOUT;
 
-/// How many expansions of the search a look ahead may take before it is given up.
+/// The most node expansions of a look ahead.
 const MOST_EXPANSIONS: u32 = 200_000;
-/// How many steps it may go.
+/// The most steps of its route.
 const MOST_STEPS: usize = 300;
 
 /// A second planner in its own memory: looking ahead must not disturb the plan that feedback is judged by.
@@ -48,7 +48,7 @@ impl Scout {
 pub struct Lookahead {
     states: Vec<HomeState>,
     task: usize,
-    /// The task at its position, with how far its way has come; those before it only fill their places.
+    /// The task at its position, with the progress of its way; the entries before it are only fillers.
     tasks: Vec<GroundedTask>,
     left: u32,
     searching: bool,
@@ -83,7 +83,7 @@ impl Lookahead {
             }
             let progress = planner.advance(&mut tables, home, &here, budget.min(self.left));
             let plan = planner.plan(tables.optimal, tables.distances);
-            // A search that needs no state at all still counts, so that this ends.
+            // A search that expands no state counts as one, so that this ends.
             let spent = plan.expansions().saturating_sub(before).max(1);
             (budget, self.left) = (budget.saturating_sub(spent), self.left.saturating_sub(spent));
             let next = match progress {

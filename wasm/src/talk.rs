@@ -1,4 +1,4 @@
-//! What people say: a command, words to a robot on its way, and all that is said beside.
+//! Utterances: commands, words to a robot on its way, and other talk.
 
 use goodbot::asking::Answer;
 use goodbot::feedback::Feedback;
@@ -16,7 +16,7 @@ use crate::training::task_name;
 use crate::view::Heard;
 use crate::world::{Refusal, World};
 
-/// All tasks that commands may mean where things are so, those that are done already too, each with its name.
+/// All tasks that commands may mean in this state, with those that are done already, each with its name.
 pub(crate) fn named_tasks<M: HomeMemory>(
     home: &Home<M>,
     lifted: &[LiftedTask],
@@ -27,8 +27,8 @@ pub(crate) fn named_tasks<M: HomeMemory>(
     Ok(with_names(home, lifted, &tasks[..count]))
 }
 
-/// How a session of a log began, where the robot listened: what was said, the task of the command before, and the conversation, as texts by
-/// name.
+/// The listening that began a recorded session, and the task of the command before: from the utterance, that task's name, and the
+/// conversation, as texts by name.
 pub(crate) fn listening<M: HomeMemory>(
     home: &Home<M>,
     lifted: &[LiftedTask],
@@ -52,9 +52,9 @@ pub(crate) fn listening<M: HomeMemory>(
 }
 
 impl World {
-    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`, the number of a
-    /// choice, `stop`, `undo`, `again`, `unjudged` for praise and blame where there is nothing to judge, `unchanged` for what would change something where
-    /// nothing was before, or `nothing`.
+    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`,
+    /// the number of a choice, `stop`, `undo`, `again`, `unjudged` for praise, blame, yes or no without anything to judge, `unchanged`
+    /// for "back" without anything to take back, or `nothing`.
     ///
     /// # Errors
     /// Where the words are too many or too long.
@@ -77,7 +77,7 @@ impl World {
         Ok(word.to_owned())
     }
 
-    /// Learns what is said along with a button: `reward` or `punish`.
+    /// Learns the words that are said along with a button: `reward` or `punish`.
     ///
     /// # Errors
     /// Where the words are too many or too long.
@@ -85,11 +85,11 @@ impl World {
         self.lesson.learn_voice(words, feedback.parse().unwrap_or(Feedback::Neutral)).map_err(Refusal::from)
     }
 
-    /// Tells the robot something where everything is now, as [`Lesson::tell`](goodbot_lesson::live::Lesson::tell) does. `insists` says that it is a
-    /// command, whatever the robot takes it for; only what shall not be is no other command for that. A session under way ends unlearned.
+    /// Tells the robot something in the current state, as [`Lesson::tell`](goodbot_lesson::live::Lesson::tell) does. `insists` makes it a
+    /// command, whatever the robot takes it for, unless it is negated. A session under way ends unlearned.
     ///
     /// # Errors
-    /// Why it cannot be heard; what was learned is kept.
+    /// Why it cannot be heard; the training data are kept.
     pub fn listen(&mut self, words: &str, insists: bool) -> Result<Heard, Refusal> {
         self.forget();
         let knows_little = self.sessions() > 0 && !tells_talk(self.agent());
@@ -111,7 +111,7 @@ impl World {
         self.lesson.is_more()
     }
 
-    /// Begins with what is still to come, once a session is over, where everything is now. `None` where nothing is.
+    /// Begins with the rest of the utterance, once a session is over, in the current state. `None` without a rest.
     ///
     /// # Errors
     /// As [`listen`](Self::listen).
@@ -126,7 +126,7 @@ impl World {
         self.lesson.teaches()
     }
 
-    /// Takes in words that turn the robot on its way round.
+    /// Takes in words that correct the robot on its way.
     ///
     /// # Errors
     /// Where no session is under way, or the words are too many or too long.
@@ -134,7 +134,7 @@ impl World {
         self.lesson.correct(words).map(drop).map_err(Refusal::from)
     }
 
-    /// Takes the last step back. Gives whether there was one.
+    /// Takes the last step back. Returns whether there was one.
     ///
     /// # Errors
     /// Where no session is under way.
@@ -145,7 +145,7 @@ impl World {
         Ok(took)
     }
 
-    /// Begins a session of a log anew where the robot listened.
+    /// Begins a session of a log anew, one that began by listening.
     ///
     /// # Errors
     /// A name that is no task's or object's here.
@@ -159,7 +159,7 @@ impl World {
         self.heard(Some(listened))
     }
 
-    /// Where the recorded session that is being told began by listening.
+    /// Adds to the recorded session that it began by listening.
     ///
     /// # Errors
     /// As [`listen_as`](Self::listen_as).
@@ -172,7 +172,7 @@ impl World {
         Ok(())
     }
 
-    /// The recorded session that is being told had this table of closed words.
+    /// Adds to the recorded session its table of closed words.
     ///
     /// # Errors
     /// A text that is no table.
@@ -182,7 +182,7 @@ impl World {
         Ok(())
     }
 
-    /// The effect of words that the robot has listened to; `None` where it took them for a command.
+    /// The effect of words that the robot has listened to; `listened` is `None` if it took them for a command.
     fn heard(&mut self, listened: Option<Listened>) -> Result<Heard, Refusal> {
         let begun = self.lesson.is_under_way();
         let Self { scout, lesson, .. } = self;

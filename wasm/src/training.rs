@@ -25,15 +25,15 @@ use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, Trainer
 use crate::words::support;
 use crate::world::{Refusal, World, build, thing};
 
-/// How probable a task that is done already must be for a robot that does nothing.
+/// A task that is done already counts as meant only if it is more probable than this.
 const CLEARLY: f32 = 0.6;
 
 impl World {
-    /// Takes trainer strategies, each with how probable it is, in any unit. Where they are what is believed already, to the last bit, nothing
-    /// changes. A session under way ends unlearned.
+    /// Sets the trainer strategies, each with its prior, in any unit. If they equal the current belief to the last bit, nothing changes. A
+    /// session under way ends unlearned.
     ///
     /// # Errors
-    /// What is no probability.
+    /// Where a number is no probability.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), Refusal> {
         self.forget();
         // The largest is 1, so that single precision never makes all of them 0.
@@ -42,8 +42,8 @@ impl World {
         expect(&mut self.lesson.agent, &strategies.iter().map(expected).collect::<Vec<_>>()).map_err(Refusal::from)
     }
 
-    /// Whether the robot expects what real people do, and learns how its trainer uses reward and punishment; else it expects the paper's
-    /// balanced trainer. A session under way ends unlearned.
+    /// Sets whether the robot expects the feedback of real people, and learns how its trainer uses reward and punishment; else it expects
+    /// the paper's balanced trainer. A session under way ends unlearned.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.
@@ -58,18 +58,17 @@ impl World {
         self.agent().belief().strategies().len() > 1
     }
 
-    /// The strategies that the robot expected before it met its trainer, each with how probable it was; `None` where they are those of real
-    /// people.
+    /// The strategies that the robot expected before it met its trainer, each with its prior; `None` if they are those of real people.
     pub fn expected(&self) -> Option<Vec<(Strategy, f32)>> {
         let belief = self.agent().belief();
         let expected = || belief.strategies().iter().enumerate().map(|(at, (strategy, _))| (*strategy, belief.expected(at)));
         (!expects_people(self.agent())).then(|| expected().collect())
     }
 
-    /// Hears a command where everything is now. A session under way ends unlearned.
+    /// Hears a command in the current state. A session under way ends unlearned.
     ///
     /// # Errors
-    /// Why the command cannot be heard; what was learned is kept.
+    /// Why the command cannot be heard; the training data are kept.
     pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
         self.forget();
         let environment = self.environment_now();
@@ -78,9 +77,9 @@ impl World {
         scout.set_tasks(lesson.home(), lesson.agent.lifted(), lesson.agent.tasks()).map_err(Refusal::from)
     }
 
-    /// The name of the task that the command most likely means, where that is done already; `None` where something is left to do. The mind knows no
-    /// task that holds where it hears, so it hears from where one thing is in another room, from each of them: what is meant must come
-    /// before everything else, and every word must be known. A session under way ends unlearned.
+    /// The name of the task that the command clearly means, if it is done already; `None` if something is left to do. The mind hears no
+    /// task that already holds. So it hears the command with one thing moved into each of the other rooms in turn: every time, the task
+    /// must be clearly the most probable, and every word known. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why the command cannot be heard.
@@ -100,7 +99,7 @@ impl World {
                 let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
                 done = likely.filter(|_| understood).and_then(|(_, task)| {
                     let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    // How the robot came to be where it is, nobody asked.
+                    // A way is about the path, which is not known here.
                     let done = !lifted.has_way() && task.propositions(lifted).all(|part| home.holds(&part, state));
                     done.then(|| task_name(home, lifted, task))
                 });
@@ -116,8 +115,8 @@ impl World {
         Ok(None)
     }
 
-    /// What the robot would believe of a command that it hears in this home, given as JSON. Nothing is learned from that, and everything stays
-    /// where it is. A session under way ends unlearned.
+    /// The belief that the robot would have on hearing a command in this home, given as JSON. It learns nothing from that, and everything
+    /// stays in place. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why the home cannot be used, or the command cannot be heard in it.
@@ -138,7 +137,7 @@ impl World {
         self.lesson.is_under_way()
     }
 
-    /// Goes on planning for where everything is now, with at most about `budget` looks. Gives whether the plan is done.
+    /// Goes on planning for the current state, with at most about `budget` node expansions. Returns whether the plan is done.
     ///
     /// # Errors
     /// Where no session is under way.
@@ -156,7 +155,7 @@ impl World {
         Ok(self.decided(acted))
     }
 
-    /// Does the action of this name instead, as a log has it. The robot decides all the same: the task that it follows stays among equals.
+    /// Does the action of this name instead, as in a log. The robot still decides, so that it goes on following the same task among equals.
     ///
     /// # Errors
     /// As [`act`](Self::act), and where there is no such action.
@@ -173,7 +172,7 @@ impl World {
         Decided { action, task, confidence, plans }
     }
 
-    /// Takes in what the trainer said to the last action: `reward`, `punish`, or anything else for silence.
+    /// Takes in the trainer's feedback to the last action: `reward`, `punish`, or anything else for silence.
     ///
     /// # Errors
     /// Where no action waits for feedback.
@@ -200,12 +199,12 @@ impl World {
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
     }
 
-    /// Nobody judges the last action, and that is no silence either: what the robot believes stays as it is, as a test wants it.
+    /// Leaves the last action unjudged, which is no silence either: the belief stays as it is, as in a test.
     pub fn unjudged(&mut self) {
         self.lesson.leave_unjudged();
     }
 
-    /// What a trainer who means the given task and follows the paper's balanced strategy would say to the last action.
+    /// The feedback to the last action of a simulated trainer, who means the given task and follows the paper's balanced strategy.
     ///
     /// # Errors
     /// Where no action waits for feedback.
@@ -214,8 +213,8 @@ impl World {
         Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
     }
 
-    /// Begins the random draws anew: those of this step of the robot's next session, with this seed. The same words at the same steps then give
-    /// the same steps, whatever was drawn before.
+    /// Seeds the random draws of this step of the robot's next session. The same words at the same steps then give the same steps,
+    /// whatever was drawn before.
     pub fn draw_from(&mut self, seed: u32, step: u32) {
         let session = u64::try_from(self.sessions()).unwrap_or(u64::MAX);
         self.random = Pcg32::new(u64::from(seed) << 32 | u64::from(step), session);
@@ -230,27 +229,27 @@ impl World {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
     }
 
-    /// Ends the session and begins to learn from it. Gives the session as lines of a log.
+    /// Ends the session and begins to learn from it. Returns the session as lines of a log.
     ///
     /// # Errors
-    /// Where no session is under way or something is full; what was learned before is kept.
+    /// Where no session is under way or a table is full; the training data are kept.
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
         self.gave_way += self.lesson.finish().map_err(Refusal::from)?.gave_way.count();
         Ok(log)
     }
 
-    /// How many sessions have given way to new ones in this robot's life, because its memory was full.
+    /// How many older sessions this robot has forgotten for new ones, because its memory was full.
     pub fn gave_way(&self) -> usize {
         self.gave_way
     }
 
-    /// Goes on learning, with at most about `budget` table cells of work. Gives whether it is done.
+    /// Goes on learning, with at most about `budget` table cells of work. Returns whether it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
         self.lesson.agent.learn(budget) == Progress::Done
     }
 
-    /// Ends the session, if one is under way, without learning from it: of the trainer, too, the robot believes what it believed before.
+    /// Ends the session, if one is under way, without learning from it: the belief about the trainer, too, is as before.
     pub fn forget(&mut self) {
         if self.replaying.take().is_some() || self.lesson.is_under_way() {
             self.lesson.agent.forget_evidence();
@@ -272,7 +271,7 @@ impl World {
         lines(&self.lesson, learn).ok_or(LiveError::NoSession).map_err(Refusal::from)
     }
 
-    /// What the robot believes. No tasks where no command was heard.
+    /// The robot's belief; it has no tasks if no session is under way.
     pub fn belief(&self) -> Belief {
         self.belief_in(self.home(), if self.is_listening() { self.agent().tasks() } else { &[] })
     }
@@ -287,10 +286,10 @@ impl World {
         Belief { tasks: tasks.iter().enumerate().filter_map(named).collect(), trainer: self.trainer() }
     }
 
-    /// What is believed of the trainer, over all strategies.
+    /// The belief about the trainer, averaged over all strategies.
     fn trainer(&self) -> TrainerStyle {
         let belief = self.agent().belief();
-        // What the words of a command say must not seem to change the trainer, not by one bit.
+        // The words of a command alone must not change the numbers of the trainer, not by one bit.
         let has_evidence = belief.has_evidence();
         let mut style = TrainerStyle { learned: self.learns_style(), good: 0.0, bad: 0.0, mistakes: 0.0, late: 0.0 };
         for (at, &(strategy, begun)) in belief.strategies().iter().enumerate() {
@@ -304,13 +303,13 @@ impl World {
         style
     }
 
-    /// Begins to look where a task would lead from here: [`look`](Self::look) until that is done.
+    /// Begins to look where a task would lead from here: call [`look`](Self::look) until it is done.
     pub fn look_ahead(&mut self, task: usize) {
         self.ahead = self.lesson.agent.tasks().get(task).map(|&goal| Lookahead::new(*self.lesson.state(), task, goal));
     }
 
-    /// Goes on looking ahead, with about `budget` looks. Gives whether it is done, and then the route; none where the task leads
-    /// nowhere, or finding out takes too long.
+    /// Goes on looking ahead, with about `budget` node expansions. Returns whether it is done, and then the route; `None` if the task leads
+    /// nowhere, or the search takes too long.
     pub fn look(&mut self, budget: u32) -> (bool, Option<Route>) {
         let Self { ahead, scout, lesson, .. } = self;
         let (rooms, mind) = (lesson.home(), &lesson.agent);
@@ -324,13 +323,13 @@ impl World {
     /// Which word of the command speaks for which task.
     ///
     /// # Errors
-    /// Where no session is under way or something is full.
+    /// Where no session is under way or a table is full.
     pub fn support(&self) -> Result<Support, Refusal> {
         if !self.is_listening() {
             return Err(Refusal::from(LiveError::NoSession));
         }
         let mut support = support(self.agent(), self.home()).map_err(Refusal::from)?;
-        // As they were said, and not only their beginnings. Where the robot listened, some words are about the command, and not of it.
+        // Whole words, not only the beginnings that are kept. If the robot listened, some words are about the command, and not part of it.
         let mut said = Vec::new();
         let command = self.lesson.command().unwrap_or_default();
         let take = |word: &str| {
@@ -352,7 +351,7 @@ impl World {
         Ok(support)
     }
 
-    /// What every word means to the robot: the translation table as it was last learned.
+    /// The meaning of every word to the robot: the translation table as it was last learned.
     pub fn heat(&self) -> Heat {
         let language = self.agent().language();
         let tables = language.tables();

@@ -1,4 +1,4 @@
-//! What the page draws. Each struct is the shape of one JSON text of the surface.
+//! The data that the page draws. Each struct has the fields of a JSON text of the surface.
 
 use serde::Serialize;
 use tsify::Tsify;
@@ -72,7 +72,7 @@ pub struct Task {
 /// How the trainer uses reward and punishment, as far as the robot knows: probabilities.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Tsify)]
 pub struct TrainerStyle {
-    /// Whether the robot learns that; else it takes the paper's balanced trainer for certain.
+    /// Whether the robot learns it; else it expects the paper's balanced trainer for certain.
     pub learned: bool,
     /// How often something is said to a right step.
     pub good: f32,
@@ -84,7 +84,7 @@ pub struct TrainerStyle {
     pub late: f32,
 }
 
-/// What the robot believes.
+/// The robot's belief.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Belief {
     /// The tasks, in an order that stays for the session.
@@ -93,7 +93,7 @@ pub struct Belief {
     pub trainer: TrainerStyle,
 }
 
-/// What the robot does next.
+/// The robot's next action.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Decided {
     /// The action's name.
@@ -102,18 +102,18 @@ pub struct Decided {
     pub task: usize,
     /// How probable it is that this action is right: the tasks for which it is optimal, together.
     pub confidence: f32,
-    /// What the plan says for each task: `toward`, `goal`, `dead end` or `unknown`.
+    /// The kind of plan for each task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
     pub plans: Vec<&'static str>,
 }
 
-/// What one step's feedback said about each task.
+/// The evidence of one step's feedback for each task.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Evidence {
     /// The action that was judged.
     pub action: String,
     /// The feedback to it.
     pub feedback: &'static str,
-    /// Its effect: `used`, `says nothing` where no task's plan is known exactly, or `impossible` under every task and strategy.
+    /// Its effect: `used`, `says nothing` if no task's plan is known exactly, or `impossible` under every task and strategy.
     pub outcome: &'static str,
     /// For each task whether the action was `right`, `wrong` or `unknown`.
     pub judgements: Vec<&'static str>,
@@ -128,13 +128,13 @@ pub struct Evidence {
 pub struct Heard {
     /// Whether a session has begun.
     pub begun: bool,
-    /// `sure`, `unsure`, `done` or `none`: what it takes the words for.
+    /// The verdict on the words: `sure`, `unsure`, `done` or `none`.
     pub verdict: &'static str,
-    /// The likeliest task, by its name; nothing where the robot took everything for a command.
+    /// The most likely task, by its name; empty if the robot took everything for a command.
     pub task: String,
-    /// Whether it is about what shall not be.
+    /// Whether it is negated: about something that shall not be.
     pub negated: bool,
-    /// The session's command: of several commands the first, of all things that for the next.
+    /// The session's command: the first of several commands; the next of a command for all things.
     pub command: String,
 }
 
@@ -156,20 +156,20 @@ pub enum About {
     WhichTask,
 }
 
-/// A question of the robot's. The answer is yes or no where it is not about which of several; there it is one of them, or none.
+/// A question of the robot's. The answer is yes or no; for a question about which of several, one of them or none.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Question {
     /// What it is about.
     pub about: About,
-    /// Where it is about a kind of task and commands may mean ways, which way: `any`, `through`, `either` or `avoiding`; else nothing.
+    /// The way of a kind of task that it is about, if commands may mean ways: `any`, `through`, `either` or `avoiding`; else empty.
     pub way: &'static str,
     /// The names of the rooms or blocks that it is about.
     pub objects: Vec<String>,
     /// The tasks that it is about, by position.
     pub choices: Vec<usize>,
-    /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
+    /// The tasks for which the answer is yes; if there are choices, the tasks of all of them.
     pub tasks: Vec<usize>,
-    /// What an answer is expected to tell, in bits.
+    /// The expected information of an answer, in bits.
     pub information: f32,
 }
 
@@ -184,14 +184,14 @@ pub struct NextLesson {
     pub needed: u32,
     /// In how many sessions the robot has heard it.
     pub heard: u32,
-    /// Whether that is so often that there is little left to teach.
+    /// Whether that is often enough to leave little to teach.
     pub known: bool,
 }
 
-/// What an answer said about each task.
+/// The evidence of an answer for each task.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
 pub struct Told {
-    /// Its effect: `used`, or `impossible` under every task.
+    /// Its effect: `used`, `says nothing`, or `impossible` under every task.
     pub outcome: &'static str,
     /// The tasks' probabilities before.
     pub before: Vec<f32>,
@@ -204,7 +204,7 @@ pub struct Told {
 pub struct Support {
     /// The words of the command.
     pub words: Vec<String>,
-    /// For each word whether the robot has learned from it, or from one that it takes for the same.
+    /// For each word whether the robot has learned from it, or from one that it treats as the same.
     pub known: Vec<bool>,
     /// For each word, each task's share of it; a row sums to 1.
     pub tasks: Vec<Vec<f32>>,
@@ -221,14 +221,14 @@ pub struct Heat {
     pub cells: Vec<f32>,
     /// How probable each word is where it speaks of no machine token: IBM Model 2's empty position.
     pub idle: Vec<f32>,
-    /// How many letters of a word are kept; all of them where it is 0.
+    /// The number of letters kept of a word; 0 keeps all.
     pub letters: usize,
 }
 
-/// Where a task leads.
+/// The route to a task's goal.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
 pub struct Route {
-    /// The robot's cells from now on, the first being where it is.
+    /// The robot's cells from now on; the first is its current one.
     pub cells: Vec<[i32; 2]>,
     /// The home at the end.
     pub end: Vec<Thing>,

@@ -14,7 +14,7 @@ use goodbot::task::is_marker;
 
 use crate::view::Support;
 
-/// What each word of the command under way says of each task.
+/// How much each word of the command under way speaks for each task.
 ///
 /// # Errors
 /// A [`CapacityError`] where a task's machine commands are too many or too long.
@@ -31,7 +31,7 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
         if let Some((task, start)) = agent.tasks().get(task).zip(agent.started_from(home)) {
             describe(home, agent.lifted(), task, &mut Scene::new(start), &mut own, &mut description)?;
         }
-        // A value that the model does not know is as good as any other that it does not.
+        // All values that the model does not know are alike.
         for token in description.iter_mut().filter(|token| !is_marker(**token)) {
             *token = language.tokens().find(own.read().text(*token)).unwrap_or(Symbol::new(i16::MAX as u16));
         }
@@ -47,7 +47,7 @@ pub fn support(agent: &Agent<impl AgentMemory>, home: &Home<impl HomeMemory>) ->
     Ok(spread(agent, rows))
 }
 
-/// The support whose rows are made to sum to 1.
+/// The support, with each row scaled to sum to 1.
 fn spread(agent: &Agent<impl AgentMemory>, mut rows: Vec<Vec<f32>>) -> Support {
     let (language, sentence) = (agent.language(), agent.sentence());
     let even = 1.0 / agent.tasks().len().max(1) as f32;

@@ -42,7 +42,7 @@ pub struct World {
     pub(crate) file: EnvironmentFile,
     pub(crate) moves: Moves,
     pub(crate) start: HomeState,
-    /// How many sessions have given way to new ones in this robot's life.
+    /// How many older sessions this robot has forgotten for new ones.
     pub(crate) gave_way: usize,
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
@@ -55,7 +55,7 @@ impl fmt::Debug for World {
     }
 }
 
-/// A mind that has learned nothing yet, and expects what real people do. `ways` says whether commands may mean tasks with a way.
+/// A mind that has learned nothing yet, and expects the feedback of real people. `ways` says whether commands may mean tasks with a way.
 fn new_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let mut mind = plain_mind(capacities, ways)?;
     mind.set_strategies(&population::STRATEGIES).map_err(Refusal::from)?;
@@ -79,7 +79,7 @@ pub(crate) fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> 
     })
 }
 
-/// A robot that has learned more than the page's own, on another machine, keeps its room.
+/// The page's own capacities, or more for a model from another machine that needs more.
 fn room_for(contents: &Contents<'_>) -> Capacities {
     let mut most = MIND;
     for capacity in SAVED {
@@ -88,10 +88,10 @@ fn room_for(contents: &Contents<'_>) -> Capacities {
     MIND.at_least(contents.sizes.at_most(most))
 }
 
-/// A mind that takes over a model file, and begins to learn from what it holds.
+/// A mind restored from a model file, which is still to be trained.
 fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let contents = Contents::read(bytes).map_err(|error| match error {
-        // The model is sound, and there is no room for its learner in the page.
+        // The model is sound, but the page does not have its learner.
         RestoreError::Inconsistent(Part::Options) => {
             Refusal("this model learned by Model 2, and the page has only the role model; learn it anew with --learner roles".to_owned())
         }
@@ -145,7 +145,7 @@ impl World {
         Ok(())
     }
 
-    /// Whether the robot can pull blocks too. Puts everything back; a session under way ends unlearned.
+    /// Sets whether the robot can pull blocks too. Puts everything back; a session under way ends unlearned.
     ///
     /// # Errors
     /// None: a home is one with either kind of moves.
@@ -174,7 +174,7 @@ impl World {
         self.lesson.put(self.start);
     }
 
-    /// A new robot, which has learned nothing and expects of its trainer what the one before expected, in the same home.
+    /// A new robot in the same home. It has learned nothing, and expects the trainer strategies that the one before expected.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.
@@ -186,7 +186,7 @@ impl World {
         expected.map_or(Ok(()), |strategies| self.set_strategies(&strategies))
     }
 
-    /// What the robot has learned, as the bytes of a model file.
+    /// The robot's model, as the bytes of a model file.
     ///
     /// # Errors
     /// Where it is still learning.
@@ -194,11 +194,11 @@ impl World {
         self.lesson.agent.saved().map_err(Refusal::from)
     }
 
-    /// Replaces what the robot has learned by a model file, and begins to learn from what it holds: [`learn`](Self::learn) until that is
-    /// done. A session under way ends unlearned.
+    /// Replaces the robot's model by a model file, and begins to train it: call [`learn`](Self::learn) until it is done. A session under
+    /// way ends unlearned.
     ///
     /// # Errors
-    /// Why the file cannot be used; what the robot knew then stays.
+    /// Why the file cannot be used; the old model then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
         let mind = taught(bytes, self.ways())?;
         self.forget();
@@ -206,15 +206,15 @@ impl World {
         Ok(())
     }
 
-    /// Whether the home has room on a micro:bit.
+    /// Whether a micro:bit has room for the home.
     pub fn fits_microbit(&self) -> bool {
         build(&self.file, Moves::Push, &Capacities::TINY).is_ok()
     }
 
-    /// What the robot has learned, as the bytes of a model file that a micro:bit takes: there it expects the paper's balanced trainer.
+    /// The robot's model, as the bytes of a model file for a micro:bit: there it expects the paper's balanced trainer.
     ///
     /// # Errors
-    /// Where it has no room there, or cannot be used there.
+    /// Where a micro:bit has no room for it, or cannot use it.
     pub fn for_microbit(&self) -> Result<Vec<u8>, Refusal> {
         let mut bytes = self.save()?;
         if !matches!(self.lesson.agent.belief().strategies(), [(Strategy::BALANCED, _)]) {
@@ -226,8 +226,8 @@ impl World {
         Ok(bytes)
     }
 
-    /// Whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps what it has
-    /// learned, and begins to learn it anew: [`learn`](Self::learn) until that is done. A session under way ends unlearned.
+    /// Sets whether commands may mean tasks with a way too: through a room, through one of two, avoiding one. The robot keeps its training
+    /// data, and begins to train anew: call [`learn`](Self::learn) until it is done. A session under way ends unlearned.
     ///
     /// # Errors
     /// Where it is still learning.
@@ -257,7 +257,7 @@ impl World {
         &self.lesson.agent
     }
 
-    /// The environment with everything where it is now.
+    /// The environment in its current state.
     pub fn environment_now(&self) -> EnvironmentFile {
         self.lesson.environment()
     }

@@ -15,7 +15,7 @@ const EXPORT: &str = "GOODBOT_PAGE_EXPORT";
 
 fn main() -> ExitCode {
     let folder = std::env::var_os(EXPORT).map(PathBuf::from);
-    // Whoever says `later` runs them when the browser tests have run.
+    // With `later` they are skipped now, and run after the browser tests.
     if folder.as_deref() == Some(Path::new("later")) {
         return libtest_mimic::run(&Arguments::from_args(), Vec::new()).exit_code();
     }
@@ -52,7 +52,7 @@ fn a_model_from_the_page_answers_here_with_the_same_bits(folder: &Path) {
     assert_eq!(tasks.len(), theirs.len());
     for (ours, theirs) in tasks.iter().zip(theirs) {
         assert_eq!(ours.name, theirs["name"].as_str().unwrap());
-        // The shortest decimal that gives the number back was written: no bit is lost on the way.
+        // The page writes the shortest decimal that is read as the same number: no bit is lost on the way.
         let probability: f32 = theirs["probability"].to_string().parse().unwrap();
         assert_eq!(ours.probability.to_bits(), probability.to_bits(), "{}", ours.name);
     }

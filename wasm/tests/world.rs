@@ -30,7 +30,7 @@ fn train(world: &mut World, command: &str, intended: &str) -> String {
     log
 }
 
-/// What `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
+/// The model that `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
 const OF_A_HOST: &[u8] = include_bytes!("../../tests/tests/behaviour/format_3.model");
 
 #[test]

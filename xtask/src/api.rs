@@ -1,4 +1,4 @@
-//! `cargo xtask api`: the core's public interface as a text file, so that a change of it is seen in a change's lines.
+//! `cargo xtask api`: the core's public interface as a text file, so that a diff shows each change of it.
 
 use anyhow::{Result, ensure};
 use clap::Args;
@@ -12,7 +12,7 @@ const LIST: &str = "core/public-api.txt";
 /// What to do with the list.
 #[derive(Args)]
 pub struct Options {
-    /// Compares with the list that is checked in and writes nothing
+    /// Compares with the committed list and writes nothing
     #[arg(long)]
     pub check: bool,
 }
@@ -22,7 +22,7 @@ pub fn run(options: &Options) -> Result<()> {
     let sh = shell()?;
     let program = installed_by_cargo(&sh, "cargo-public-api")?;
     let list = cmd!(sh, "{program} public-api --package goodbot --all-features -sss --target-dir").arg(target_dir().join("api"));
-    // rustdoc describes items as data only if it is a nightly one.
+    // Only a nightly rustdoc describes items as data; the variable makes a stable one accept the option.
     let list = list.env("RUSTC_BOOTSTRAP", "1").read()? + "\n";
     if options.check {
         ensure!(

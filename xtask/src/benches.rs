@@ -1,4 +1,4 @@
-//! What is measured, but for the footprint.
+//! Measurements other than the footprint.
 
 use anyhow::{Context, Result};
 use xshell::cmd;
@@ -7,7 +7,7 @@ use crate::process::{shell, target_dir};
 use crate::programs::{NODE, VALGRIND, python_with};
 use crate::toolchain::{self, WASM};
 
-/// goodbot beside others on the same work, in one run; those that cannot be installed are left out with a line.
+/// Compares goodbot with other programs on the same work, in one run. A line names each that cannot be installed and is left out.
 pub fn compare() -> Result<()> {
     let sh = shell()?;
     match python_with("nltk==3.10.4", "peers") {
@@ -17,7 +17,7 @@ pub fn compare() -> Result<()> {
     Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin compare").run()?)
 }
 
-/// Each benchmark here and in WebAssembly, in one run: its time, that in node, and the ratio.
+/// Runs each benchmark natively and in WebAssembly: its native time, its time in node, and the ratio.
 pub fn wasm() -> Result<()> {
     let (sh, _) = (shell()?, NODE.path()?);
     let module = toolchain::cargo(&sh, WASM, "rustc")?.args(["--quiet", "--profile", "dist", "--package", "goodbot-benches", "--lib"]);
@@ -26,13 +26,13 @@ pub fn wasm() -> Result<()> {
     Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin wasm -- {module}").run()?)
 }
 
-/// What a plan costs against states and tasks, drawn.
+/// Draws the cost of a plan against states, tasks and blocks.
 pub fn plot() -> Result<()> {
     let sh = shell()?;
     Ok(cmd!(sh, "cargo run --profile dist --quiet --package goodbot-benches --bin plot -- docs/planning-cost.svg").run()?)
 }
 
-/// Instructions that each work takes whose name has `filter` in it, by valgrind: the same whatever else the machine does.
+/// Counts, by valgrind, the instructions of each benchmark with `filter` in its name. Other load of the machine does not change them.
 pub fn instructions(filter: &str) -> Result<()> {
     let (sh, valgrind) = (shell()?, VALGRIND.path()?);
     cmd!(sh, "cargo build --profile dist --quiet --package goodbot-benches --bin measure").run()?;
@@ -44,13 +44,13 @@ pub fn instructions(filter: &str) -> Result<()> {
     };
     println!("| work | instructions |\n|---|---|");
     for name in cmd!(sh, "{measure}").read()?.lines().filter(|name| name.contains(filter)) {
-        // What comes before the work is in both counts.
+        // Both counts include the preparation.
         println!("| {name} | {} |", count(name, "2")?.saturating_sub(count(name, "1")?));
     }
     Ok(())
 }
 
-/// The total that callgrind says at its end.
+/// The total that callgrind prints at its end.
 fn collected(said: &str) -> Option<u64> {
     said.rsplit_once("Collected :")?.1.split_whitespace().next()?.parse().ok()
 }

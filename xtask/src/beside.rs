@@ -1,4 +1,5 @@
-//! Steps that run beside the others, in a process of their own: what it says is shown line by line, and how its steps ended comes in a file.
+//! Steps that run in parallel with the others, in a process of their own. Its output is shown line by line; a file reports how its steps
+//! ended.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -28,7 +29,7 @@ impl Beside {
         command.args(["test", "--report"]).arg(&report).args(steps.iter().flat_map(|step| ["--only".to_owned(), step.name()]));
         let child =
             command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer).spawn().context("the steps beside the others")?;
-        // Until nobody holds the other end.
+        // The reader ends when nobody holds the writer any more.
         drop(command);
         let shown = std::thread::spawn(|| {
             for line in BufReader::new(reader).split(b'\n').map_while(Result::ok) {
@@ -38,13 +39,13 @@ impl Beside {
         Ok(Self { child, report, shown })
     }
 
-    /// Whether it has ended with a step that failed, or before its end.
+    /// Whether it has ended with a failed step, or too early.
     pub fn has_failed(&mut self) -> bool {
         let Ok(Some(status)) = self.child.try_wait() else { return false };
         !status.success() || read(&self.report).map_or(true, |(ends, _)| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed))
     }
 
-    /// Waits for its end, or stops it. Gives how its steps ended so far, and how many tests they have counted.
+    /// Waits for its end, or stops it if `at_once`. Returns how its steps ended so far, and the tests that they counted.
     pub fn end(mut self, at_once: bool) -> Result<(Vec<End>, Tally)> {
         if at_once && self.child.try_wait()?.is_none() {
             self.child.kill()?;
@@ -52,7 +53,7 @@ impl Beside {
             return Ok(read(&self.report).unwrap_or_default());
         }
         let status = self.child.wait()?;
-        // What was stopped by something else has written how its first steps ended, and they may all have passed.
+        // A process stopped from outside may have reported its first steps, all passed.
         ensure!(status.success(), "the steps beside the others did not come to their end ({status})");
         self.shown.join().map_err(|_| anyhow!("the steps beside the others could not be shown"))?;
         read(&self.report)

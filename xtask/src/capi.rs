@@ -12,19 +12,19 @@ use crate::programs::{ARM_GCC, GCC};
 use crate::toolchain::{self, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
-/// That of C, and that of C++ above it.
+/// The C header, and the C++ header that wraps it.
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
-/// The features of a library that nobody chose for.
+/// The default features of a library.
 pub const FEATURES: [&str; 11] =
     ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways"];
-/// Those that are chosen from, as `capi/Cargo.toml` has them. Talk costs flash even where it is not called.
+/// The features to choose from, as in `capi/Cargo.toml`. `talk` is no default, because it takes flash even if it is not called.
 pub const ALL_FEATURES: [&str; 12] =
     ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "talk", "unicode", "ways"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
-/// Writes the header, as cbindgen says it. A test of `goodbot-header` compares the two.
+/// Writes the header that cbindgen makes. A test of `goodbot-header` compares the two.
 pub fn header() -> Result<()> {
     let sh = shell()?;
     let header = cmd!(sh, "cargo run --package goodbot-header").read()? + "\n";
@@ -37,21 +37,21 @@ fn functions(header: &str) -> Vec<&str> {
     before_brackets.filter(|name| name.starts_with("goodbot_")).collect()
 }
 
-/// Which library to build.
+/// The library to build.
 #[derive(Args)]
 pub struct Library {
     /// For this processor, instead of this machine.
     #[arg(long, value_parser = TARGETS)]
     target: Option<String>,
-    /// What it is to have; what is left out takes no flash
+    /// The features to include; the others take no flash
     #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES, value_parser = ALL_FEATURES)]
     features: Vec<String>,
 }
 
-/// Builds the static library with these features, for this machine where there is no target. Gives where it is.
+/// Builds the static library with these features, for this machine if `target` is `None`. Returns its path.
 pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
     let (sh, features) = (shell()?, features.join(","));
-    // Beside the workspace's own files: the features change what is built.
+    // Apart from the workspace's own builds, because other features would rebuild them.
     let own = target_dir().join("capi");
     let (cargo, built) = match target {
         None => (cmd!(sh, "cargo rustc --profile dist --target-dir {own}"), own.join("dist")),
@@ -65,7 +65,7 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
     Ok(built.join("libgoodbot_capi.a"))
 }
 
-/// Builds it and puts it into a folder, with the header.
+/// Builds the library and puts it into a folder, with the header.
 pub fn deliver(options: &Library) -> Result<()> {
     let (sh, target) = (shell()?, options.target.as_deref());
     let features: Vec<_> = options.features.iter().map(String::as_str).collect();
@@ -76,7 +76,7 @@ pub fn deliver(options: &Library) -> Result<()> {
     Ok(())
 }
 
-/// Builds every example with the host's compiler, with both sanitizers, and runs it.
+/// Builds every example with the host's compiler and both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &ALL_FEATURES)?);
     for example in ["home", "lift", "obey", "talk", "world"] {
@@ -93,23 +93,23 @@ pub fn on_host() -> Result<()> {
 pub struct Example {
     name: &'static str,
     features: &'static [&'static str],
-    /// Whether all functions are linked, also those that it does not call.
+    /// Whether all functions are linked, even those that it does not call.
     every_function: bool,
 }
 
 pub const HOME: Example = Example { name: "home", features: &FEATURES, every_function: false };
 pub const LIFT: Example = Example { name: "lift", ..HOME };
-/// Robots that are talked to.
+/// A robot that is talked to.
 pub const TALK: Example = Example { name: "talk", features: &ALL_FEATURES, ..HOME };
-/// With a library that has nothing else.
+/// With a library that has no other features.
 pub const LIFT_ALONE: Example = Example { features: &["checks", "learning", "table"], ..LIFT };
 /// One that only obeys, with a library that cannot do more.
 pub const OBEY: Example = Example { name: "obey", features: &["table"], every_function: false };
-/// Not every function is in an example.
+/// With every function, because the examples do not call all of them.
 pub const EVERY_FUNCTION: Example = Example { features: &ALL_FEATURES, every_function: true, ..HOME };
 
 impl Example {
-    /// Builds it. Gives where it is.
+    /// Builds it. Returns its path.
     pub fn build(self) -> Result<PathBuf> {
         let Self { name, features, every_function } = self;
         let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);

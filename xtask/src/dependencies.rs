@@ -1,4 +1,4 @@
-//! Which crates the project depends on, and that docs/dependencies.md says why.
+//! The crates that the project depends on. docs/dependencies.md must give the reason for each.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,7 +18,7 @@ const MANIFESTS: [&str; 6] = [
     "firmware/microbit/Cargo.toml",
 ];
 
-/// Every direct dependency that is none of the project's own crates, with the crates that have it.
+/// Every direct dependency outside the project, with the crates that depend on it.
 fn direct() -> Result<BTreeMap<String, BTreeSet<String>>> {
     let sh = shell()?;
     let (mut own, mut direct) = (BTreeSet::new(), BTreeMap::<String, BTreeSet<String>>::new());

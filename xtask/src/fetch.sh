@@ -1,16 +1,16 @@
-# Unpacks Debian's packages into a folder, where a launcher starts a program of theirs: nothing is installed, and it takes no root.
+# Unpacks Debian's packages into a folder, where a launcher starts one of their programs. Nothing is installed, and root is not needed.
 #   fetch FOLDER FILE WHY PACKAGE...
-# apt is given folders of its own, and a list of installed packages that is empty: so it finds everything that a program needs, whatever
-# the system has, holds back or would not go together with. A package that the system has in just that version is left out.
+# apt gets folders of its own and an empty list of installed packages. So it finds all dependencies of a program, whatever packages the system
+# has, holds back or would conflict with. A package that the system has in exactly that version is left out.
 
 get() {
     apt-get -o Dir::State="$apt/state" -o Dir::Cache="$apt/cache" -o Dir::State::status="$apt/status" -o Debug::NoLocking=1 \
         -o APT::Install-Recommends=0 -o APT::Sandbox::User= -o Acquire::Retries=3 -o Acquire::ForceHash=SHA256 --quiet=1 "$@"
 }
 
-# One line for each package that is needed: NAME VERSION BYTES. apt prints 'ADDRESS' NAME_VERSION_ARCHITECTURE.deb BYTES CHECKSUM.
+# One line for each needed package: NAME VERSION BYTES. apt prints 'ADDRESS' NAME_VERSION_ARCHITECTURE.deb BYTES CHECKSUM.
 needed() {
-    # Lists that cannot be used, though apt took them for read, are read again by the next attempt.
+    # If apt cannot use the lists that it read, the next attempt reads them again.
     get install --yes --print-uris "$@" >"$apt/uris" || { rm -f "$apt/updated" && exit 1; }
     sed -n "s/^'[^']*' \([^_ ]*\)_\([^_ ]*\)_[^ ]*\.deb \([0-9]*\) .*/\1 \2 \3/p" "$apt/uris" | sed 's/%3a/:/'
 }
@@ -27,7 +27,7 @@ unpack() {
     # The linker is that of the LLVM that the compiler was built with.
     [ "$1" != rustc-web ] || set -- "$@" "$(needed "$@" | sed -n 's/^libllvm\([0-9]*\) .*/lld-\1/p')"
     needed "$@" >"$apt/needed"
-    # The C library is the system's: the loader of programs must fit it.
+    # The C library is the system's, because it must match the program loader.
     dpkg-query --show --showformat='${db:Status-Status} ${Package} ${Version}\n' | sed -n 's/^installed //p' >"$apt/installed"
     awk -v installed="$apt/installed" 'BEGIN { while ((getline package <installed) > 0) has[package] = 1 }
         !(($1 " " $2) in has) && $1 != "libc6" && $1 != "libc-bin"' "$apt/needed" >"$apt/wanted"
@@ -35,7 +35,7 @@ unpack() {
     cd "$apt/archives"
     rm -f ./*.deb
     # apt compares the files with the checksums in the signed lists.
-    # What the lists name may be gone from the servers: the next attempt reads them again.
+    # Packages in the lists may be gone from the servers: the next attempt reads the lists again.
     get download $(awk '{ print $1 "=" $2 }' "$apt/wanted") || { rm "$apt/updated" && exit 1; }
     rm -rf "$tree.unfinished" "$tree"
     mkdir "$tree.unfinished"
@@ -44,13 +44,13 @@ unpack() {
         dpkg-deb --extract "$package" "$tree.unfinished"
         rm "$package"
     done
-    # Where the compiler for controllers looks for newlib in a folder that was moved.
+    # In a folder that was moved, the compiler for controllers looks for newlib here.
     if [ -d "$tree.unfinished/usr/lib/arm-none-eabi" ]; then
         ln -s newlib "$tree.unfinished/usr/lib/arm-none-eabi/lib"
         ln -s ../../include/newlib "$tree.unfinished/usr/lib/arm-none-eabi/include"
     fi
     mv "$tree.unfinished" "$tree"
-    # Written last: what is in it.
+    # The list of unpacked packages, written last: its presence means that the folder is complete.
     awk '{ print $1, $2 }' "$apt/wanted" >"$tree/packages"
 }
 
@@ -62,7 +62,7 @@ fetch() {
     exec 9>"$apt/lock"
     flock 9
     [ -e "$tree/packages" ] || unpack "$@"
-    # The folder can be moved. A browser's fonts are those here and the system's.
+    # The folder can be moved. A browser uses the fonts in it and the system's.
     libraries=$(cd "$tree" && find . \( -name 'lib*.so' -o -name 'lib*.so.*' \) -printf ':$tree/%h\n' | sort -u | tr -d '\n')
     mkdir -p "$tree/launch"
     cat >"$tree/launch/${file##*/}" <<LAUNCHER
@@ -78,5 +78,5 @@ LAUNCHER
     chmod +x "$tree/launch/${file##*/}"
 }
 
-# This script comes by the standard input, which the programs that it runs must not read.
+# The shell reads this script from standard input, so its programs must not read that.
 fetch "$@" </dev/null >&2

@@ -16,12 +16,12 @@ use crate::process::{once, root, shell, within};
 use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
 use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
 
-/// No run should come near this; a binary for another processor would hang.
+/// No run comes near this; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
 /// The exit code of a firmware stopped by a processor fault.
 const FAULT: i32 = 102;
 
-/// Parts of the names of panicking symbols.
+/// Parts of the names of symbols that panic.
 const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];
 
 /// The linker's sections in the flash, and in the RAM.
@@ -32,7 +32,7 @@ pub const STATICS: [&str; 2] = [".data", ".bss"];
 #[derive(Debug)]
 pub struct Board {
     pub name: &'static str,
-    /// The feature of the firmware: this board, or one of the same processor family and memory, whose firmware it runs.
+    /// The firmware's feature: this board, or one with the same processor family and memory, whose firmware it runs.
     feature: &'static str,
     pub processor: &'static str,
     pub target: &'static str,
@@ -52,10 +52,10 @@ const AN386: Board = Board {
 };
 const UNBOUND: [u64; 3] = [u64::MAX; 3];
 
-/// The emulator's board for RISC-V. Other processors have an emulator of their own.
+/// The emulator's board for RISC-V, which needs an emulator of its own.
 const RISCV_BOARD: &str = "virt";
 
-/// The boards that are built for, run and measured. The micro:bit's floats are made of whole numbers, which takes flash and instructions.
+/// The boards whose firmware is built, run and measured. The micro:bit computes floats in software, which takes flash and instructions.
 const BOARDS: [Board; 6] = [
     AN386,
     Board { name: "mps2-an385", feature: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
@@ -75,17 +75,17 @@ const BOARDS: [Board; 6] = [
 /// The binaries of each firmware.
 const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
 
-/// A binary's output, with lines of a name and a number among others.
+/// A binary's output: among other lines, lines of a name and a number.
 #[derive(Clone, Debug)]
 pub struct Report(pub String);
 
 impl Report {
-    /// All numbers of a name, in order.
+    /// All numbers with a name, in order.
     pub fn all(&self, name: &str) -> Vec<u64> {
         self.0.lines().filter_map(|line| line.strip_prefix(name)?.strip_prefix(' ')?.trim().parse().ok()).collect()
     }
 
-    /// The number of a name.
+    /// The first number with a name.
     pub fn number(&self, name: &str) -> Result<u64> {
         self.all(name).first().copied().with_context(|| format!("the firmware did not report `{name}`"))
     }
@@ -96,13 +96,13 @@ impl Report {
     }
 }
 
-/// Runs a binary in the emulator, each instruction 64 ns of the board's time. It is an error if it ends with another code.
+/// Runs a binary in the emulator. Each instruction takes 64 ns of the board's time. It is an error if it ends with another exit code.
 fn emulate(board: &str, binary: &Path, code: i32) -> Result<Report> {
     let (sh, is_riscv) = (shell()?, board == RISCV_BOARD);
     let qemu = if is_riscv { &QEMU_RISCV } else { &QEMU }.path()?;
     let machine = cmd!(sh, "{qemu} -M {board} -display none -monitor none -serial none -icount shift=6,sleep=off -chardev stdio,id=out");
     let machine = machine.args(["-semihosting-config", "enable=on,target=native,chardev=out"]);
-    // As a kernel it would be started at the beginning of the RAM, which is the stack's.
+    // As a kernel it would be started at the beginning of the RAM, where the stack is.
     let loaded = if is_riscv {
         machine.args(["-bios", "none", "-device"]).arg(format!("loader,cpu-num=0,file={}", binary.display()))
     } else {
@@ -118,12 +118,12 @@ pub fn run_alone(binary: &Path) -> Result<Report> {
     emulate(AN386.name, binary, 0)
 }
 
-/// Builds something of the firmware. Returns the folder where it is.
+/// Builds a part of the firmware. Returns the folder of its binaries.
 fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
     let sh = shell()?;
     let cargo =
         toolchain::cargo(&sh, target, "build")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
-    cargo.args(what).run()?;
+    toolchain::in_any_folder(cargo)?.args(what).run()?;
     Ok(toolchain::artifacts(target, "release"))
 }
 
@@ -140,7 +140,7 @@ impl Image {
         Ok(Self { board, folder: build(board.target, &["--features", &format!("{}{tiny}", board.feature)])? })
     }
 
-    /// Its name in what is printed.
+    /// Its name in the output.
     pub fn name(&self) -> String {
         format!("{} {}", self.board.name, self.board.preset)
     }
@@ -157,7 +157,7 @@ impl Image {
 
     fn run(&'static self) -> Result<Trial> {
         let run = |binary, code| emulate(self.board.name, &self.binary(binary), code);
-        // Otherwise what follows would prove nothing: a stack that runs over could change the numbers that are measured.
+        // Must stop by a fault: a stack overflow that goes unnoticed could change the measured numbers.
         run("overflow", FAULT).context("no fault stops a stack that runs over")?;
         let (course, tick) = (run("course", 0)?, run("tick", 0)?);
         eprintln!("{}: {} of {} tests", self.name(), course.number("passed")?, course.number("tests")?);
@@ -165,7 +165,7 @@ impl Image {
     }
 }
 
-/// One firmware, run: the costs of the course, and of the loop with a fixed tick.
+/// The reports of one firmware: of the course, and of the loop with a fixed tick.
 #[derive(Debug)]
 pub struct Trial {
     pub image: &'static Image,
@@ -197,7 +197,7 @@ pub fn trials() -> Result<&'static [Trial]> {
     Ok(once(&DONE, run_all)?)
 }
 
-/// A robot of one's own, the first plan for tasks with ways, and the lessons on wheels that slip: built for the Cortex-M4F.
+/// Programs built for the Cortex-M4F: a robot of one's own, the first plan for tasks with ways, and the lessons on wheels that slip.
 pub fn alone() -> Result<[PathBuf; 3]> {
     // Programs with the same features are built once.
     let folder = build(AN386.target, &["--bin", "arm", "--features", "mps2-an386 arm"])?;
@@ -210,19 +210,19 @@ pub fn obeying() -> Result<PathBuf> {
     Ok(build(AN386.target, &["--bin", "obey", "--no-default-features", "--features", "mps2-an386 obey"])?.join("obey"))
 }
 
-/// Every call with full tables, built for the Cortex-M4F with all the RAM that its board has.
+/// Every call with full tables, built for the Cortex-M4F with all RAM of its board.
 pub fn full() -> Result<PathBuf> {
     Ok(build(AN386.target, &["--bin", "full", "--features", "mps2-an386 full"])?.join("full"))
 }
 
-/// Bytes that sections of a binary take.
+/// The bytes of a binary's sections.
 pub fn bytes(binary: &Path, sections: &[&str]) -> Result<u64> {
     let program = std::fs::read(binary)?;
     let program = object::File::parse(&*program)?;
     Ok(program.sections().filter(|section| section.name().is_ok_and(|name| sections.contains(&name))).map(|section| section.size()).sum())
 }
 
-/// It is an error if a binary has symbols that are there to panic. The linker keeps only what is called.
+/// It is an error if a binary has symbols that panic. The linker keeps only what is called.
 pub fn nothing_panics(binaries: &[PathBuf]) -> Result<()> {
     let mut found = Vec::new();
     for binary in binaries {
@@ -241,13 +241,13 @@ fn is_panic(symbol: &str) -> bool {
     PANIC.iter().any(|word| symbol.contains(word))
 }
 
-/// Builds a program that has a package of its own: the micro:bit's, `microbit`; the robot among embassy's tasks, `embassy`; the Raspberry Pi Pico's,
-/// `pico`. Returns where it is.
+/// Builds a program with a package of its own: the micro:bit's, `microbit`; the robot among embassy's tasks, `embassy`; the Raspberry Pi
+/// Pico's, `pico`. Returns its path.
 pub fn for_cortex_m0(name: &str) -> Result<PathBuf> {
     package(CORTEX_M0, name)
 }
 
-/// Builds the ESP32-C3's program. No emulator that can be had runs it.
+/// Builds the ESP32-C3's program. No available emulator runs it.
 pub fn for_esp32c3() -> Result<PathBuf> {
     package(RISCV_C3, "esp32c3")
 }
@@ -256,7 +256,7 @@ fn package(target: &str, name: &str) -> Result<PathBuf> {
     Ok(build(target, &["--package", &format!("goodbot-{name}")])?.join(name))
 }
 
-/// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns where that is.
+/// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns the file's path.
 pub fn deliver() -> Result<PathBuf> {
     let program = std::fs::read(for_cortex_m0("microbit")?)?;
     let file = MicrobitFile::of_program(in_flash(&program)?)?;
@@ -266,7 +266,7 @@ pub fn deliver() -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Builds the Raspberry Pi Pico's program and writes `dist/goodbot.uf2`. Returns where that is.
+/// Builds the Raspberry Pi Pico's program and writes `dist/goodbot.uf2`. Returns the file's path.
 pub fn deliver_pico() -> Result<PathBuf> {
     let program = std::fs::read(for_cortex_m0("pico")?)?;
     let path = root().join("dist/goodbot.uf2");
@@ -275,7 +275,7 @@ pub fn deliver_pico() -> Result<PathBuf> {
     Ok(path)
 }
 
-/// Runs the Raspberry Pi Pico's file in npm's emulator.
+/// Runs the Raspberry Pi Pico's file in an emulator from npm.
 pub fn run_pico() -> Result<Report> {
     let (sh, node, file) = (shell()?, NODE.path()?, deliver_pico()?);
     npm_packages()?;
@@ -286,7 +286,7 @@ pub fn run_pico() -> Result<Report> {
     Ok(Report(said))
 }
 
-/// A file that the chip's first loader takes: blocks of 512 bytes, each for 256 bytes of the flash.
+/// A file for the chip's first loader: blocks of 512 bytes, each for 256 bytes of the flash.
 fn uf2(parts: &[(u32, &[u8])]) -> Vec<u8> {
     let mut pages = BTreeMap::<u32, [u8; 256]>::new();
     for (byte, at) in parts.iter().flat_map(|(from, bytes)| bytes.iter().zip(*from..)) {
@@ -294,7 +294,7 @@ fn uf2(parts: &[(u32, &[u8])]) -> Vec<u8> {
     }
     let mut file = Vec::with_capacity(512 * pages.len());
     for (number, (at, page)) in pages.iter().enumerate() {
-        // The flag says that the last of these numbers is the chip's family.
+        // The flag 0x2000 says that the last of these numbers is the chip's family.
         let head = [0x0A32_4655, 0x9E5D_5157, 0x2000, *at, 256, number as u32, pages.len() as u32, 0xE48B_FF56];
         file.extend(head.iter().flat_map(|word: &u32| word.to_le_bytes()).chain(*page));
         file.resize(512 * number + 508, 0);
@@ -303,7 +303,7 @@ fn uf2(parts: &[(u32, &[u8])]) -> Vec<u8> {
     file
 }
 
-/// The addresses in the flash, and the bytes there. Initial values of the RAM are in the flash too, at their physical address.
+/// The program's bytes in the flash, with their addresses. Initial values of the RAM are in the flash too, at their physical address.
 fn in_flash(program: &[u8]) -> Result<Vec<(u32, &[u8])>> {
     let elf = ElfFile32::<Endianness>::parse(program).context("the linked program cannot be read")?;
     let mut parts = Vec::new();

@@ -1,4 +1,4 @@
-//! `cargo xtask footprint`: what the robot costs on each board, as tables that are checked in.
+//! `cargo xtask footprint`: the robot's memory and instructions on each board, as committed tables.
 
 use std::collections::BTreeMap;
 
@@ -11,17 +11,17 @@ use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, full, obeying, run_al
 use crate::process::shell;
 use crate::toolchain::compiler;
 
-/// Where the numbers are kept, for the check and for people.
+/// The files of the numbers: for the check, and for people.
 const NUMBERS: &str = "docs/footprint.json";
 const PAGE: &str = "docs/footprint.md";
 
-/// Per cent by which a number may rise before the tables have to be renewed: toolchains differ in the sizes that they come to.
+/// Per cent by which a number may rise before the tables must be renewed. Sizes may rise more, because they differ between toolchains.
 const INSTRUCTIONS_MAY_RISE: u64 = 5;
 const BYTES_MAY_RISE: u64 = 8;
-/// What a compiler that is not in the tables may add to either.
+/// Additional per cent for a compiler that is not in the tables.
 const FOR_ANOTHER_COMPILER: u64 = 12;
 
-/// Numbers and their titles; of several names with a `+` between them, the sum.
+/// Names of numbers, and their titles. Names joined by `+` stand for their sum.
 type Columns = [(&'static str, &'static str)];
 
 /// The page's tables, for each compiler.
@@ -50,7 +50,7 @@ const CALLS: [(&str, &str); 5] = [
     ("longest-finish-call", "`finish_on`, 1 cell"),
     ("longest-learn-call", "`learn`, 16 cells"),
 ];
-/// With full tables, of one board.
+/// The calls with full tables, on one board.
 const FULL: [(&str, &str); 8] = [
     ("build", "`find_cells`, 1 cell, and `build`"),
     ("begin-hearing", "`begin_hearing`"),
@@ -62,25 +62,25 @@ const FULL: [(&str, &str); 8] = [
     ("restore", "`restore_on`, 1 entry"),
 ];
 const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
-/// The lessons whose first plans those are; the first two lessons share an environment.
+/// The lessons of those plans; the first two lessons share an environment.
 const LESSONS: [usize; 6] = [0, 2, 3, 4, 5, 6];
 
 /// What to do with the tables.
 #[derive(Args)]
 pub struct Options {
-    /// Compares with the table that is checked in and writes nothing
+    /// Compares with the committed tables and writes nothing
     #[arg(long)]
     check: bool,
-    /// Writes the tables again from the numbers that are checked in, and measures nothing
+    /// Writes the tables again from the committed numbers, and measures nothing
     #[arg(long, conflicts_with = "check")]
     kept: bool,
 }
 
 /// Numbers by name, for each board and preset, or for each program.
 type Rows = BTreeMap<String, BTreeMap<String, u64>>;
-/// What one compiler's work costs: the course as `rows`, and other `programs`.
+/// The numbers of one compiler: `rows` for the course, `programs` for other programs, `full` for the calls with full tables.
 type Footprint = BTreeMap<String, Rows>;
-/// What each compiler's work costs.
+/// The numbers of each compiler.
 type Kept = BTreeMap<String, Footprint>;
 
 /// Measures, and writes the tables or compares with them.
@@ -99,7 +99,7 @@ pub fn run(options: &Options) -> Result<()> {
     Ok(())
 }
 
-/// Compares with the numbers that are checked in.
+/// Compares with the committed numbers.
 pub fn check() -> Result<()> {
     let kept = kept()?;
     let page = shell()?.read_file(PAGE)?;
@@ -116,14 +116,14 @@ fn kept() -> Result<Kept> {
         .with_context(|| format!("{NUMBERS} is not what `cargo xtask footprint` writes"))
 }
 
-/// Keeps the numbers of this compiler, and no longer those of its other versions.
+/// Stores the numbers of this compiler in place of those of its other versions.
 fn renew(kept: &mut Kept, compiler: &str, footprint: Footprint) {
     let kind = |name: &str| name.rsplit_once(' ').map(|(kind, _)| kind.to_owned());
     kept.retain(|name, _| kind(name) != kind(compiler));
     kept.insert(compiler.to_owned(), footprint);
 }
 
-/// Measures the binaries. A check leaves out those that take long to build.
+/// Measures the binaries. A check leaves out the ones that take long to build.
 fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     let (mut rows, mut programs, mut with_full_tables) = (Rows::new(), Rows::new(), Rows::new());
     for Trial { image, course, tick } in trials {
@@ -164,7 +164,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         row.extend(
             [("flash", flash), ("statics", statics), ("stack", report.number("stack")?)].map(|(name, number)| (name.to_owned(), number)),
         );
-        // Some count all their work, others parts of it; who counts nothing would never be found dearer.
+        // Some programs count all their instructions, others parts of them. One that counts none could never be found to cost more.
         let counts = ["instructions", "tasks", "hear", "first-plan"].map(|name| (name, report.all(name)));
         ensure!(
             counts.iter().any(|(name, numbers)| *name != "tasks" && !numbers.is_empty()),
@@ -176,7 +176,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
     Ok([("rows", rows), ("programs", programs), ("full", with_full_tables)].map(|(kind, rows)| (kind.to_owned(), rows)).into())
 }
 
-/// Numbers that rose against the same compiler's, or against every compiler's if this one is new.
+/// Complaints about numbers that rose, compared with the same compiler's; if it is new, with those of the compiler that gives the fewest.
 fn against(kept: &Kept, compiler: &str, found: &Footprint) -> Vec<String> {
     if let Some(kept) = kept.get(compiler) {
         return risen(found, kept, 0);
@@ -185,7 +185,7 @@ fn against(kept: &Kept, compiler: &str, found: &Footprint) -> Vec<String> {
     complaints.min_by_key(Vec::len).unwrap_or_else(|| vec!["the table is empty".to_owned()])
 }
 
-/// Numbers that rose by more than they may and `more` per cent.
+/// Complaints about numbers that rose by more than their limit plus `more` per cent, or that are not in the tables.
 fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
     let mut complaints = Vec::new();
     for (kind, rows) in now {
@@ -205,7 +205,7 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
     complaints
 }
 
-/// The page, with its tables as they should be.
+/// The page with its tables made from the numbers.
 fn renewed(page: &str, kept: &Kept) -> Result<String> {
     let tables: [(&str, &str, &str, &Columns); 6] = [
         ("bytes", "rows", "board, preset", &BYTES),
@@ -222,7 +222,7 @@ fn renewed(page: &str, kept: &Kept) -> Result<String> {
     })
 }
 
-/// A text with this table between its marks.
+/// A text whose part between the marks is replaced by this table.
 fn with_table(text: &str, mark: &str, table: &str) -> Result<String> {
     let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->")];
     let found = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?.1)));
@@ -230,7 +230,7 @@ fn with_table(text: &str, mark: &str, table: &str) -> Result<String> {
     Ok(format!("{before}{begin}{table}{end}{after}"))
 }
 
-/// One table of some numbers of all rows.
+/// One table: these columns of all rows.
 fn table(head: &str, rows: &Rows, columns: &Columns) -> String {
     let titles = columns.iter().map(|(_, title)| format!(" {title} |")).collect::<String>();
     let mut text = format!("| {head} |{titles}\n|---|{}\n", "---:|".repeat(columns.len()));

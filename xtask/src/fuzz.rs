@@ -1,4 +1,4 @@
-//! The fuzz targets, each for a while on all processors. The compiler of every day is enough: libFuzzer needs only to see which branches are
+//! Runs the fuzz targets, each for a while on all processors. The stable compiler is enough: libFuzzer only needs to see which branches are
 //! taken.
 
 use anyhow::{Context, Result, ensure};
@@ -15,14 +15,14 @@ pub struct Options {
     seconds: u32,
 }
 
-/// What the compiler adds for libFuzzer, and the checks of a debug build.
+/// Instrumentation for libFuzzer, and the checks of a debug build.
 const FLAGS: &str = "--cfg fuzzing -Cpasses=sancov-module -Cllvm-args=-sanitizer-coverage-level=4 \
     -Cllvm-args=-sanitizer-coverage-inline-8bit-counters -Cllvm-args=-sanitizer-coverage-pc-table \
     -Cllvm-args=-sanitizer-coverage-trace-compares -Ccodegen-units=1 -Cdebug-assertions -Coverflow-checks";
-/// The flags are for this target alone, not for the programs that build it.
+/// Named, so that the flags apply only to the fuzz targets and not to build scripts.
 const HOST: &str = "x86_64-unknown-linux-gnu";
 
-/// Builds and runs the targets. libFuzzer says how many inputs each had, at the head of its lines.
+/// Builds and runs the targets. libFuzzer prints the number of inputs at the beginning of its lines.
 pub fn run(options: &Options) -> Result<()> {
     let (sh, folder) = (shell()?, target_dir().join("fuzz"));
     let build = cmd!(sh, "cargo build --locked --release --bins --target {HOST} --manifest-path fuzz/Cargo.toml --target-dir {folder}");

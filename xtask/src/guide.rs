@@ -1,5 +1,5 @@
-//! `docs/robot.md`, done as it says: its programs are built in an empty folder, those in C from the packed library alone, and run. So is the recipe for C
-//! of `docs/cookbook.md`.
+//! Follows `docs/robot.md`: builds its programs in an empty folder, those in C from the packed library alone, and runs them. The same for
+//! the C recipe of `docs/cookbook.md`.
 
 use std::path::{Path, PathBuf};
 
@@ -14,21 +14,21 @@ use crate::toolchain::CORTEX_M4F;
 const PAGE: &str = "docs/robot.md";
 const COOKBOOK: &str = "docs/cookbook.md";
 
-/// A part of the page, done in a folder.
+/// A part of the page, followed in a folder.
 struct Part<'p> {
     text: &'p str,
     folder: PathBuf,
 }
 
 impl<'p> Part<'p> {
-    /// From one heading to another.
+    /// The part from one heading to another.
     fn of(page: &'p str, from: &str, to: &str, folder: &Path) -> Result<Self> {
         let found = page.split_once(from).and_then(|(_, rest)| rest.split_once(to));
         let (text, _) = found.with_context(|| format!("{PAGE} has no heading `{}` before `{}`", from.trim(), to.trim()))?;
         Ok(Self { text, folder: folder.to_owned() })
     }
 
-    /// The blocks of code in a language, without what they are indented by.
+    /// The code blocks in a language, without their indentation.
     fn blocks(&self, language: &str) -> Vec<String> {
         let mut found = Vec::new();
         let mut lines = self.text.lines();
@@ -47,7 +47,7 @@ impl<'p> Part<'p> {
         Ok(sh.write_file(self.folder.join(file), self.blocks(language).concat())?)
     }
 
-    /// Runs the first block of commands that has this word in it. Returns what it says.
+    /// Runs the first block of commands that contains this word. Returns its output.
     fn run(&self, sh: &Shell, word: &str) -> Result<String> {
         let blocks = self.blocks("sh");
         let commands = blocks.iter().find(|block| block.contains(word)).with_context(|| format!("{PAGE} has no commands with `{word}`"))?;
@@ -55,7 +55,7 @@ impl<'p> Part<'p> {
         Ok(cmd!(sh, "sh -ec {commands}").env("GOODBOT", root()).read()?)
     }
 
-    /// The same; it is an error if it does not say what the part promises.
+    /// Runs the same and prints its output. It is an error if that lacks the text that the part promises.
     fn try_out(&self, sh: &Shell, word: &str) -> Result<()> {
         let (promised, said) = (self.promised()?, self.run(sh, word)?);
         println!("{said}");
@@ -69,7 +69,7 @@ impl<'p> Part<'p> {
     }
 }
 
-/// Does what the page says.
+/// Follows the page.
 pub fn follow() -> Result<()> {
     let (sh, page, gcc) = (shell()?, shell()?.read_file(PAGE)?, GCC.path()?);
     let folder = sh.create_temp_dir()?;

@@ -25,27 +25,27 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(name = "cargo xtask", bin_name = "cargo xtask")]
 enum Task {
-    /// Finds or fetches every program that the commands need, and says where it is.
+    /// Finds or fetches the programs that the commands need, and prints their paths.
     Programs,
     /// Writes the trainer page, `dist/goodbot.html`.
     Page,
-    /// Runs every check and every test; stops at the first that fails, and names what cannot be done here.
+    /// Runs every check and every test; stops at the first that fails, and names those that cannot be run here.
     Test(test::Options),
-    /// Measures goodbot beside other programs on the same work; those that cannot be installed are left out.
+    /// Compares goodbot with other programs on the same work; those that cannot be installed are left out.
     Compare,
-    /// Runs the fuzz targets, and says how many inputs each had.
+    /// Runs the fuzz targets, and prints how many inputs each had.
     Fuzz(fuzz::Options),
-    /// Times each benchmark here and in WebAssembly, run by node.
+    /// Times each benchmark natively and in WebAssembly, run by node.
     BenchWasm,
     /// Counts the instructions of each benchmark, by valgrind.
     Instructions {
-        /// Only works with this in their name.
+        /// Only benchmarks with this in their name.
         #[arg(default_value = "")]
         filter: String,
     },
-    /// Draws what a plan costs against states and tasks, as docs/planning-cost.svg.
+    /// Draws the cost of a plan against states, tasks and blocks, as docs/planning-cost.svg.
     Plot,
-    /// Measures what the robot costs on each emulated board, and writes docs/footprint.md.
+    /// Measures the robot's memory and instructions on each emulated board, and writes docs/footprint.md.
     Footprint(footprint::Options),
     /// Writes the C header capi/include/goodbot.h.
     Capi,
@@ -62,7 +62,7 @@ enum Task {
 }
 
 fn main() {
-    if let Err(error) = run(Task::parse()) {
+    if let Err(error) = toolchain::as_compiler().unwrap_or_else(|| run(Task::parse())) {
         eprintln!("error: {error:#}");
         std::process::exit(1);
     }

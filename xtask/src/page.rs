@@ -7,12 +7,12 @@ use crate::process::shell;
 use crate::programs::{NODE, npm_packages};
 use crate::toolchain::{self, WASM};
 
-/// Writes the page, and says what it is made of. It is an error if it has become too large.
+/// Writes the page, and prints the sizes of its parts. It is an error if the page is too large.
 pub fn build() -> Result<()> {
     let (sh, node) = (shell()?, NODE.path()?);
     npm_packages()?;
     let small = toolchain::without_panic_messages("page")?;
-    // Where in the sources something may panic: nobody reads that here.
+    // Leaves out the source locations of panics, which nobody could read here.
     let no_places = format!("--config=target.{WASM}.rustflags=[\"-Zlocation-detail=none\"]");
     let (settings, flag) = if small.is_empty() { (None, Some("--with-panic-messages")) } else { (Some(no_places), None) };
     let module = toolchain::cargo(&sh, WASM, "build")?.args(["--profile", "page", "--package", "goodbot-wasm"]);

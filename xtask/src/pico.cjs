@@ -10,7 +10,7 @@ for (let block = 0; block < file.length; block += 512) {
 }
 pico.uart[0].onByte = (byte) => process.stdout.write(String.fromCharCode(byte));
 pico.onBreak = (code) => { throw new Error(`it stopped at breakpoint ${code}`); };
-// The chip's first loader is not here; it would load the second one, at the front of the flash, and go on there.
+// The emulator lacks the chip's first loader, which would load the second one from the start of the flash and continue there.
 pico.core.SP = 0x20042000;
 pico.core.PC = FLASH;
 while (!pico.core.waiting) pico.clock.tick(pico.core.executeInstruction() * NANOSECONDS);

@@ -1,4 +1,4 @@
-//! Where the project is, and programs that run in it.
+//! The project's folders, and programs that run in them.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -19,12 +19,12 @@ pub fn target_dir() -> PathBuf {
     folder_named_by("CARGO_TARGET_DIR").unwrap_or_else(|| root().join("target"))
 }
 
-/// The folder that a variable names, if it names one.
+/// The folder that an environment variable names, if it is set.
 pub fn folder_named_by(variable: &str) -> Option<PathBuf> {
     std::path::absolute(std::env::var_os(variable)?).ok()
 }
 
-/// Where programs start: in the project's top folder. A user who may not enter it can still fetch programs, from where this one was started.
+/// A shell in the project's top folder, or, if the user may not enter that, in the current folder, where programs can still be fetched.
 pub fn shell() -> Result<Shell> {
     let sh = Shell::new()?;
     if root().join("Cargo.toml").is_file() {
@@ -33,8 +33,8 @@ pub fn shell() -> Result<Shell> {
     Ok(sh)
 }
 
-/// Runs a program that is stopped when `limit` has passed, and returns its exit code and what it prints to its standard output: some lines, for
-/// which a pipe has room.
+/// Runs a program, stops it after `limit`, and returns its exit code and standard output. The output must fit into a pipe, so it may have
+/// only some lines.
 pub fn within(limit: Duration, command: Cmd) -> Result<(i32, String)> {
     let shown = command.to_string();
     let child = Command::from(command).stdin(Stdio::null()).stdout(Stdio::piped()).spawn();
@@ -46,7 +46,7 @@ pub fn within(limit: Duration, command: Cmd) -> Result<(i32, String)> {
     Ok((status.code().with_context(|| format!("`{shown}` was stopped ({status})"))?, said))
 }
 
-/// What is made once in a run of this program.
+/// The value in `cell`, made at its first use in this run.
 pub fn once<T>(cell: &'static OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&'static T> {
     match cell.get() {
         Some(made) => Ok(made),

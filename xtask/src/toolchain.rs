@@ -5,7 +5,9 @@
 //! The variable `CROSS_TOOLCHAIN_MODE` chooses: `rustup`, `build-std`, or `auto`, which tries rustup first and is what holds if it is not
 //! set.
 
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::OnceLock;
 use std::time::Duration;
 
@@ -15,14 +17,14 @@ use xshell::{Cmd, Shell, cmd};
 use crate::process::{once, shell, target_dir, within};
 use crate::programs::{CARGO, RUSTC, missing};
 
-/// The browser.
+/// WebAssembly, for the browser.
 pub const WASM: &str = "wasm32-unknown-unknown";
 /// Cortex-M0 and M0+.
 pub const CORTEX_M0: &str = "thumbv6m-none-eabi";
 pub const CORTEX_M3: &str = "thumbv7m-none-eabi";
 /// Cortex-M4F and M7F: floats in registers of the floating-point unit.
 pub const CORTEX_M4F: &str = "thumbv7em-none-eabihf";
-/// The same processors, where the calls of the board's C pass floats in whole registers.
+/// The same processors, for boards whose C code passes floats in integer registers.
 pub const CORTEX_M4: &str = "thumbv7em-none-eabi";
 /// Cortex-M33 with a floating-point unit.
 pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
@@ -30,15 +32,19 @@ pub const CORTEX_M33F: &str = "thumbv8m.main-none-eabihf";
 pub const RISCV: &str = "riscv32imac-unknown-none-elf";
 /// The same without atomic instructions, such as an ESP32-C3.
 pub const RISCV_C3: &str = "riscv32imc-unknown-none-elf";
-/// The system on which the command line runs, and which is no Unix. It is checked for it, and not linked: a linker for it is not to be had everywhere.
+/// A system that is no Unix, for the command line. The build is only checked, because its linker is not available everywhere.
 pub const WINDOWS: &str = "x86_64-pc-windows-msvc";
-/// The targets that goodbot is built for besides the host.
+/// The targets besides the host.
 pub const TARGETS: [&str; 8] = [WASM, CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3];
+
+/// Inlines small functions on controllers, whose code is optimised for size ("z"). With LLVM's limit for such code, 5, the calls take more flash
+/// than the functions, and a sixth more instructions.
+const INLINED_ON_CONTROLLERS: &str = "-Cllvm-args=-inline-threshold=50";
 
 /// How long rustup may take.
 const RUSTUP_LIMIT: Duration = Duration::from_secs(90);
 
-/// Debian's toolchain: its cargo builds the standard library from the sources that Debian has packaged, with Debian's linker.
+/// Debian's toolchain: its cargo builds the standard library from Debian's packaged sources, with Debian's linker.
 #[derive(Debug)]
 struct Debian {
     cargo: PathBuf,
@@ -48,7 +54,7 @@ struct Debian {
 }
 
 impl Debian {
-    /// The system's, or fetched.
+    /// Finds the system's, or fetches it.
     fn find() -> Result<Self> {
         let is_complete = |found: &Self| Path::new("/usr/lib/rustlib/src/rust/library/Cargo.lock").is_file() && found.cargo.is_file();
         match Self::below(Path::new("/"), "/usr/bin/cargo".into(), "/usr/bin/rustc".into()) {
@@ -67,12 +73,12 @@ impl Debian {
     }
 }
 
-/// A program without the variables by which the cargo that runs this program names its own parts.
+/// A command without the environment variables that refer to the running cargo's own parts.
 fn own(program: Cmd) -> Cmd {
     program.env_remove("CARGO").env_remove("RUSTUP_TOOLCHAIN").env_remove("LD_LIBRARY_PATH")
 }
 
-/// Debian's toolchain if that is used, and not rustup's. The first call sets up what is used.
+/// Debian's toolchain, or `None` if rustup's is used. The first call chooses one and sets it up.
 fn debian() -> Result<Option<&'static Debian>> {
     static CHOSEN: OnceLock<Option<Debian>> = OnceLock::new();
     let mode = std::env::var("CROSS_TOOLCHAIN_MODE").unwrap_or_default();
@@ -81,7 +87,7 @@ fn debian() -> Result<Option<&'static Debian>> {
         let by_rustup = match mode.as_str() {
             "rustup" => add_by_rustup(&TARGETS).map(|()| true)?,
             "build-std" => false,
-            // rustup was asked once, and had none.
+            // Debian's was fetched before, because rustup had failed.
             _ if RUSTC.is_fetched() => lacking(&TARGETS).is_ok_and(|lacking| lacking.is_empty()),
             _ => add_by_rustup(&TARGETS).inspect_err(|error| eprintln!("{error:#}")).is_ok(),
         };
@@ -92,7 +98,7 @@ fn debian() -> Result<Option<&'static Debian>> {
     Ok(chosen.as_ref())
 }
 
-/// Those of the targets that rustup has not added.
+/// The targets that rustup has not added yet.
 fn lacking(targets: &[&'static str]) -> Result<Vec<&'static str>> {
     let sh = shell()?;
     let added = cmd!(sh, "rustup target list --installed").quiet().read()?;
@@ -109,14 +115,14 @@ fn add_by_rustup(targets: &[&'static str]) -> Result<()> {
     Ok(())
 }
 
-/// The compiler that builds for the targets, set up if that has not been done, such as `rustup's rustc 1.95.0`.
+/// The name of the compiler for the targets, such as `rustup's rustc 1.95.0`. It is set up if necessary.
 pub fn compiler() -> Result<String> {
     let sh = shell()?;
     let (whose, version) = match debian()? {
         None => ("rustup", cmd!(sh, "rustc --version").read()?),
         Some(Debian { rustc, .. }) => ("Debian", own(cmd!(sh, "{rustc} --version")).read()?),
     };
-    // Without the commit and the day.
+    // Without the commit and the date.
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
@@ -128,23 +134,53 @@ pub fn add_windows() -> Result<()> {
     Ok(())
 }
 
-/// Cargo's command `build`, `check` or `rustc` for a target, ready to be given its other arguments. Sets the target up if that has not been done. What
-/// is built is in [`artifacts`].
+/// Cargo's command `build`, `check` or `rustc` for a target, without its other arguments. Sets up the target if necessary. [`artifacts`]
+/// names the folder of the result.
 pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<'sh>> {
+    let is_hosted = [WASM, WINDOWS].contains(&target);
+    let variable = |name: &str| format!("CARGO_TARGET_{}_{name}", target.replace(['-', '.'], "_").to_uppercase());
     let cargo = match debian()? {
         None => cmd!(sh, "cargo"),
         Some(Debian { cargo, rustc, linkers }) => {
-            let has_std = [WASM, WINDOWS].contains(&target);
-            let crates = if has_std { "std,panic_abort" } else { "core,alloc" };
+            let crates = if is_hosted { "std,panic_abort" } else { "core,alloc" };
             let linker = if target == WASM { "wasm-ld" } else { "ld.lld" };
-            let variable = format!("CARGO_TARGET_{}_LINKER", target.replace(['-', '.'], "_").to_uppercase());
-            // Without the first variable, cargo takes -Z options only if it is a nightly one.
+            // Without the first variable, only a nightly cargo accepts -Z options.
             let cargo = own(cmd!(sh, "{cargo} -Zbuild-std={crates}")).env("RUSTC_BOOTSTRAP", "1").env("RUSTC", rustc);
-            cargo.env(variable, linkers.join(linker))
+            cargo.env(variable("LINKER"), linkers.join(linker))
         }
     };
+    let cargo = if is_hosted { cargo } else { cargo.env(variable("RUSTFLAGS"), INLINED_ON_CONTROLLERS) };
     // Its own folder, so that the two kinds of build do not undo each other's work.
     Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
+}
+
+/// Set where this program stands between cargo and the compiler.
+const AS_COMPILER: &str = "GOODBOT_XTASK_AS_COMPILER";
+
+/// The same build, with the same bytes in any folder.
+///
+/// Cargo numbers the crates, and the numbers order what the compiler writes. A crate outside the workspace, as the core is for the firmware, is numbered by
+/// its whole path. So this program calls the compiler, and gives the project's crates their names instead.
+pub fn in_any_folder(cargo: Cmd) -> Result<Cmd> {
+    Ok(cargo.env("RUSTC_WRAPPER", std::env::current_exe()?).env(AS_COMPILER, "1"))
+}
+
+/// Calls the compiler, if cargo calls this program for that.
+pub fn as_compiler() -> Option<Result<()>> {
+    std::env::var_os(AS_COMPILER).map(|_| {
+        let (mut arguments, package) = (std::env::args_os().skip(1), std::env::var("CARGO_PKG_NAME").unwrap_or_default());
+        let mut compiler = Command::new(arguments.next().context("cargo names no compiler")?);
+        let ended = compiler.args(arguments.map(|argument| without_number(argument, &package))).status();
+        let ended = ended.with_context(|| format!("{} could not be started", compiler.get_program().display()))?;
+        ensure!(ended.success(), "the compiler ended with {ended}");
+        Ok(())
+    })
+}
+
+/// An argument for the compiler; a package of the project has its name as its number.
+fn without_number(argument: OsString, package: &str) -> OsString {
+    let is_number = argument.to_str().is_some_and(|text| text.starts_with("metadata="));
+    if is_number && package.starts_with("goodbot") { format!("metadata={package}").into() } else { argument }
 }
 
 /// Where [`cargo`] leaves what it builds with a profile.
@@ -152,8 +188,8 @@ pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
 }
 
-/// Arguments for [`cargo`] by which a profile's panics end at once, without the code that words their messages. That can be had only
-/// where the standard library is built too; a ready-made one brings its messages along, and there are none then.
+/// Arguments for [`cargo`] that make a profile's panics abort at once, without the code for their messages. Empty with rustup's
+/// ready-made standard library, which contains that code.
 pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     if debian()?.is_none() {
         return Ok(Vec::new());
@@ -162,4 +198,17 @@ pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
     let immediate = format!("profile.{profile}.panic=\"immediate-abort\"");
     let settings = ["unstable.panic-immediate-abort=true", "unstable.build-std-features=[\"optimize_for_size\"]", &immediate];
     Ok(settings.map(|setting| format!("--config={setting}")).to_vec())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crate_of_the_project_is_numbered_by_its_name_and_another_crate_as_cargo_says() {
+        let number = OsString::from("metadata=0123456789abcdef");
+        assert_eq!(without_number(number.clone(), "goodbot-microbit"), "metadata=goodbot-microbit");
+        assert_eq!(without_number(number.clone(), "heapless"), number);
+        assert_eq!(without_number("extra-filename=-0123456789abcdef".into(), "goodbot"), "extra-filename=-0123456789abcdef");
+    }
 }

@@ -1,6 +1,6 @@
-//! goodbot beside others on the same work, in one run: ratios of medians of nine.
+//! goodbot compared with others on the same work, in one run: ratios of medians of nine.
 //!
-//! The Python that has NLTK is named by the environment variable `GOODBOT_PEERS_PYTHON`; without it that comparison is left out.
+//! The environment variable `GOODBOT_PEERS_PYTHON` names a Python that has NLTK; without it that comparison is left out.
 
 use std::hint::black_box;
 use std::io::Write;
@@ -29,8 +29,9 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// A bound is for a fault, which changes a ratio many times over. It is no more than about half of the least ratio ever measured, and no less than a
-/// third above the greatest, because the load of a machine changes ratios too.
+/// Prints a ratio and checks it against its bounds. A bound reveals a fault, which changes a ratio many times over. Because the load of a
+/// machine changes ratios too, `least` is at most about half of the lowest ratio ever measured, and `most` at least a third above the
+/// highest.
 fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Option<f64>) -> Result<(), String> {
     let ratio = ratio(times);
     println!("{what}: {ratio:.2} ({:.3} ms against {:.3} ms)", times.0.as_secs_f64() * 1e3, times.1.as_secs_f64() * 1e3);
@@ -40,8 +41,8 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
     Ok(())
 }
 
-/// All tasks by one search, against one search a task by the crate pathfinding, from the start of nine random homes; and by one sweep for
-/// every state, against the same peer for every state.
+/// All tasks by one search, against one search per task by the crate pathfinding, from the start of each random home; and all states by one
+/// sweep, against the peer's time from the start times the number of states.
 fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
     let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
     let (mut tasks, mut dead, mut expansions) = (0, 0, 0);
@@ -77,7 +78,7 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
     show("the same for every state, the peer's time from one / one sweep", (theirs_everywhere, own_sweeps), Some(20.0), None)
 }
 
-/// 64 tasks against eight of them, in one state space.
+/// 64 tasks against eight tasks, in one state space.
 fn many_tasks() -> Result<(), String> {
     let mut many = Scene::roomy(size(12, 1), Tasks::Count(64));
     let mut few = Scene::roomy(size(12, 1), Tasks::Count(8));
@@ -99,7 +100,7 @@ fn the_course() -> Result<(), String> {
     show("50 ms / the course of seven lessons and five tests", (Duration::from_millis(50), course), Some(1.0), None)
 }
 
-/// Ten rounds of Model 2 against NLTK's, first whether the tables are equal.
+/// Ten rounds of Model 2 against NLTK's. The tables must be equal.
 fn against_nltk() -> Result<(), String> {
     let Some(python) = std::env::var_os("GOODBOT_PEERS_PYTHON") else {
         println!("skipped: no Python with NLTK is named; `cargo xtask compare` installs one");

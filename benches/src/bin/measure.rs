@@ -1,4 +1,4 @@
-//! Does one work a number of times, for a program that counts instructions: `measure NAME COUNT`; `measure` alone gives the names.
+//! Runs one benchmark COUNT times, for a program that counts instructions: `measure NAME COUNT`. `measure` alone prints the names.
 
 use std::process::ExitCode;
 

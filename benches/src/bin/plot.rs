@@ -1,4 +1,4 @@
-//! Draws what a plan costs against the number of states, of tasks and of blocks: `plot FILE.svg`.
+//! Draws the cost of a plan against the number of states, of tasks and of blocks: `plot FILE.svg`.
 
 use std::process::ExitCode;
 
@@ -9,7 +9,7 @@ use goodbot_benches::timing::{ROUNDS, median, time};
 use goodbot_tests::own_planner::OwnPlanner;
 use plotters::prelude::*;
 
-/// Where on each axis, and what is written beside it.
+/// Points: x, y, and a label.
 type Points = Vec<(f64, f64, String)>;
 type Failure = Box<dyn std::error::Error>;
 
@@ -31,7 +31,7 @@ fn milliseconds(work: &mut dyn FnMut()) -> f64 {
     median((0..ROUNDS).map(|_| time(work)).collect()).as_secs_f64() * 1e3
 }
 
-/// The cost of a search and of a sweep, by the states there are.
+/// The cost of a search and of a sweep, by the number of states.
 fn by_states() -> (Points, Points) {
     let (mut searches, mut sweeps) = (Vec::new(), Vec::new());
     for (rooms, blocks) in [(3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3)] {
@@ -69,12 +69,12 @@ fn by_tasks() -> (Points, Points) {
     (searches, sweeps)
 }
 
-/// The cost of the plans of ten rooms, by the number of blocks: for all tasks alike, and where ten of them are likely.
+/// The cost of plans in ten rooms, by the number of blocks: with all tasks equally likely, and with ten likely ones.
 fn by_blocks() -> (Points, Points) {
     let (mut alike, mut likely) = (Vec::new(), Vec::new());
     for blocks in [1, 2, 4, 6, 8, 10, 12, 16, 20] {
         let mut scene = Scene::seeded(1, size(10, blocks), Tasks::Paper);
-        // In the memory of the command line: what does not fit is bounded.
+        // In the command line's memory: distances in homes that do not fit are bounded.
         scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
         let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
         for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, ten)] {

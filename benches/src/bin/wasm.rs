@@ -1,11 +1,11 @@
-//! Each work here and in WebAssembly, in one run, the quickest of nine: `wasm MODULE`.
+//! Each benchmark natively and in WebAssembly, in one run, the quickest of nine: `wasm MODULE`.
 
 use std::process::{Command, ExitCode};
 
 use goodbot_benches::timing::{ROUNDS, time};
 use goodbot_benches::works;
 
-/// What takes longer than this once is left out: the same work would be done a hundred times.
+/// Benchmarks whose single run takes longer, in seconds, are left out, because each is run about a hundred times.
 const LONGEST: f64 = 0.2;
 
 fn main() -> ExitCode {

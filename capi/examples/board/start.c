@@ -1,17 +1,17 @@
-/* Starts a C program on the emulated board; its output and its exit code go through semihosting. At the end it says what the program took:
-   the deepest stack, by the paint that it has worn off, and instructions, by a counter that the emulator advances by so much for each.
+/* Starts a C program on the emulated board; its output and its exit code go through semihosting. At the end it reports the deepest stack,
+   by the paint that was overwritten, and the instructions, by a counter that the emulator advances by the same time for each.
    A program that does not use stdio is linked without it. */
 #include <stdint.h>
 #include <stdio.h>
 
 extern uint32_t data_begin[], data_end[], data_source[], bss_begin[], bss_end[], stack_top[];
 extern int main(void);
-/* They are there where the program uses stdio. */
+/* Present only if the program uses stdio. */
 extern void initialise_monitor_handles(void) __attribute__((weak));
 extern int fflush(FILE *stream) __attribute__((weak));
 
 #define PAINT 0xCCCCCCCCu
-/* So much of the RAM's end is painted: more than any program here may take. */
+/* This much of the RAM's end is painted: more than any program here may take. */
 #define STACK_WORDS (48 * 1024 / 4)
 
 /* SysTick: control, reload and current value. It counts 25 million times a second down from its reload value, and an instruction takes 64 ns. */
@@ -83,6 +83,6 @@ __attribute__((section(".vectors"), used)) static const struct {
     void (*handlers[15])(void);
 } vectors = {stack_top, {start, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, tick}};
 
-/* What newlib looks for and a static program without constructors does not need. */
+/* newlib demands these; a static program without constructors does not need them. */
 void _init(void) {}
 void _fini(void) {}

@@ -1,11 +1,11 @@
-//! `capi/include/goodbot.h`, as cbindgen writes it: printed, as `cargo xtask capi` takes it.
+//! Prints `capi/include/goodbot.h`, as cbindgen writes it; `cargo xtask capi` saves it.
 
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
-/// The sources whose items the header has, in its order.
+/// The sources of the header's items, in the header's order.
 const SOURCES: [&str; 18] = [
     "status.rs",
     "version.rs",
@@ -42,7 +42,7 @@ fn header() -> Result<String> {
     let builder = SOURCES.iter().fold(Builder::new().with_config(config), |builder, file| builder.with_src(capi.join("src").join(file)));
     let mut bytes = Vec::new();
     builder.generate().context("cbindgen could not read capi/src")?.write(&mut bytes);
-    // Rust's heading for what the caller promises.
+    // Rust's heading for the caller's promises.
     Ok(String::from_utf8(bytes).context("the header is no text")?.replace("// # Safety\n", "// The caller sees to it:\n"))
 }
 

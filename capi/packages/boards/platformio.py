@@ -5,7 +5,7 @@ Import("env")  # noqa: F821: PlatformIO defines it
 
 
 def folder(source, board, flags):
-    """The folder of the archive: the processor's, and in it that of its floats where there are several."""
+    """The folder of the archive: the processor's, or the one for the board's float convention within it."""
     for name in (board.get("build.mcu", ""), board.get("build.cpu", "")):
         if not name or not (source / name).is_dir():
             continue

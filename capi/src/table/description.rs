@@ -1,4 +1,4 @@
-//! What the caller hands in: all of it must stay as long as the robot is used.
+//! The caller's description of a robot. All of it must stay as long as the robot is used.
 
 use core::ffi::{c_char, c_void};
 
@@ -18,12 +18,12 @@ pub const GOODBOT_MOST_CONJUNCTS: usize = 4;
 pub const GOODBOT_MOST_VARIABLES: usize = 6;
 /// Most actions, doing nothing not counted.
 pub const GOODBOT_MOST_ACTIONS: usize = 15;
-/// Most texts that `derived` gives for one object in one state.
+/// Most texts that `derived` returns for one object in one state.
 pub const GOODBOT_MOST_DERIVED: u32 = 8;
 /// In a table of steps: the action cannot be done there.
 pub const GOODBOT_CANNOT: u16 = 0xffff;
 
-/// Which class carries an attribute, and what stands before the capitalised value: `roomIs` makes `roomIsRed`.
+/// A class that carries an attribute, and the prefix of the capitalised value: `roomIs` makes `roomIsRed`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotCarrier {
@@ -79,7 +79,7 @@ pub struct GoodbotAction {
     pub cost: u32,
 }
 
-/// A kind of task, as `goodbot table --c` has read it: a library without the feature `checks` reads no texts of tasks.
+/// A kind of task, parsed by `goodbot table --c`: a library without the feature `checks` parses no texts of tasks.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct GoodbotKind {
@@ -91,21 +91,21 @@ pub struct GoodbotKind {
     pub propositions: [u8; GOODBOT_MOST_CONJUNCTS],
     /// How many.
     pub proposition_count: u8,
-    /// The variables of each, by position.
+    /// The variables of each propositional function, by position.
     pub variables: [[u8; GOODBOT_MOST_ARGUMENTS]; GOODBOT_MOST_CONJUNCTS],
 }
 
-/// What an action leads to from a state: gives true and sets `next`, or gives false where it cannot be done. It must always answer the
-/// same, and call nothing of goodbot.
+/// Sets `next` to the state that an action leads to and returns true, or returns false if the action cannot be done. It must always answer
+/// the same, and must not call goodbot.
 pub type GoodbotStep = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, action: u8, next: *mut u32) -> bool>;
 
-/// Whether a proposition, by position, holds of the objects, by position, in a state. It must always answer the same, and call nothing
-/// of goodbot.
+/// Whether a proposition, by position, holds of the objects, by position, in a state. It must always answer the same, and must not call
+/// goodbot.
 pub type GoodbotHolds = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, proposition: u8, arguments: *const u8) -> bool>;
 
-/// Gives what can be said of an object, by position, in a state beside the values of its attributes: the text with this number, counted from 0,
-/// such as `leftmost`, or null where there are no more. It must always answer the same, and call nothing of goodbot. Each text must stay until
-/// the function is called again.
+/// Returns a derived fact about an object, by position, in a state, such as `leftmost`: the text with this number, counted from 0, or
+/// null if there are no more. It must always answer the same, and must not call goodbot. Each text must stay until the function is called
+/// again.
 pub type GoodbotDerived = Option<unsafe extern "C" fn(context: *mut c_void, state: u32, object: u8, number: u32) -> *const c_char>;
 
 /// A robot of the caller's own.
@@ -116,7 +116,7 @@ pub struct GoodbotTable {
     pub classes: *const *const c_char,
     /// How many.
     pub class_count: u32,
-    /// The attributes; may be null where there is none.
+    /// The attributes; may be null if there is none.
     pub attributes: *const GoodbotAttribute,
     /// How many.
     pub attribute_count: u32,
@@ -138,20 +138,20 @@ pub struct GoodbotTable {
     pub task_count: u32,
     /// How many states there are. They are numbered from 0.
     pub state_count: u32,
-    /// The state that things are in at first.
+    /// The first state.
     pub start: u32,
-    /// The state that each action leads to from each state, `next[state * action_count + action]`, or `GOODBOT_CANNOT`. Null where `step`
-    /// is given.
+    /// The state that each action leads to from each state, `next[state * action_count + action]`, or `GOODBOT_CANNOT`. Null if `step` is
+    /// given.
     pub next: *const u16,
-    /// What an action leads to, where there is no table of steps.
+    /// What an action leads to, if there is no table of steps.
     pub step: GoodbotStep,
     /// Which propositions hold.
     pub holds: GoodbotHolds,
-    /// What can be said of objects beside their attributes; null for nothing.
+    /// Derived facts about objects; null for none.
     pub derived: GoodbotDerived,
     /// Handed to all functions.
     pub context: *mut c_void,
-    /// The tasks once more, as `goodbot table --c` has read them, in a table that it has checked; else null. A library with the feature `checks`
-    /// reads and checks all by itself.
+    /// The tasks once more, parsed by `goodbot table --c`, in a table that it has checked; else null. A library with the feature `checks`
+    /// parses and checks everything itself.
     pub kinds: *const GoodbotKind,
 }

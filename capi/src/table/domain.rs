@@ -12,16 +12,16 @@ use goodbot::oomdp::{
     Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
 };
 
-/// What an action leads to.
+/// How the next state is found.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Steps {
-    /// By a table: one entry a state and action.
+    /// By a table: one entry for each state and action.
     Table(&'static [u16]),
     /// By a function.
     Function(GoodbotStep),
 }
 
-/// What the caller's function says of an action in a state; nothing where it cannot be done.
+/// The next state by the caller's function; `None` if the action cannot be done.
 pub(super) fn next_by(
     step: unsafe extern "C" fn(*mut c_void, u32, u8, *mut u32) -> bool,
     context: *mut c_void,
@@ -34,7 +34,7 @@ pub(super) fn next_by(
     can.then_some(next)
 }
 
-/// What the caller's function says of an object in a state: one text more than may be at most, so that it can be refused.
+/// The derived facts about an object by the caller's function: up to one more than is allowed, so that it can be refused.
 pub(super) fn derived_by<'a>(
     derived: GoodbotDerived,
     context: *mut c_void,
@@ -125,7 +125,7 @@ impl Domain for TableDomain {
 
     #[cfg(feature = "derived")]
     fn tell_derived(&self, state: &u32, object: ObjectId, tell: &mut dyn FnMut(&str)) {
-        // What is no text was refused when the robot was made.
+        // A text that is not UTF-8 is left out; the checks refuse it when the robot is made.
         derived_by(self.derived, self.context, *state, object.index() as u8).filter_map(Result::ok).for_each(tell);
     }
 }

@@ -21,14 +21,14 @@ use goodbot::capacity::{Capacity, CapacityError, NAME_BYTES};
 use goodbot::memory::HomeTables;
 use goodbot::oomdp::{ActionKind, Attribute, Carrier, Class, ClassId, Either, ObjectCount, ObjectSet, Proposition, Schema};
 
-/// Without its checks the library takes a table that another program has checked.
+/// Without checks the library takes only a table that another program has checked.
 const CHECKS: bool = cfg!(feature = "checks");
 
 const NO_CARRIER: Carrier<'static> = Carrier::new(ClassId::new(0), "");
 const NO_ATTRIBUTE: Attribute<'static> = Attribute { name: "", carriers: &[] };
 const NO_PROPOSITION: Proposition<'static> = Proposition { name: "", parameters: &[] };
 
-/// Where the tables of a description end that begin at `at`.
+/// The end of a description's tables that begin at `at`.
 pub(crate) const fn after_storage(at: usize) -> usize {
     let at = after::<Class<'static>>(at, GOODBOT_MOST_CLASSES);
     let at = after::<Carrier<'static>>(at, GOODBOT_MOST_CARRIERS);
@@ -42,8 +42,7 @@ pub(crate) const fn after_storage(at: usize) -> usize {
 /// description and all that it points to must stay as long as the robot is used.
 ///
 /// # Safety
-/// `memory` is null or the caller's memory for this alone, which stays where it is; the other pointers are null or point to what they
-/// say.
+/// `memory` is null, or the caller's memory for the robot alone, which does not move; the other pointers are null or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_init_table(
     memory: *mut c_void,
@@ -59,9 +58,9 @@ pub unsafe extern "C" fn goodbot_init_table(
     }
 }
 
-/// Does what `goodbot_init_table` does, in the same memory, and writes the fault of the description, with a 0 at its end: the list, the
+/// Like `goodbot_init_table`, in the same memory, but also writes the fault of the description, with a 0 at its end: the list, the
 /// item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
-/// is no fault. Gives what `goodbot_init_table` gives, or `BUFFER` if the text does not fit; 200 bytes are enough.
+/// is no fault. Returns the status of `goodbot_init_table`, or `BUFFER` if the text does not fit; 200 bytes are enough.
 ///
 /// # Safety
 /// As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
@@ -95,7 +94,7 @@ pub unsafe extern "C" fn goodbot_explain_table(
     }
 }
 
-/// Writes where a failure comes from, and what it is.
+/// Writes the place of a failure, and its kind.
 #[cfg(feature = "explain")]
 fn explain(writer: &mut Writer, failure: &Failure) {
     if let Some(Place { list, item, field, found, allowed }) = failure.place {
@@ -171,7 +170,7 @@ unsafe fn init(
 }
 
 /// # Safety
-/// What the table points to is there and stays; so for the three functions that follow.
+/// What the table points to is valid and stays; the same holds for the functions below.
 unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failure> {
     let room = GoodbotStatus::Memory;
     let classes = arena.table(GOODBOT_MOST_CLASSES, Class { name: "" }).ok_or(room)?;
@@ -264,8 +263,8 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
     Ok(Steps::Function(table.step))
 }
 
-/// Whether every action leads to a state that there is. A function is asked of as many states as one plan can hold: with more, no command is
-/// heard.
+/// Checks that every action leads to an existing state. A function is checked in only as many states as one plan can hold: with more
+/// states, no command is heard.
 fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'static>], most: usize) -> Result<(), Failure> {
     let last = table.state_count.saturating_sub(1);
     match steps {
@@ -291,10 +290,10 @@ fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'sta
     }
 }
 
-/// Of a text that is derived; the core puts two letters before it.
+/// Bytes of the longest derived fact; the core puts two letters before it.
 const LONGEST_DERIVED: usize = NAME_BYTES - 2;
 
-/// Whether what is derived of objects is text that can be told, in as many states as one plan can hold.
+/// Checks the derived facts of all objects, in as many states as one plan can hold.
 fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Failure> {
     for state in 0..if table.derived.is_some() { table.state_count.min(most as u32) } else { 0 } {
         for object in 0..table.object_count.min(u32::from(u8::MAX)) as u8 {
@@ -333,7 +332,7 @@ unsafe fn objects(
                 if !value.is_null() {
                     let attribute = attributes.get(position);
                     if !attribute.is_some_and(|attribute| attribute.carriers.iter().any(|carrier| carrier.class == class)) {
-                        // No words could speak of it.
+                        // No word could mean it.
                         return Err(GoodbotStatus::World).at(part("values, of an attribute that its class does not carry"));
                     }
                     *slot = text(value).at(part("values"))?;
@@ -346,10 +345,10 @@ unsafe fn objects(
     Ok(objects.count())
 }
 
-/// A table that is full, with what all objects need and not only the one that found it so: it is raised once.
+/// A full table, with the size that all objects need, not only those up to the one that did not fit: it is raised only once.
 ///
 /// # Safety
-/// What the objects point to is there and stays.
+/// What the objects point to is valid and stays.
 unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure {
     let Some(full) = failure.full.filter(|_| CHECKS) else { return failure };
     let names = objects.iter().flat_map(|object| core::iter::once(object.name).chain(object.values)).filter(|name| !name.is_null());
@@ -365,7 +364,7 @@ unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure 
     Failure { full: Some(CapacityError::new(full.capacity, full.limit as usize, needed)), ..failure }
 }
 
-/// Says which state things are in, as sensed.
+/// Sets the current state, as sensed.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -387,7 +386,7 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
     }
 }
 
-/// Which state things are in.
+/// The current state.
 ///
 /// # Safety
 /// `robot` is null or a handle, `state` null or room for a number.

@@ -1,8 +1,8 @@
-//! Robots of the caller's own: classes, objects and propositions as data, and what actions do as a table of steps or a function.
+//! Robots of the caller's own: classes, objects and propositions as data, and the effects of actions as a table of steps or a function.
 //!
-//! - [`description`]: what the caller hands in;
-//! - [`domain`]: the same as the core sees it;
-//! - [`init`]: the one from the other.
+//! - [`description`]: the caller's description;
+//! - [`domain`]: the robot as a domain of the core;
+//! - [`init`]: from a description to a robot.
 
 pub mod description;
 pub mod domain;

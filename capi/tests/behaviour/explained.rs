@@ -1,4 +1,4 @@
-//! What is wrong with a description is said, and how full a robot is.
+//! Faults of a description are named, and a robot says how full it is.
 
 use crate::robots;
 
@@ -12,7 +12,7 @@ use robots::{Lift, at_home, hear_and_plan, small};
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::{null, null_mut};
 
-/// What is said of a table, and the status.
+/// The status for a table, and its explanation.
 fn explained(table: &GoodbotTable, capacities: &GoodbotCapacities) -> (GoodbotStatus, String) {
     let bytes = unsafe { goodbot_table_size(capacities) };
     let mut memory = vec![0_u64; bytes.div_ceil(8)];
@@ -108,7 +108,7 @@ fn a_full_table_is_named_with_what_it_holds() {
     let (status, text) = explained(&Lift::new().table(), &capacities);
     assert_eq!(status, GoodbotStatus::Full);
     assert_eq!(text, "objects[3].name: objects holds 3 and 4 are needed; raise it");
-    // All that is needed, though the second of four objects has no room: raised once, it fits.
+    // The size that all objects need, though already the second has no room: raised once, the table fits.
     let mut capacities = small();
     capacities.entries[GoodbotCapacity::Names as usize] = 2;
     assert_eq!(explained(&Lift::new().table(), &capacities).1, "objects[1].name: names holds 2 and 7 are needed; raise it");

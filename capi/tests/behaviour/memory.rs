@@ -1,4 +1,4 @@
-//! The caller's memory: how much of it, where, and what is not memory at all.
+//! The caller's memory: its size, its alignment, and null.
 
 use crate::robots;
 
@@ -19,7 +19,7 @@ fn make(memory: *mut u8, bytes: usize, capacities: *const GoodbotCapacities) -> 
 fn the_size_that_is_asked_for_is_enough_and_a_word_less_is_not() {
     let mut owned = in_homes(small());
     let (memory, bytes) = (owned.memory.as_mut_ptr().cast::<u8>(), owned.bytes);
-    // Tables end where they end: up to seven bytes of the size are there to round it up to a multiple of 8.
+    // The size is rounded up to a multiple of 8: up to seven bytes of it are spare.
     assert_eq!(make(memory, bytes - 8, &raw const owned.capacities), GoodbotStatus::Memory);
     assert_eq!(make(memory, 0, &raw const owned.capacities), GoodbotStatus::Memory);
     assert_eq!(make(memory, bytes, &raw const owned.capacities), GoodbotStatus::Ok);
@@ -65,7 +65,7 @@ fn the_sizes_known_when_a_program_is_compiled_are_enough() {
     let mut capacities = small();
     for (preset, in_home) in [(GOODBOT_SMALL, GOODBOT_SMALL_BYTES_64), (GOODBOT_TINY, GOODBOT_TINY_BYTES_64)] {
         assert_eq!(unsafe { goodbot_preset(preset, &raw mut capacities) }, GoodbotStatus::Ok);
-        // Beside programs for hosts, in one build, sets of tasks are theirs.
+        // In one build with programs for hosts, task sets are as wide as theirs.
         if cfg!(target_pointer_width = "64") && TaskSet::MOST == TaskSet::MOST_OF_ONE_WORD {
             assert!(unsafe { goodbot_size(&raw const capacities) } <= in_home);
             assert!(unsafe { goodbot_table_size(&raw const capacities) } <= in_home + GOODBOT_TABLE_BYTES);

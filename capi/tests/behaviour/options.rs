@@ -21,7 +21,7 @@ const fn hazard(moved: f32) -> GoodbotHazard {
     GoodbotHazard { moved, rested: 0.2, resting: 0.3, praised: 2.0, scolded: 0.5 }
 }
 
-/// Does one action, lets the trainer end the session, and says what that came to.
+/// Does one action, lets the trainer end the session, and returns the evidence.
 fn ended(robot: *mut Goodbot) -> u32 {
     hear_and_plan(robot, c"go to the green room");
     let (mut action, mut evidence) = (0, 0);

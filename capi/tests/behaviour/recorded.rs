@@ -90,7 +90,7 @@ unsafe fn beliefs(robot: *mut Goodbot) -> Vec<u32> {
     (0..count).map(belief).collect()
 }
 
-/// Each belief of a session as the C interface comes to it: on hearing the command, and after each step.
+/// Each belief of a session, through the C interface: on hearing the command, and after each step.
 unsafe fn taught(
     robot: *mut Goodbot,
     session: &RecordedSession,
@@ -151,7 +151,7 @@ fn a_recorded_session_is_believed_bit_for_bit_as_the_one_walker_believes_it() {
     let owned = robot();
     let mut compared = 0;
     for session in SessionReader::new(LOG.as_bytes()) {
-        // C hears no prior, and answers only to a question of the robot's.
+        // The C interface takes no prior, and an answer only to a question of the robot's.
         let mut session = session.unwrap();
         (session.header.prior, session.answers) = (None, vec![]);
         let checked = check_steps("lesson.jsonl", &session, &lifted, home::memory()).unwrap();

@@ -1,4 +1,4 @@
-//! What sensors tell is the truth, whatever an action should have done.
+//! Sensed places overrule the described effect of an action.
 
 use crate::robots;
 

@@ -1,4 +1,4 @@
-//! What every misuse is answered by. `OTHER` is left for what later versions of the library may say.
+//! The status of every misuse. `OTHER` is kept for later versions of the library.
 
 use crate::robots;
 

@@ -1,4 +1,4 @@
-//! What was learned, in a flash whose power goes: the older model or the newer one is left, and whole.
+//! A model in a flash whose power is cut: the older model or the newer one is left, and whole.
 
 use crate::robots;
 
@@ -109,7 +109,7 @@ fn a_power_cut_at_any_byte_leaves_the_older_model_or_the_newer_one() {
         let status = unsafe { goodbot_store(owned.robot, &flash.handle(), null_mut()) };
         let whole = status == GoodbotStatus::Ok;
         assert!(whole || status == GoodbotStatus::Flash, "{status:?}");
-        // Most bytes are alike; a robot is set up for some of them, and for all of the header.
+        // Cuts at most bytes are alike; a robot is set up for some of them, and for all of the header.
         if power % 97 == 0 || power + 300 > SLOT + stored || whole {
             let now = found(&mut flash).unwrap();
             assert!(now >= newest && now <= 2, "{now} lessons after {newest}, cut at byte {power}");
@@ -144,7 +144,7 @@ fn a_robot_in_the_least_capacities_loads_its_own_model() {
     }
 }
 
-/// What `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
+/// The model that `goodbot learn` makes of the log that `goodbot example log` prints: the default learner, with its layer.
 const OF_A_HOST: &[u8] = include_bytes!("../../../tests/tests/behaviour/format_3.model");
 
 #[test]
@@ -159,7 +159,7 @@ fn a_robot_takes_back_what_a_host_taught_and_keeps_it_as_a_role_model() {
         assert_eq!(goodbot_save(robot, file.as_mut_ptr(), file.len(), &raw mut written), GoodbotStatus::Ok);
         assert_eq!(file[8..10], [2, 0]);
         assert_eq!(goodbot_restore(robot, file.as_ptr(), written), GoodbotStatus::Ok);
-        // What was cut off is missed.
+        // A model that was cut short is refused.
         let cut = OF_A_HOST.len() - 9;
         assert_eq!(goodbot_restore(robot, OF_A_HOST.as_ptr(), cut), GoodbotStatus::BadModel);
     }

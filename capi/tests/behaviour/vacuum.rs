@@ -54,7 +54,7 @@ impl Vacuum {
         }
     }
 
-    /// How many actions are missing to the goal of a task.
+    /// How many more actions the goal of a task takes.
     fn missing(self, task: (u32, u32)) -> u32 {
         match task {
             (0, room) => self.room.abs_diff(room),
@@ -160,7 +160,7 @@ const LESSONS: [(&CStr, (u32, u32)); 16] = [
     (c"switch to the turbo mode", (2, 1)),
 ];
 
-/// What is said after them, and its task.
+/// Commands after the lessons, and their tasks.
 const SAID: [(&CStr, &str); 5] = [
     (c"clean the kitchen", "roomClean(r1)"),
     (c"go to the office", "vacuumIn(vac,r4)"),
@@ -169,7 +169,7 @@ const SAID: [(&CStr, &str); 5] = [
     (c"clean the office", "roomClean(r4)"),
 ];
 
-/// Gives a lesson. Returns how many older ones gave way.
+/// Teaches a lesson. Returns the number of older ones that were dropped.
 unsafe fn lesson(robot: *mut Goodbot, command: &CStr, task: (u32, u32)) -> u32 {
     let ok = |status| assert_eq!(status, GoodbotStatus::Ok, "{command:?}");
     let (mut action, mut evidence, mut number, mut gave_way) = (0, 0, 0, 0);
@@ -216,7 +216,7 @@ fn preset(preset: u32) -> GoodbotCapacities {
     capacities
 }
 
-/// Gives the lessons in order. Returns how many older ones gave way.
+/// Teaches the lessons in order. Returns the number of older ones that were dropped.
 fn teach(robot: *mut Goodbot, lessons: impl IntoIterator<Item = (&'static CStr, (u32, u32))>) -> u32 {
     lessons.into_iter().map(|(command, task)| unsafe { lesson(robot, command, task) }).sum()
 }
@@ -227,7 +227,7 @@ fn sessions(robot: *mut Goodbot) -> u32 {
     count
 }
 
-/// Beside programs for hosts, in one build, sets of tasks are theirs and take more.
+/// In one build with programs for hosts, task sets are as wide as theirs and take more.
 const FOR_HOSTS: bool = TaskSet::MOST > TaskSet::MOST_OF_ONE_WORD;
 
 #[test]

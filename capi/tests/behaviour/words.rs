@@ -1,4 +1,4 @@
-//! What each word is taken for, and words for what is derived of where things are.
+//! The meaning of each word, and words for derived facts.
 
 use crate::robots;
 
@@ -35,7 +35,7 @@ fn two_green_rooms() -> Owned {
     owned
 }
 
-/// The task that this text says, and how probable it is.
+/// The task with this text, and its probability.
 fn task(robot: *mut Goodbot, wanted: &str) -> (u32, f32) {
     let (mut text, mut probability) = ([0; 64], 0.0);
     for task in 0.. {
@@ -87,7 +87,7 @@ fn after_a_lesson_it_hears_of_a_cellar() -> Owned {
     owned
 }
 
-/// Each word of the command with what it is taken for and the share of that.
+/// Each word of the command with its most probable meaning and the share of that.
 fn explained(robot: *mut Goodbot, task: u32) -> Vec<(String, String, f32)> {
     let (mut word, mut meaning, mut share) = ([0; 32], [0; 80], 9.0);
     let mut all = Vec::new();

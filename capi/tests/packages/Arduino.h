@@ -1,4 +1,4 @@
-// Arduino's serial line, for this machine: its input is what is typed.
+// Arduino's serial line, for this machine: it reads standard input.
 #pragma once
 #include <cstdint>
 #include <cstdio>

@@ -1,4 +1,4 @@
-"""Runs the package's platformio.py as PlatformIO does, for boards of which only the description is here: `platformio.py PACKAGE`."""
+"""Runs the package's platformio.py as PlatformIO does, for boards given by their description alone: `platformio.py PACKAGE`."""
 
 import os
 import runpy
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 class Environment:
-    """What a build is told."""
+    """The environment of a build."""
 
     def __init__(self, board, flags):
         self.board, self.flags, self.appended = board, flags, {}

@@ -1,5 +1,5 @@
-//! A robot that is nothing but tables: which state each action leads to from each state, and where each proposition holds. The C library's
-//! robots of the caller's own are of this kind.
+//! A robot made of tables alone: the state that each action leads to from each state, and the states in which each proposition holds.
+//! Robots that callers of the C library define are of this kind.
 
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectError, ObjectId, ObjectSet, ObjectTables,
@@ -7,12 +7,12 @@ use goodbot::oomdp::{
 };
 use goodbot::task::{LiftedTask, TaskTextError};
 
-/// All that a lift is. States are positions in `next`.
+/// The tables of a lift. States are positions in `next`.
 pub struct TableRobot<'m> {
     objects: Objects<'m>,
     /// For each state and action, the state it leads to, or `CANNOT`.
     next: &'static [[u8; 2]],
-    /// The propositions that hold, with their state.
+    /// The propositions that hold, each with its state.
     holds: &'static [(u8, PropositionId, ObjectId)],
 }
 

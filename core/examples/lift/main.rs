@@ -20,7 +20,7 @@ const LESSONS: [(&str, &str); 3] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    // How much memory it takes is found out in roomy memory.
+    // An agent with ample memory finds out how much is needed.
     let mut roomy = HeapMemory::new(&Capacities::STANDARD);
     let lift = TableRobot::lift(roomy.home.lend().objects)?;
     let mut desk = Agent::new(&mut roomy.agent, &TableRobot::tasks()?, Options::DEFAULT)?;

@@ -6,8 +6,8 @@ use goodbot::oomdp::{Action, Domain, action_name};
 use goodbot::planning::Judgement;
 use goodbot::{Agent, AgentError};
 
-/// Gives a command that means a task, such as `liftAtFloor(lift, floor3)`, and judges what the robot does, until it has rightly rested three
-/// times in a row: where the task is done, or where it can no longer be done. Then it learns.
+/// Teaches a command that means a task, such as `liftAtFloor(lift, floor3)`. The robot is judged until it has rightly rested three times in
+/// a row, because the task is done or can no longer be done. Then it learns.
 pub fn teach<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,
@@ -35,7 +35,7 @@ pub fn teach<D: Domain>(
     Ok(())
 }
 
-/// Gives a command and lets the robot do what it takes it to mean. Returns its actions, and the state at the end.
+/// Gives a command, which the robot carries out as it understands it. Returns its actions and the final state.
 pub fn obey<D: Domain>(
     agent: &mut Agent<impl AgentMemory>,
     domain: &D,

@@ -1,22 +1,22 @@
 //! A robot of another kind in the same rooms: it turns left, turns right and drives forward, and its heading is part of its state.
 //!
-//! This is all that a robot brings: its state, its actions with their costs, what they do, and a number for each state. The objects and
-//! the propositional functions are the home's, so what was learned in one is understood in the other.
+//! A robot brings only this: its state, its actions with their costs and effects, and a number for each state. The objects and the
+//! propositional functions are the home's, so a command learned by one robot is understood by the other.
 
 use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 
-/// Driving forward costs twice a turn.
+/// The cost of driving forward; a turn costs half as much.
 const ACTIONS: [ActionKind<'static>; 3] = [ActionKind::new("left", 1), ActionKind::new("right", 1), ActionKind::new("forward", 2)];
 
 /// The home's actions for each heading: north, east, south, west.
 const AHEAD: [Action; 4] = [Action::new(0), Action::new(2), Action::new(1), Action::new(3)];
 
-/// Where everything is, and where the robot looks.
+/// The positions of everything, and the heading of the robot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TurningState {
-    /// Where everything is.
+    /// The positions of everything.
     pub home: HomeState,
     /// 0 north, 1 east, 2 south, 3 west.
     pub heading: u8,

@@ -15,7 +15,7 @@ use heapless::Vec;
 /// The questions of the session under way.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
-    /// The question.
+    /// The task sets of the questions asked.
     sets: Vec<TaskSet, QUESTIONS_PER_SESSION>,
     /// The question that waits for its answer.
     open: Option<Question>,
@@ -23,10 +23,10 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// Nothing was asked yet.
+    /// No question yet.
     pub(crate) const NOTHING: Self = Self { sets: Vec::new(), open: None, looking: None };
 
-    /// Nothing waits for an answer any more.
+    /// Drops the open question and the look ahead.
     pub(crate) fn close(&mut self) {
         (self.open, self.looking) = (None, None);
     }
@@ -35,17 +35,17 @@ impl Asked {
 /// The result of considering a question, in parts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Considered {
-    /// It is not known yet: call again.
+    /// Not decided yet: call again.
     Working,
-    /// The next steps tell as much, or it is sure, or all was asked.
+    /// Acting is as informative, or the robot is sure, or all questions were asked.
     Act,
     /// Ask this.
     Ask(Question),
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Proposes a question, or none, in a state that must have been planned for; the plan is the same afterwards. The question is taken for
-    /// asked: it is not proposed again in this session. [`QUESTIONS_PER_SESSION`] are the most.
+    /// Returns the question to ask, or `None`, in a state that must have been planned; the plan is unchanged afterwards. The question
+    /// counts as asked: it is not returned again in this session. A session has at most [`QUESTIONS_PER_SESSION`].
     ///
     /// # Errors
     /// As [`consider`](Self::consider).
@@ -59,11 +59,11 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// As [`question`](Self::question), but in parts: each call looks ahead with at most about `budget` expansions of the search. Call until
-    /// it is no longer [`Considered::Working`]; the state has no plan until then.
+    /// As [`question`](Self::question), but in parts: each call looks ahead with at most about `budget` node expansions. Call until it is
+    /// no longer [`Considered::Working`]; until then the state has no plan.
     ///
     /// # Errors
-    /// As [`decide`](Self::decide), and [`AgentError::Setting`] where the settings are out of range.
+    /// As [`decide`](Self::decide), and [`AgentError::Setting`] if the settings are out of range.
     pub fn consider<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -114,11 +114,11 @@ impl<M: AgentMemory> Agent<M> {
         })
     }
 
-    /// Looks on, and comes back to the plan of the state that it began in.
+    /// Continues the look ahead, then restores the plan of the state where it began.
     fn look_on<D: Domain + ?Sized>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
         let words = Words::expected(self.belief());
         loop {
-            // Dead ends on the way stay dead; after it they are no longer certain.
+            // Dead ends stay dead during the look ahead; afterwards they are no longer certain.
             let state = domain.keyed(looking.at);
             if self.planned != Some(looking.at) {
                 self.expected = Some(looking.at);
@@ -152,7 +152,7 @@ impl<M: AgentMemory> Agent<M> {
         Considered::Ask(looking.question)
     }
 
-    /// Withdraws the question that was proposed last: it waits for no answer, and is not proposed again in this session.
+    /// Withdraws the last question: it waits for no answer, and is not asked again in this session.
     pub const fn withdraw_question(&mut self) {
         self.asked.open = None;
     }
@@ -162,11 +162,11 @@ impl<M: AgentMemory> Agent<M> {
         self.asked.open.as_ref()
     }
 
-    /// Takes in the trainer's answer to the question that was proposed last. It may also stay unanswered.
+    /// Updates the belief by the trainer's answer to the last question. It may also stay unanswered.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], [`AgentError::NotAsked`] where no question waits for its answer, and [`AgentError::NoAnswer`] where it is
-    /// none to this question, which then goes on waiting.
+    /// [`AgentError::NotNow`], [`AgentError::NotAsked`] if no question waits for its answer, and [`AgentError::NoAnswer`] if it is no
+    /// answer to this question, which then stays open.
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
         let question = self.asked.open.ok_or(AgentError::NotAsked)?;
@@ -175,12 +175,12 @@ impl<M: AgentMemory> Agent<M> {
         self.answered(tasks, yes, question.eta, others)
     }
 
-    /// Takes in an answer given in full, such as a recorded one: whether the intended task is among `tasks`, the probability `eta` of a wrong
-    /// answer, and the number of other answers, which are equally probable (1 for yes and no).
+    /// Updates the belief by an answer given in full, such as a recorded one: whether the intended task is among `tasks`, the probability
+    /// `eta` of a wrong answer, and the number of other answers, which are equally probable (1 for yes and no).
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], [`AgentError::NoAnswer`] where there is no such task or no other answer, and [`AgentError::Setting`]
-    /// where `eta` is out of range.
+    /// [`AgentError::NotNow`], [`AgentError::NoAnswer`] if there is no such task or no other answer, and [`AgentError::Setting`] if `eta`
+    /// is out of range.
     pub fn answered(&mut self, tasks: TaskSet, yes: bool, eta: f32, others: u8) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
         Asking { eta, ..Asking::DEFAULT }.check()?;

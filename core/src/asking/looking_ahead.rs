@@ -4,7 +4,7 @@ use super::question::Question;
 use crate::oomdp::StateKey;
 use crate::task::TaskSet;
 
-/// How many steps ahead it looks.
+/// The number of steps that it looks ahead.
 pub(super) const STEPS: u8 = 12;
 
 /// A look ahead under way.
@@ -16,16 +16,16 @@ pub(super) struct LookingAhead {
     pub(super) worth: f32,
     /// The state in which it would be asked.
     pub(super) start: StateKey,
-    /// The state that the look has come to.
+    /// The state that the look has reached.
     pub(super) at: StateKey,
-    /// The task that is followed.
+    /// The followed task.
     pub(super) followed: usize,
     /// The dead ends known at the start.
     pub(super) dead: TaskSet,
     /// The number of steps looked at, and their information, in bits.
     pub(super) steps: u8,
     pub(super) told: f32,
-    /// Whether to ask, once that is known.
+    /// Whether to ask, once it is decided.
     pub(super) asks: Option<bool>,
 }
 

@@ -1,10 +1,10 @@
-//! Questions: where asking the trainer teaches more than acting does.
+//! Questions: when asking the trainer teaches more than acting does.
 //!
-//! With c the posterior of the tasks for which the answer is yes, eta the probability of a wrong answer and h the entropy of a choice of
-//! two, a question tells I = h(c (1 - eta) + (1 - c) eta) - h(eta) bits. What an action tells is in
-//! [`Words::information`](crate::feedback::Words::information). A question that costs as much as kappa steps is asked where I / kappa is
-//! more than the most that actions tell on average over the next 1, 2, ... or 12 steps of the plan that is followed. Looking one step ahead
-//! alone asks too much: the next step often tells nothing, but the one at the next door does.
+//! With c the posterior of the tasks for which the answer is yes, eta the probability of a wrong answer and h the binary entropy, a
+//! question has the information I = h(c (1 - eta) + (1 - c) eta) - h(eta) bits. The information of an action is
+//! [`Words::information`](crate::feedback::Words::information). A question that costs kappa steps is asked if I / kappa is more than the
+//! mean information of the next n actions of the followed plan, for every n from 1 to 12. Looking only one step ahead asks too often: the
+//! next step is often uninformative, but a step at the next door is not.
 //!
 //! - `settings`: the cost of a question, and the probability of a wrong answer;
 //! - `question`: possible questions, and their information;

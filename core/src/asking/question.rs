@@ -7,7 +7,7 @@ use crate::oomdp::{ClassId, ObjectId};
 use crate::probability::{Scaled, total};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
-/// The most meanings that a question shows to choose from.
+/// The most meanings that a question offers to choose from.
 pub const CHOICES: usize = 3;
 
 /// The subject of a question.
@@ -26,7 +26,7 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// How many meanings it shows to choose from; 0 where the answer is yes or no.
+    /// The number of meanings that it offers to choose from; 0 if the answer is yes or no.
     pub const fn choices(self) -> u8 {
         match self {
             Self::WhichObject(_, count) | Self::WhichTask(_, count) => count,
@@ -40,11 +40,11 @@ impl Subject {
 pub struct Question {
     /// Its subject.
     pub subject: Subject,
-    /// The tasks for which the answer is yes; where there is something to choose, all that can be chosen.
+    /// The tasks for which the answer is yes; in a choice, the tasks of all choices.
     pub yes: TaskSet,
     /// The tasks of each choice.
     pub choices: [TaskSet; CHOICES],
-    /// What an answer is expected to tell, in bits.
+    /// The expected information of the answer, in bits.
     pub information: f32,
     /// The probability that an answer is wrong.
     pub eta: f32,
@@ -55,15 +55,15 @@ pub struct Question {
 pub enum Answer {
     /// Yes.
     Yes,
-    /// No; where there is something to choose, none of these.
+    /// No; in a choice, none of these.
     No,
-    /// This one, by its position among those to choose from.
+    /// This one, by its position among the choices.
     This(u8),
 }
 
 impl Question {
-    /// The meaning of an answer: its tasks, whether the intended task is among them, and the number of other answers.
-    /// Nothing where it is no answer to this question.
+    /// The meaning of an answer: its tasks, whether the intended task is among them, and the number of other answers. `None` if it is no
+    /// answer to this question.
     pub fn meaning(&self, answer: Answer) -> Option<(TaskSet, bool, u8)> {
         let count = self.subject.choices();
         match answer {
@@ -89,11 +89,11 @@ pub(super) struct Candidates<'a> {
 }
 
 impl<'a> Candidates<'a> {
-    /// The question that tells most, of those that were not asked yet.
+    /// The most informative question that was not asked yet.
     pub(super) fn best(self) -> Option<Question> {
         let mut best = None;
         for (position, task) in self.tasks.iter().enumerate() {
-            // The same question once more tells no more.
+            // Repeating a question is uninformative.
             let before = self.tasks.get(..position).unwrap_or_default();
             if before.iter().all(|other| other.lifted != task.lifted) {
                 self.propose(&mut best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
@@ -115,7 +115,7 @@ impl<'a> Candidates<'a> {
         best
     }
 
-    /// All uncertainty about the task that is left, in bits.
+    /// The remaining uncertainty about the task, in bits.
     pub(super) fn uncertainty(self) -> f32 {
         (0..self.tasks.len()).fold(0.0, |sum, task| sum + surprise(self.belief.weight(task).over(self.whole)))
     }
@@ -135,7 +135,7 @@ impl<'a> Candidates<'a> {
         task.bindings.into_iter().zip(classes.iter().copied())
     }
 
-    /// The objects that a task binds and none before it does, with their classes.
+    /// The objects that a task binds and no earlier task does, with their classes.
     fn bound_first(self, position: usize) -> impl Iterator<Item = (ObjectId, ClassId)> + use<'a> {
         let before = self.tasks.get(..position).unwrap_or_default();
         let task = self.tasks.get(position);
@@ -169,7 +169,7 @@ impl<'a> Candidates<'a> {
         }
     }
 
-    /// Proposes to choose among some sets of tasks that have no task in common. Each wrong answer is as probable as any other.
+    /// Proposes a choice among disjoint sets of tasks. All wrong answers are equally probable.
     fn propose_choice(self, best: &mut Option<Question>, subject: Subject, choices: [TaskSet; CHOICES]) {
         let count = usize::from(subject.choices());
         let yes = choices.iter().take(count).fold(TaskSet::EMPTY, |all, &choice| all.union(choice));
@@ -181,7 +181,7 @@ impl<'a> Candidates<'a> {
         self.take(best, Question { subject, yes, choices, information, eta });
     }
 
-    /// Proposes to choose among the most probable objects of a class.
+    /// Proposes a choice among the most probable objects of a class.
     fn propose_objects(self, best: &mut Option<Question>, class: ClassId) {
         let (mut objects, mut choices, mut listed) = ([ObjectId(0); CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
         for position in 0..usize::from(self.asking.choices).min(CHOICES) {
@@ -189,7 +189,7 @@ impl<'a> Candidates<'a> {
             let mut next: Option<(ObjectId, TaskSet, f32)> = None;
             for (object, _) in of_class {
                 let set = self.binding(object);
-                // A task with two of them could be chosen twice.
+                // A task with two of the objects would be in two choices.
                 let sure = if set.common(listed).is_empty() { self.probability(set) } else { 0.0 };
                 if sure > next.map_or(0.0, |(.., most)| most) {
                     next = Some((object, set, sure));
@@ -205,7 +205,7 @@ impl<'a> Candidates<'a> {
         }
     }
 
-    /// Proposes to choose among the most probable tasks.
+    /// Proposes a choice among the most probable tasks.
     fn propose_tasks(self, best: &mut Option<Question>) {
         let (mut tasks, mut choices, mut listed) = ([0; CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
         for position in 0..usize::from(self.asking.choices).min(CHOICES) {

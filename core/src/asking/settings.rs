@@ -3,18 +3,18 @@
 use super::question::CHOICES;
 use crate::language::SettingError;
 
-/// When to ask.
+/// The conditions for a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asking {
     /// The cost of a question, in steps; more than 0. [`f32::INFINITY`]: never ask.
     pub kappa: f32,
     /// The probability that an answer is wrong, from 0 to less than 0.5.
     pub eta: f32,
-    /// The robot is sure, and does not ask, where a task has this probability.
+    /// A robot that gives a task this probability is sure, and does not ask.
     pub sure: f32,
-    /// How many steps the trainer has patience for. Where questions until it is sure would cost more, the robot does not begin with them.
+    /// The trainer's patience, in steps. If the questions until it is sure would cost more, the robot does not ask the first one.
     pub patience: f32,
-    /// How many meanings a question may show to choose from, at most [`CHOICES`]; with less than 2, all questions are of yes and no.
+    /// The most meanings that a question offers to choose from, at most [`CHOICES`]; with less than 2, all questions are of yes and no.
     pub choices: u8,
 }
 
@@ -25,10 +25,10 @@ impl Asking {
     /// Never ask.
     pub const NEVER: Self = Self { kappa: f32::INFINITY, ..Self::DEFAULT };
 
-    /// Whether a robot can ask with them.
+    /// Checks that every setting is in its range.
     ///
     /// # Errors
-    /// A [`SettingError`] that names the first that is out of range.
+    /// A [`SettingError`] that names the first setting out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound(self.kappa > 0.0, SettingError::Kappa(self.kappa))?;

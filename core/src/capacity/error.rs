@@ -1,18 +1,18 @@
-//! A table was full.
+//! The error of a full table.
 
 use super::Capacity;
 use crate::task::TaskSet;
 use core::fmt;
 
-/// A table was full: which one, how much it holds, and how much was asked of it (at least).
+/// A table was full: which one, its limit, and the number of entries asked for (at least).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CapacityError {
-    /// What was full.
+    /// The capacity that was exceeded.
     pub capacity: Capacity,
-    /// How much it holds.
+    /// The limit.
     pub limit: u32,
-    /// How much was asked of it. Where the total was not counted to its end, the first number beyond the limit.
+    /// The number asked for. If the total was not counted to the end, the first number beyond the limit.
     pub given: u32,
 }
 

@@ -5,7 +5,7 @@ use crate::task::TaskSet;
 use core::fmt;
 use core::str::FromStr;
 
-/// Hands every capacity to another macro: its documentation, the field's name, the name of its [`Capacity`], and its value in the presets
+/// Passes every capacity to another macro: its documentation, the field's name, the name of its [`Capacity`], and its value in the presets
 /// `TINY`, `SMALL` and `STANDARD`.
 #[doc(hidden)]
 #[macro_export]
@@ -13,17 +13,18 @@ macro_rules! for_each_capacity {
     ($($then:ident)::+!($($head:tt)*)) => {
         $($then)::+! {
             $($head)*
-            /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home takes 32, and 96 with the feature `large`.
+            /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home has at most 32, and 96 with the
+            /// feature `large`.
             objects: Objects = 11, 12, 32;
             /// Distinct names and attribute values of one environment.
             names: Names = 18, 24, 96;
-            /// Bytes that the names and attribute values of one environment take together.
+            /// Bytes of the names and attribute values of one environment together.
             name_bytes: NameBytesTogether = 96, 160, 1_024;
             /// Cells of a home that are not wall.
             cells: Cells = 41, 64, 1_024;
             /// Grounded tasks of one session. At most [`TaskSet::MOST`](crate::task::TaskSet::MOST): 64, and 256 with the feature `large`.
             tasks: Tasks = 10, 12, 64;
-            /// Trainer strategies told apart at once.
+            /// Trainer strategies distinguished at once.
             strategies: Strategies = 1, 3, 16;
             /// Joint beliefs: tasks times strategies.
             beliefs: Beliefs = 10, 36, 1_024;
@@ -31,25 +32,25 @@ macro_rules! for_each_capacity {
             candidates: Candidates = 36, 48, 1_024;
             /// Machine tokens of all candidates together.
             candidate_tokens: CandidateTokens = 240, 320, 16_384;
-            /// Distinct ground propositions that one session's tasks are made of.
+            /// Distinct ground propositions in one session's tasks.
             ground_propositions: GroundPropositions = 10, 12, 64;
             /// Entries of the table that finds the tasks satisfied by a state: cells times movable pieces, the robot included.
             goal_entries: GoalEntries = 0, 192, 8_192;
-            /// States that one search can hold that expands them one by one, where actions cost 1 each and are at most 8: see
-            /// [`Capacities::search_words`](crate::Capacities::search_words), and [`states_needed`](crate::planning::states_needed) for other
-            /// robots. Rows of states take less.
+            /// States of one search that expands them one by one, if actions cost 1 each and there are at most 8: see
+            /// [`Capacities::search_words`](crate::Capacities::search_words), and [`states_needed`](crate::planning::states_needed) for
+            /// other robots. Rows of states take less.
             states: States = 1_472, 2_560, 1_048_576;
-            /// States that one search can hold where the state space is larger than `states` and visited states are hashed: it bounds how far
-            /// away goals are found exactly there, and the time of a plan. With 0, a home is searched nearby in the memory of `states`, and a
-            /// robot without a floor of cells is refused.
+            /// Visited states of one hashed search, if the state space is larger than `states`. It bounds how far away goals are found
+            /// exactly, and the time of a plan. With 0, a home is searched nearby in the memory of `states`, and a robot without a floor of
+            /// cells is refused.
             hashed_states: HashedStates = 0, 0, 32_768;
             /// Distinct English words. At most 65,534.
             words: Words = 14, 32, 1_024;
-            /// Bytes that those words take together.
+            /// Bytes of those words together.
             word_bytes: WordBytes = 60, 192, 10_240;
             /// Distinct machine tokens. At most 65,534.
             tokens: Tokens = 18, 28, 256;
-            /// Bytes that those tokens take together.
+            /// Bytes of those tokens together.
             token_bytes: TokenBytes = 190, 320, 4_096;
             /// Distinct machine commands in the training data.
             commands: Commands = 56, 64, 2_048;
@@ -63,8 +64,8 @@ macro_rules! for_each_capacity {
             pairs: Pairs = 112, 128, 32_768;
             /// Cells of the translation table: (machine tokens + 1) times English words.
             translations: Translations = 266, 640, 263_168;
-            /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths. The role model keeps in them all that is not a
-            /// row of words: see [`layout`](crate::language::roles::layout).
+            /// Cells of all alignment tables together: (l + 1) times n for each pair of lengths. The role model stores all parameters there
+            /// except the rows of words: see [`layout`](crate::language::roles::layout).
             alignments: Alignments = 448, 640, 262_144;
             /// Distinct pairs of a machine command's and an English command's length.
             length_pairs: LengthPairs = 8, 16, 1_024;
@@ -74,28 +75,28 @@ macro_rules! for_each_capacity {
 
 macro_rules! capacities {
     ($($(#[doc = $doc:literal])* $field:ident: $Variant:ident = $tiny:literal, $small:literal, $standard:literal;)*) => {
-        /// How large each table is. The unit of every field is entries of that table, unless the field says bytes.
+        /// The size of each table. The unit of every field is entries of that table, unless the field says bytes.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub struct Capacities {
             $($(#[doc = $doc])* pub $field: usize,)*
         }
 
         impl Capacities {
-            /// For the smallest controllers, in little more than 16 KiB of RAM with everything else: homes of up to 41 cells with a block
-            /// that moves, one trainer strategy, and the paper's whole course.
+            /// For the smallest controllers, in little more than 16 KiB of RAM for everything: homes of up to 41 cells with a movable
+            /// block, one trainer strategy, and the paper's whole course.
             pub const TINY: Self = Self { $($field: $tiny,)* };
 
-            /// For controllers: homes of one 41-cell floor with a block that moves, and the paper's whole course.
+            /// For controllers: homes of one 41-cell floor with a movable block, and the paper's whole course.
             pub const SMALL: Self = Self { $($field: $small,)* };
 
             /// For hosts and browsers: about seven megabytes, most of them for a million search states. With the feature `large` there is
             /// room for larger homes and more tasks.
             pub const STANDARD: Self = Self { $($field: $standard,)* }.for_large_homes();
 
-            /// No room for anything: where only some tables are wanted, the others are taken from here.
+            /// No room at all: a base for capacities with only some tables.
             pub const NONE: Self = Self { $($field: 0,)* };
 
-            /// How large one table is; 0 for a capacity that is a constant.
+            /// The size of one table; 0 for a capacity that is a constant.
             pub const fn get(&self, capacity: Capacity) -> usize {
                 match capacity {
                     $(Capacity::$Variant => self.$field,)*
@@ -103,7 +104,7 @@ macro_rules! capacities {
                 }
             }
 
-            /// Sets how large one table is; nothing for a capacity that is a constant.
+            /// Sets the size of one table; does nothing for a capacity that is a constant.
             pub const fn set(&mut self, capacity: Capacity, entries: usize) {
                 match capacity {
                     $(Capacity::$Variant => self.$field = entries,)*
@@ -126,7 +127,7 @@ macro_rules! capacities {
 /// The enum: the fields, then the limits that are constants.
 macro_rules! constants {
     ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
-        /// What was full: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
+        /// A capacity that was exceeded: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
@@ -147,11 +148,11 @@ macro_rules! constants {
             PropositionsPerTask,
             /// Variables of one lifted task.
             VariablesPerTask,
-            /// Attribute propositions that the objects bound by one task have together.
+            /// Attribute propositions of the objects bound by one task, together.
             FactsPerTask,
             /// Lifted tasks of one session.
             LiftedTasks,
-            /// Blocks that can be moved about in one home.
+            /// Movable blocks of one home.
             Blocks,
         }
 
@@ -199,8 +200,8 @@ impl Capacities {
         }
     }
 
-    /// For a robot of one's own on a controller, in the memory of `SMALL` and 4 KiB more: 16 tasks of four kinds, 5,888 states, and 24 lessons
-    /// of 44 different words. It has no cells, so no home has room in it.
+    /// For a robot of your own on a controller, in the memory of `SMALL` and 4 KiB more: 16 tasks of four kinds, 5,888 states, and 24
+    /// lessons of 44 different words. It has no cells, so it cannot hold a home.
     pub const OWN: Self = Self {
         objects: 16,
         names: 32,
@@ -212,7 +213,7 @@ impl Capacities {
         candidate_tokens: 448,
         ground_propositions: 16,
         goal_entries: 0,
-        // As many as the words of the translations and alignments hold: both take the same memory in turn.
+        // The states that fit into the words of the translations and alignments, which share the workspace.
         states: 5_888,
         words: 44,
         word_bytes: 280,
@@ -225,19 +226,19 @@ impl Capacities {
         ..Self::SMALL
     };
 
-    /// The larger of both, table by table.
+    /// The larger capacity of each table.
     #[must_use]
     pub const fn at_least(self, other: Self) -> Self {
         self.each(other, true)
     }
 
-    /// The smaller of both, table by table.
+    /// The smaller capacity of each table.
     #[must_use]
     pub const fn at_most(self, other: Self) -> Self {
         self.each(other, false)
     }
 
-    /// Both together, table by table.
+    /// The sum of the capacities of each table.
     #[must_use]
     pub const fn plus(mut self, other: Self) -> Self {
         let mut rest: &[Capacity] = &Capacity::ALL;
@@ -259,7 +260,7 @@ impl Capacities {
         self
     }
 
-    /// Whether tables as full as `self` fit tables as large as `rooms`.
+    /// Checks that tables as full as `self` fit into tables of the sizes `rooms`.
     ///
     /// ```
     /// use goodbot::{Capacities, capacity::Capacity};
@@ -277,13 +278,13 @@ impl Capacities {
         })
     }
 
-    /// The same without the tables of lessons, for a robot that only obeys.
+    /// The same without the tables of training data, for a robot that only obeys.
     #[must_use]
     pub const fn obeying(self) -> Self {
         Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, length_pairs: 0, ..self }
     }
 
-    /// u64s of the search: for each 64 states eight words of first actions, and three bit sets with a bit for each of their words.
+    /// u64s of the search: for each 64 states eight words of first actions and three of bit sets, with one more bit for each of the latter.
     pub const fn search_words(&self) -> usize {
         Self::words_of(self.states.div_ceil(64))
     }
@@ -302,14 +303,13 @@ impl Capacities {
         groups.saturating_mul(11).saturating_add(groups.div_ceil(64).saturating_mul(3))
     }
 
-    /// The length of tables that a memory gets only where it is asked for them.
+    /// The length of tables that memory has only on request.
     #[doc(hidden)]
     pub const fn none(&self) -> usize {
         0
     }
 
-    /// u64s that planning and training use in turn: the larger of the search's words and the expected counts of all table cells, two to a
-    /// word.
+    /// u64s that planning and training share: the larger of the search's words and the expected counts of all table cells, two to a word.
     pub const fn workspace_words(&self) -> usize {
         let (search, counts) = (self.search_words(), self.translations.saturating_add(self.alignments).div_ceil(2));
         if search > counts || !cfg!(feature = "learning") { search } else { counts }

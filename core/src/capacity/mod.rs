@@ -1,6 +1,6 @@
 //! Every capacity, in one place.
 //!
-//! The core allocates nothing: each table lives in memory that the caller owns, and a [`Capacities`] says how large each one is. There are
+//! The core allocates nothing: each table is in memory that the caller owns, and a [`Capacities`] defines the size of each one. There are
 //! four presets: [`Capacities::TINY`] and [`Capacities::SMALL`] for homes on controllers, [`Capacities::OWN`] for other robots there, and
 //! [`Capacities::STANDARD`] for hosts and browsers. Change single fields of a preset for other needs:
 //!
@@ -13,7 +13,7 @@
 //! assert_eq!(WordyMemory::CAPACITIES.words, 96);
 //! ```
 //!
-//! A table that is full is reported by a [`CapacityError`], which names the field to raise.
+//! A full table is reported by a [`CapacityError`], which names the field to raise.
 
 mod error;
 mod list;
@@ -35,11 +35,11 @@ pub const ATTRIBUTES: usize = 4;
 pub const PROPOSITIONS_PER_TASK: usize = 4;
 /// Variables of one lifted task.
 pub const VARIABLES_PER_TASK: usize = 6;
-/// Attribute propositions that the objects bound by one task have together.
+/// Attribute propositions of the objects bound by one task, together.
 pub const FACTS_PER_TASK: usize = 8;
 /// Lifted tasks of one session.
 pub const LIFTED_TASKS: usize = 8;
-/// Blocks that can be moved about in one home: 8, and 24 with the feature `large`.
+/// Movable blocks of one home: 8, and 24 with the feature `large`.
 pub const BLOCKS: usize = if cfg!(feature = "large") { 24 } else { 8 };
-/// Questions of one session; after these it acts, and asks no more.
+/// Questions of one session; after these the robot acts, and asks no more.
 pub const QUESTIONS_PER_SESSION: usize = 8;

@@ -1,8 +1,8 @@
 //! The joint belief over tasks and trainer strategies (SABL with one strategy, I-SABL with several; paper, section 3 and footnote 1).
 //!
-//! Each task and strategy has the strategy's probability at the start times the probability of all evidence so far. The task's prior, from
-//! the language model, is kept apart: the posterior is their product, renormalised. Both are [`Scaled`], so a task that looked hopeless for
-//! a thousand steps can still come back.
+//! For each task and strategy the belief has the strategy's probability at the start times the likelihood of all evidence so far. The
+//! task's prior, from the language model, is stored separately: the posterior is their product, renormalised. Both are [`Scaled`], so a
+//! task that looked hopeless for a thousand steps can still recover.
 
 use super::judged::Judged;
 use super::strategy::{Feedback, LAGS, Strategy};
@@ -31,7 +31,7 @@ pub struct Belief<'t> {
     count: &'t mut BeliefCount,
 }
 
-/// The joint belief over tasks and trainer strategies, to be read.
+/// The joint belief over tasks and trainer strategies, read-only.
 #[derive(Clone, Copy, Debug)]
 pub struct BeliefRef<'t> {
     memory: BeliefTablesRef<'t>,
@@ -39,22 +39,22 @@ pub struct BeliefRef<'t> {
 }
 
 impl<'t> BeliefRef<'t> {
-    /// The belief that these tables hold.
+    /// The belief in these tables.
     pub const fn new(memory: BeliefTablesRef<'t>, count: BeliefCount) -> Self {
         Self { memory, count }
     }
 
-    /// How many strategies there is room for.
+    /// The most strategies that there is room for.
     pub(crate) fn most_strategies(self) -> usize {
         self.memory.strategies.len().min(self.memory.expected.len())
     }
 
-    /// How many tasks.
+    /// The number of tasks.
     pub const fn tasks(self) -> usize {
         self.count.tasks
     }
 
-    /// The strategies, with the probability that each had when this session began.
+    /// The strategies, each with its probability at the start of this session.
     pub fn strategies(self) -> &'t [(Strategy, f32)] {
         self.memory.strategies.get(..self.count.strategies).unwrap_or(&[])
     }
@@ -69,12 +69,12 @@ impl<'t> BeliefRef<'t> {
         self.memory.joint.get(start..start.saturating_add(self.count.strategies)).filter(|_| task < self.count.tasks).unwrap_or(&[])
     }
 
-    /// The prior of a task, in the unit of all.
+    /// The unnormalised prior of a task.
     pub fn prior(self, task: usize) -> Scaled {
         self.memory.priors.get(task).copied().filter(|_| task < self.count.tasks).unwrap_or(Scaled::ZERO)
     }
 
-    /// Pr(evidence | task), all strategies together.
+    /// Pr(evidence | task), summed over the strategies.
     pub fn evidence(self, task: usize) -> Scaled {
         total(self.row(task).iter().copied())
     }
@@ -84,7 +84,7 @@ impl<'t> BeliefRef<'t> {
         self.prior(task).times(self.evidence(task))
     }
 
-    /// All tasks' weights together.
+    /// The sum of all tasks' weights.
     pub fn whole(self) -> Scaled {
         total((0..self.count.tasks).map(|task| self.weight(task)))
     }
@@ -103,18 +103,18 @@ impl<'t> BeliefRef<'t> {
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
-    /// The strategy's probability at the start of the next session. Without evidence it is the old one, to the bit.
+    /// The strategy's probability at the start of the next session. Without evidence it is unchanged, to the bit.
     pub(crate) fn carried(self, strategy: usize, has_evidence: bool) -> f32 {
         if has_evidence { self.strategy_probability(strategy) } else { self.begun_with(strategy) }
     }
 
-    /// The probability that a strategy had when this session began.
+    /// The probability of a strategy at the start of this session.
     fn begun_with(self, strategy: usize) -> f32 {
         self.strategies().get(strategy).map_or(0.0, |&(_, probability)| probability)
     }
 
-    /// Whether anything was observed since the start that tells tasks or strategies apart. Before that, the strategies are as probable as
-    /// [`strategies`](Self::strategies) says; [`strategy_probability`](Self::strategy_probability) is that but for rounding.
+    /// Whether any evidence since the start distinguishes tasks or strategies. Before that, the probabilities are exactly those of
+    /// [`strategies`](Self::strategies), and those of [`strategy_probability`](Self::strategy_probability) up to rounding.
     pub fn has_evidence(self) -> bool {
         self.strategies().iter().enumerate().any(|(strategy, &(_, probability))| {
             let begun = Scaled::new(probability);
@@ -128,12 +128,12 @@ impl<'t> BeliefRef<'t> {
 }
 
 impl<'t> Belief<'t> {
-    /// The belief that these tables hold.
+    /// The belief in these tables.
     pub const fn new(memory: BeliefTables<'t>, count: &'t mut BeliefCount) -> Self {
         Self { memory, count }
     }
 
-    /// The belief, to be read.
+    /// The belief, read-only.
     pub const fn read(&self) -> BeliefRef<'_> {
         BeliefRef { memory: self.memory.read(), count: *self.count }
     }
@@ -141,7 +141,7 @@ impl<'t> Belief<'t> {
     /// Replaces the strategies and their probabilities, which are renormalised.
     ///
     /// # Errors
-    /// A [`BeliefError`]; the belief is then as before.
+    /// A [`BeliefError`]; the belief is then unchanged.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), BeliefError> {
         let limit = self.read().most_strategies();
         if strategies.len() > limit {
@@ -166,8 +166,8 @@ impl<'t> Belief<'t> {
         Ok(())
     }
 
-    /// Takes strategies with exactly these probabilities, now and before the trainer was met. The caller has checked that they are sound
-    /// and fit. An empty list keeps the current strategies. The belief then has no tasks.
+    /// Replaces the strategies and their probabilities, present and prior, without renormalising. The caller has checked that they are
+    /// sound and fit. An empty list keeps the current strategies. The belief then has no tasks.
     pub(crate) fn take_over(&mut self, strategies: impl Iterator<Item = ((Strategy, f32), f32)>) {
         let mut count = 0_usize;
         let slots = self.memory.strategies.iter_mut().zip(self.memory.expected.iter_mut());
@@ -181,13 +181,13 @@ impl<'t> Belief<'t> {
         self.count.tasks = 0;
     }
 
-    /// Starts again with these task priors. The strategies keep their marginals so far, but drift back by the share `drift`, from 0 to 1,
-    /// to their probabilities before the trainer was met.
+    /// Starts again with these task priors. The strategies keep their marginal probabilities so far, but drift back by the share `drift`,
+    /// from 0 to 1, to their probabilities before the trainer was met.
     ///
     /// # Errors
     /// A [`CapacityError`] if the tasks and strategies do not fit; the belief then has no tasks.
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
-        // Who only obeys hears no word of a trainer's.
+        // A robot that only obeys hears no feedback.
         if cfg!(feature = "learning") && self.count.tasks > 0 {
             let has_evidence = self.read().has_evidence();
             for strategy in 0..self.count.strategies {
@@ -214,7 +214,8 @@ impl<'t> Belief<'t> {
         let strategies = self.memory.strategies.get(..self.count.strategies).unwrap_or(&[]);
         for (strategy, &(_, probability)) in strategies.iter().enumerate() {
             let begun = Scaled::new(probability);
-            for slot in self.memory.joint.iter_mut().skip(strategy).step_by(strategies.len()).take(count) {
+            // The compiler sees that the step is not 0, and leaves out its panic.
+            for slot in self.memory.joint.iter_mut().skip(strategy).step_by(strategies.len().max(1)).take(count) {
                 *slot = begun;
             }
         }
@@ -223,37 +224,37 @@ impl<'t> Belief<'t> {
         Ok(())
     }
 
-    /// Forgets all evidence since the last start: the belief has no tasks, and the strategies have their probabilities of then.
+    /// Forgets all evidence since the last start: the belief has no tasks, and the strategies have their probabilities at that start.
     pub(crate) fn forget(&mut self) {
         self.count.tasks = 0;
     }
 
-    /// Settles the last piece of evidence: the next one counts beside it, and no longer replaces it.
+    /// Settles the last piece of evidence: the next one is added, and no longer replaces it.
     pub fn settle(&mut self) {
         let used = self.count.tasks.saturating_mul(self.count.strategies);
         self.memory.settled.iter_mut().zip(self.memory.joint.iter()).take(used).for_each(|(settled, joint)| *settled = *joint);
     }
 
-    /// Replaces the prior of one task; does nothing for a missing task.
+    /// Replaces the prior of one task; does nothing if there is no such task.
     pub fn set_prior(&mut self, task: usize, prior: Scaled) {
         if let Some(slot) = self.memory.priors.get_mut(..self.count.tasks).and_then(|priors| priors.get_mut(task)) {
             *slot = prior;
         }
     }
 
-    /// The priors of all tasks, in one unit.
+    /// The unnormalised priors of all tasks.
     pub(crate) fn priors_mut(&mut self) -> &mut [Scaled] {
         self.memory.priors.get_mut(..self.count.tasks).unwrap_or(&mut [])
     }
 
-    /// Takes in the feedback to one action. `judged` judges the last action and the two before it for each task, the last one first: see
+    /// Observes the feedback to one action. `judged` judges the last action and the two before it for each task, the last one first: see
     /// [`Strategy::likelihood`]. A task without any known judgement gets the posterior-weighted mean likelihood of the others: no evidence
     /// for or against it. Evidence that is impossible under every task and strategy is ignored, and the result is `false`.
     pub fn observe_feedback(&mut self, feedback: Feedback, judged: impl Fn(usize) -> [Judged; LAGS]) -> bool {
         self.observe(&|strategy, task| strategy.likelihood(feedback, judged(task)))
     }
 
-    /// Takes in one piece of evidence by its likelihood for each strategy and task, `None` if unknown. It replaces the evidence since
+    /// Observes one piece of evidence by its likelihood for each strategy and task, `None` if unknown. It replaces the evidence since
     /// [`settle`](Self::settle). Evidence that is impossible under every task and strategy is ignored, and the result is `false`.
     pub fn observe(&mut self, likelihood: &dyn Fn(&Strategy, usize) -> Option<f32>) -> bool {
         let likely = |belief: &Self, task: usize, column: usize| {
@@ -298,14 +299,14 @@ impl<'t> Belief<'t> {
 
 #[cfg(feature = "asking")]
 impl Belief<'_> {
-    /// Takes in evidence unrelated to the last action, by its likelihood for each task. It stays when a later word replaces an earlier one
+    /// Observes evidence unrelated to the last action, by its likelihood for each task. It stays if a later word replaces an earlier one
     /// about the action. Evidence that is impossible under every task is ignored, and the result is `false`.
     pub(crate) fn observe_beside(&mut self, likelihood: impl Fn(usize) -> f32) -> bool {
         if (0..self.count.tasks).all(|task| self.read().weight(task).scaled_by(likelihood(task)).is_zero()) {
             return false;
         }
         let (tasks, strategies) = (self.count.tasks, self.count.strategies.max(1));
-        // Not zipped: where that is not inlined, it has a division that could panic.
+        // Not zipped: if that is not inlined, it has a division that could panic.
         let mut settled = self.memory.settled.chunks_mut(strategies);
         for (task, joint) in self.memory.joint.chunks_mut(strategies).take(tasks).enumerate() {
             let value = likelihood(task);
@@ -322,14 +323,14 @@ impl Belief<'_> {
 pub enum BeliefError {
     /// The probability of a strategy is outside [0, 1] or not a number.
     Prior {
-        /// The strategy, by its position among those given.
+        /// The strategy, by its position in the list.
         strategy: u8,
         /// Its probability.
         value: f32,
     },
-    /// There is no strategy of a probability above 0.
+    /// No strategy has a probability above 0.
     NoPrior,
-    /// Something was full.
+    /// A table was full.
     Capacity(CapacityError),
 }
 

@@ -1,12 +1,12 @@
-//! When trainers end a session: more often at the goal than elsewhere, so the end is evidence. They also end it more often after a rest than
-//! after a move, and after "good bot" than after "bad bot"; the ratios depend on where the robot is.
+//! The end of a session as evidence: trainers end it more often at the goal than elsewhere. They also end it more often after a rest than
+//! after a move, and after "good bot" than after "bad bot"; the ratios depend on whether the robot is at the goal.
 
 use super::strategy::Feedback;
 
 /// The last actions and words that predict whether a trainer ends a session.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Moment {
-    /// How often the robot rested in a row.
+    /// The number of rests in a row.
     pub rests: u8,
     /// The last word of the session that was not silence.
     pub said: Feedback,
@@ -19,7 +19,7 @@ impl Moment {
         Self { rests: if rests { self.rests.saturating_add(1) } else { 0 }, ..self }
     }
 
-    /// The moment after a word. Silence leaves the word before it.
+    /// The moment after a word. Silence keeps the earlier word.
     #[must_use]
     pub const fn heard(self, word: Feedback) -> Self {
         match word {
@@ -29,14 +29,14 @@ impl Moment {
     }
 }
 
-/// How probable it is that the trainer ends the session after an action.
+/// The probability that the trainer ends the session after an action.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hazard {
-    /// After a move, where nothing was said in the session.
+    /// After a move, if nothing was said in the session.
     pub moved: f32,
-    /// After a rest that follows a move, where nothing was said.
+    /// After a rest that follows a move, if nothing was said.
     pub rested: f32,
-    /// After a later rest in a row, where nothing was said.
+    /// After a further rest in a row, if nothing was said.
     pub resting: f32,
     /// The factor if the last word was "good bot".
     pub praised: f32,
@@ -45,7 +45,7 @@ pub struct Hazard {
 }
 
 impl Hazard {
-    /// Always the same.
+    /// The same probability at every moment.
     pub const fn of(probability: f32) -> Self {
         Self { moved: probability, rested: probability, resting: probability, praised: 1.0, scolded: 1.0 }
     }
@@ -64,7 +64,7 @@ impl Hazard {
         }
     }
 
-    /// Whether it is a probability of less than 1 at every moment.
+    /// Whether it is a probability below 1 at every moment.
     fn is_sound(&self) -> bool {
         let most = if self.praised > self.scolded { self.praised } else { self.scolded };
         self.praised >= 0.0
@@ -73,7 +73,7 @@ impl Hazard {
     }
 }
 
-/// How probable it is that the trainer ends the session after an action, by where that leaves the robot.
+/// The probability that the trainer ends the session after an action, at the goal and elsewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ending {
     /// If the task is done.
@@ -83,15 +83,15 @@ pub struct Ending {
 }
 
 impl Ending {
-    /// An end says nothing: a robot may not know why a session ended.
+    /// An end is no evidence: a robot may not know why a session ended.
     pub const NO_EVIDENCE: Self = Self { at_goal: Hazard::of(0.0), elsewhere: Hazard::of(0.0) };
 
-    /// Whether an end says anything.
+    /// Whether an end is evidence.
     pub fn is_evidence(&self) -> bool {
         self.at_goal != self.elsewhere
     }
 
-    /// Whether all hazards are probabilities of less than 1.
+    /// Whether all hazards are probabilities below 1.
     pub(crate) fn is_sound(&self) -> bool {
         self.at_goal.is_sound() && self.elsewhere.is_sound()
     }

@@ -1,14 +1,14 @@
 //! The expected information of a word, in bits, about whether an action was right.
 //!
-//! With c the probability that an action is right, the trainer's word F gives g = H(F) - c H(F|right) - (1 - c) H(F|wrong) of it.
+//! With c the probability that an action is right, the trainer's word F has the information g = H(F) - c H(F|right) - (1 - c) H(F|wrong).
 //!
-//! The logarithm is `libm`'s: it is written in `+ - * /` and operations on bits, and so gives the same bits on every target. A table
-//! would be as large, and coarser.
+//! The logarithm is `libm`'s: it uses only `+ - * /` and operations on bits, and so gives the same bits on every target. A table would be
+//! as large, and coarser.
 
 use super::belief::BeliefRef;
 use super::strategy::Feedback;
 
-/// The entropy of a choice of two, in bits: 1 where both are as probable, 0 where one is certain.
+/// The entropy of a binary choice, in bits: 1 if both are equally probable, 0 if one is certain.
 ///
 /// ```
 /// use goodbot::feedback::binary_entropy;
@@ -18,7 +18,7 @@ pub fn binary_entropy(probability: f32) -> f32 {
     surprise(probability) + surprise(1.0 - probability)
 }
 
-/// The part of an entropy, in bits, that an outcome of this probability has: -p log2 p.
+/// The contribution of an outcome of this probability to an entropy, in bits: -p log2 p.
 pub(crate) fn surprise(probability: f32) -> f32 {
     if probability > 0.0 && probability < 1.0 { -probability * libm::log2f(probability) } else { 0.0 }
 }
@@ -48,7 +48,7 @@ impl Words {
         Self { right, wrong, left: [entropy(&right), entropy(&wrong)] }
     }
 
-    /// The bits that a word is expected to tell of an action that is right with probability `right`.
+    /// The expected information, in bits, of a word about an action that is right with probability `right`.
     pub fn information(&self, right: f32) -> f32 {
         let wrong = 1.0 - right;
         let said = self

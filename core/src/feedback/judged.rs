@@ -1,8 +1,8 @@
-//! What an action is for a task: trainers speak otherwise of a move than of a rest.
+//! The kind of an action for a task: trainers respond to moves and rests differently.
 
 use crate::planning::Judgement;
 
-/// What an action is for a task.
+/// The kind of an action for a task.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Judged {
@@ -10,11 +10,11 @@ pub enum Judged {
     Nearer,
     /// Another move.
     NotNearer,
-    /// A rest where it is right: at the goal, and in a dead end.
+    /// A correct rest: at the goal, or in a dead end.
     RestsAtGoal,
-    /// A rest where there is still something to do.
+    /// A rest before the goal is reached.
     RestsElsewhere,
-    /// A move from the goal to the goal: a robot that goes on in the room that it was sent to.
+    /// A move from the goal to the goal: the robot moves on within the target room.
     MovesInside,
     /// Not known exactly.
     #[default]
@@ -22,7 +22,7 @@ pub enum Judged {
 }
 
 impl Judged {
-    /// An action with this judgement, which was a rest or not. Where it was a move inside the goal is not seen from these.
+    /// An action with this judgement, which was a rest or not. It cannot be seen from these whether it was a move inside the goal.
     pub const fn of(judgement: Judgement, rests: bool) -> Self {
         match (judgement, rests) {
             (Judgement::Correct, false) => Self::Nearer,

@@ -1,9 +1,9 @@
 //! Trainer feedback (paper, section 3; SABL): reward, punishment and silence as evidence about the intended task.
 //!
-//! - `strategy`: how a trainer rewards, punishes and stays silent, and how late;
-//! - `judged`: what an action is for a task;
-//! - `ending`: when a trainer ends a session;
-//! - `belief`: the joint belief over tasks and trainer strategies, and how evidence changes it;
+//! - `strategy`: the probabilities of a trainer's reward, punishment and silence, and of their lag;
+//! - `judged`: the kind of an action for a task;
+//! - `ending`: the end of a session as evidence;
+//! - `belief`: the joint belief over tasks and trainer strategies, and its update by evidence;
 //! - `information`: the expected information of a word, in bits;
 //! - [`population`]: the strategies of real people;
 //! - `simulated`: a trainer that draws its feedback from a strategy.

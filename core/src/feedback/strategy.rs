@@ -1,5 +1,5 @@
-//! Trainer strategies: how probable reward, punishment and silence are after a correct and an incorrect action (paper, section 3), and
-//! how late they come.
+//! Trainer strategies: the probabilities of reward, punishment and silence after a correct and an incorrect action (paper, section 3), and
+//! of their lag.
 
 use super::judged::Judged;
 use core::fmt;
@@ -61,19 +61,19 @@ impl fmt::Display for UnknownFeedback {
 
 impl core::error::Error for UnknownFeedback {}
 
-/// The number of actions that a word can judge: the last one, and those before it.
+/// The number of actions that a word may be about: the last one, and those before it.
 pub const LAGS: usize = 3;
 
 /// The tolerance for the sum of the lags' probabilities.
 const LAG_TOLERANCE: f32 = 1e-3;
 
-/// The numbers of a strategy that are about rests: see [`Strategy::with_rests`].
+/// The number of parameters for rests: see [`Strategy::with_rests`].
 pub const RESTS: usize = 4;
 
-/// A trainer strategy: three probabilities of feedback to moves, four to rests and to moves inside the goal, and three of its lag.
+/// A trainer strategy: three parameters for feedback to moves, four for rests and moves inside the goal, and three for the lag.
 ///
 /// With lag k a word is about the action k actions before the last one. The paper's strategies have no lag: each word is about the last
-/// action. They judge a rest as they judge a move, and a move inside the goal is wrong.
+/// action. They treat a rest like a move, and a move inside the goal as wrong.
 ///
 /// ```
 /// use goodbot::feedback::{Feedback, Strategy};
@@ -97,7 +97,7 @@ pub struct Strategy {
     rests: [f32; RESTS],
 }
 
-/// Which parameter of a strategy is not a probability.
+/// The parameter of a strategy that is not a probability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -110,7 +110,7 @@ pub enum StrategyError {
     Epsilon,
     /// The probabilities of the lags are not from 0 to 1, or do not sum to 1.
     Lags,
-    /// A number about rests is outside [0, 1] or not a number.
+    /// A parameter for rests is outside [0, 1] or not a number.
     Rests,
 }
 
@@ -142,8 +142,8 @@ impl Strategy {
     /// The value of unused memory.
     pub const UNUSED: Self = Self { lags: [0.0; LAGS], ..Self::known(0.0, 0.0, 0.0) };
 
-    /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking
-    /// one for the other (`epsilon`), each in [0, 1]. It has no lag, and judges rests as moves.
+    /// A strategy: the probability of silence after a correct action (`mu_plus`) and after an incorrect one (`mu_minus`), and of taking one
+    /// for the other (`epsilon`), each in [0, 1]. It has no lag, and treats rests like moves.
     ///
     /// # Errors
     /// [`StrategyError`] names the parameter outside [0, 1].
@@ -155,12 +155,12 @@ impl Strategy {
         Ok(Self::known(mu_plus, mu_minus, epsilon))
     }
 
-    /// A strategy without checks; the caller guarantees sound numbers.
+    /// A strategy without checks; the caller guarantees that the numbers are in range.
     const fn known(mu_plus: f32, mu_minus: f32, epsilon: f32) -> Self {
         Self { mu_plus, mu_minus, epsilon, lags: Self::NO_LAG, rests: [mu_plus, mu_minus, epsilon, 0.0] }
     }
 
-    /// The same with rests of its own.
+    /// A strategy with its own parameters for rests.
     pub(crate) const fn of_people([mu_plus, mu_minus, epsilon]: [f32; 3], rests: [f32; RESTS], lags: [f32; LAGS]) -> Self {
         Self { mu_plus, mu_minus, epsilon, lags, rests }
     }
@@ -169,16 +169,16 @@ impl Strategy {
     /// the one before that with `lags[2]`.
     ///
     /// # Errors
-    /// [`StrategyError::Lags`] where they are outside [0, 1] or do not sum to 1.
+    /// [`StrategyError::Lags`] if they are outside [0, 1] or do not sum to 1.
     pub fn with_lags(self, lags: [f32; LAGS]) -> Result<Self, StrategyError> {
         let sum: f32 = lags.iter().sum();
         let sound = lags.iter().all(|lag| (0.0..=1.0).contains(lag)) && (1.0 - LAG_TOLERANCE..=1.0 + LAG_TOLERANCE).contains(&sum);
         if sound { Ok(Self { lags, ..self }) } else { Err(StrategyError::Lags) }
     }
 
-    /// The same strategy with a judgement of its own for rests. The numbers are: the probability of silence after a rest at the goal, and after
-    /// one elsewhere; the probability of taking the one for the other; and how far a move from the goal to the goal counts as a rest there, from
-    /// 0, where it is a wrong move, to 1.
+    /// The same strategy with its own parameters for rests: the probability of silence after a rest at the goal, and after one elsewhere;
+    /// the probability of taking one for the other; and the degree to which a move from the goal to the goal counts as a rest there, from 0
+    /// (a wrong move) to 1.
     ///
     /// ```
     /// use goodbot::feedback::{Feedback, Judged, Strategy};
@@ -191,18 +191,18 @@ impl Strategy {
     /// ```
     ///
     /// # Errors
-    /// [`StrategyError::Rests`] where one is outside [0, 1].
+    /// [`StrategyError::Rests`] if one is outside [0, 1].
     pub fn with_rests(self, rests: [f32; RESTS]) -> Result<Self, StrategyError> {
         let sound = rests.iter().all(|number| (0.0..=1.0).contains(number));
         if sound { Ok(Self { rests, ..self }) } else { Err(StrategyError::Rests) }
     }
 
-    /// The numbers about rests: see [`with_rests`](Self::with_rests). Without numbers of their own they are mu+, mu-, epsilon and 0.
+    /// The parameters for rests: see [`with_rests`](Self::with_rests). By default they are mu+, mu-, epsilon and 0.
     pub fn rests(&self) -> [f32; RESTS] {
         self.rests
     }
 
-    /// Whether rests are judged as moves, as in the paper.
+    /// Whether rests are treated like moves, as in the paper.
     pub fn rests_as_it_moves(&self) -> bool {
         self.rests == [self.mu_plus, self.mu_minus, self.epsilon, 0.0]
     }
@@ -222,17 +222,17 @@ impl Strategy {
         self.mu_minus
     }
 
-    /// The probability of taking a correct action for an incorrect one, or the other way round.
+    /// The probability of taking a correct action for an incorrect one, or the reverse.
     pub fn epsilon(&self) -> f32 {
         self.epsilon
     }
 
-    /// The probability of a feedback after a move that is correct, or is not, for the intended task.
+    /// The probability of a feedback after a move that is correct, or not, for the intended task.
     pub fn probability(&self, feedback: Feedback, correct: bool) -> f32 {
         said([self.mu_plus, self.mu_minus, self.epsilon], feedback, correct)
     }
 
-    /// The probability of a feedback after an action that is this for the intended task; `None` where that is not known.
+    /// The probability of a feedback after an action of this kind for the intended task; `None` if the kind is unknown.
     pub fn probability_after(&self, feedback: Feedback, judged: Judged) -> Option<f32> {
         let [plus, minus, mistake, inside] = self.rests;
         let resting = |correct| said([plus, minus, mistake], feedback, correct);
@@ -247,7 +247,7 @@ impl Strategy {
     }
 
     /// The probability of a feedback after these actions, the last one first, each judged for one task: the mean over the actions that the
-    /// word may judge. The mean leaves out actions that are missing or have an unknown judgement; `None` if none is left.
+    /// word may be about. The mean leaves out actions that are missing or have an unknown judgement; `None` if none is left.
     ///
     /// ```
     /// use goodbot::feedback::{Feedback, Judged::{Nearer, NotNearer, Unknown}, Strategy};
@@ -274,7 +274,7 @@ impl Strategy {
     }
 }
 
-/// The probability of a feedback, from the probabilities of silence after right and wrong actions and of a mistake.
+/// The probability of a feedback, from the probabilities of silence after right and wrong actions, and of a mistake.
 #[inline(never)]
 fn said([mu_plus, mu_minus, epsilon]: [f32; 3], feedback: Feedback, correct: bool) -> f32 {
     let seen_correct = if correct { 1.0 - epsilon } else { epsilon };

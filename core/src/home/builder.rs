@@ -1,4 +1,4 @@
-//! A home from its objects, checked.
+//! Building a home from its objects, and checking it.
 
 use super::layout::{Area, Cell, Place, StoredArea, find, is_wall};
 use super::moves::{Home, HomeState, Moves, cell_bits};
@@ -9,10 +9,10 @@ use crate::oomdp::objects::{ObjectCount, ObjectError};
 use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects, StateKey};
 use crate::planning::Progress;
 
-/// Objects of a home.
+/// The most objects of a home.
 const MOST_OBJECTS: usize = if cfg!(feature = "large") { 96 } else { 32 };
 
-/// What is wrong with a home.
+/// A problem with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -33,23 +33,23 @@ pub enum Problem {
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
     TooFar,
-    /// The free cells and the blocks have more states together than an agent can tell apart: see [`StateKey`].
+    /// The free cells and the blocks together have more states than an agent can tell apart: see [`StateKey`].
     TooManyStates,
     /// Another object has this name.
     DuplicateName,
     /// The name is empty.
     EmptyName,
-    /// Something was full.
+    /// A table was full.
     Capacity(CapacityError),
 }
 
-/// What is wrong with a home, and with which of its objects (by the order in which they were added), where it is one of them.
+/// A problem with a home, and the object that has it, if it is a single one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HomeError {
-    /// What is wrong.
+    /// The problem.
     pub problem: Problem,
-    /// The object's position.
+    /// The object's position, in the order in which objects were added.
     pub object: Option<u16>,
 }
 
@@ -109,14 +109,14 @@ pub struct HomeBuilder<M> {
     cells: Cells,
 }
 
-/// How far the free cells are found.
+/// The progress of the search for free cells.
 #[derive(Clone, Copy, Debug)]
 struct Cells {
-    /// Cells of the box around all rooms that were looked at.
+    /// The number of cells looked at, in the box around all rooms.
     seen: u32,
-    /// The free ones among them.
+    /// The number of free ones among them.
     free: usize,
-    /// Those of them that know their neighbours.
+    /// The number of free cells with known neighbours.
     joined: usize,
 }
 
@@ -125,12 +125,12 @@ impl Cells {
 }
 
 impl<M> HomeBuilder<M> {
-    /// An empty home in this memory: `memory.home`, `&mut memory.home` or anything else that is [`HomeMemory`].
+    /// An empty home in this memory: `memory.home`, `&mut memory.home` or any other [`HomeMemory`].
     pub const fn new(memory: M) -> Self {
         Self { memory, count: ObjectCount::NONE, agent: None, cells: Cells::NONE }
     }
 
-    /// The memory, for another home.
+    /// Returns the memory, for another home.
     pub fn into_memory(self) -> M {
         self.memory
     }
@@ -170,10 +170,10 @@ impl<M: HomeMemory> HomeBuilder<M> {
         Ok(id)
     }
 
-    /// Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
+    /// Adds a room with its colour. Its box includes the border, whose cells are wall except in doors.
     ///
     /// # Errors
-    /// [`HomeError`]; the home is then as before.
+    /// [`HomeError`]; the home is then unchanged.
     pub fn room(&mut self, name: &str, area: Area, color: &str) -> Result<ObjectId, HomeError> {
         if area.right.saturating_sub(area.left) < 2 || area.top.saturating_sub(area.bottom) < 2 {
             return Err(self.here(Problem::RoomOfNoArea));
@@ -184,7 +184,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
     /// Adds a door: a box of cells without walls.
     ///
     /// # Errors
-    /// [`HomeError`]; the home is then as before.
+    /// [`HomeError`]; the home is then unchanged.
     pub fn door(&mut self, name: &str, area: Area) -> Result<ObjectId, HomeError> {
         if area.right < area.left || area.top < area.bottom {
             return Err(self.here(Problem::DoorOfNoArea));
@@ -195,7 +195,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
     /// Adds a block.
     ///
     /// # Errors
-    /// [`HomeError`]; the home is then as before.
+    /// [`HomeError`]; the home is then unchanged.
     pub fn block(&mut self, name: &str, cell: Cell, color: &str, shape: &str) -> Result<ObjectId, HomeError> {
         if self.objects().of_class(BLOCK).count() >= BLOCKS {
             return Err(self.here(Problem::Capacity(CapacityError::full(Capacity::Blocks, BLOCKS))));
@@ -206,7 +206,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
     /// Adds the agent.
     ///
     /// # Errors
-    /// [`HomeError`]; the home is then as before.
+    /// [`HomeError`]; the home is then unchanged.
     pub fn agent(&mut self, name: &str, cell: Cell) -> Result<ObjectId, HomeError> {
         if self.agent.is_some() {
             return Err(self.here(Problem::SecondAgent));
@@ -221,8 +221,8 @@ impl<M: HomeMemory> HomeBuilder<M> {
         self.objects().of_class(class).filter_map(move |id| Some((id, areas.get(id.index())?.area())))
     }
 
-    /// Finds the free cells and their neighbours, with at most `budget` cells of work. [`build`](Self::build) does the rest, and what is
-    /// left of this; so a control loop goes on while a large home is built. An object that is added makes it begin anew.
+    /// Finds the free cells and their neighbours, with at most `budget` cells of work. [`build`](Self::build) does the remaining work. A
+    /// control loop can so continue while a large home is built. Adding an object restarts the search.
     ///
     /// ```
     /// use goodbot::home::{Area, Cell, HomeBuilder, Moves};
@@ -271,13 +271,13 @@ impl<M: HomeMemory> HomeBuilder<M> {
     /// Checks the home as a whole and returns it with its initial state.
     ///
     /// # Errors
-    /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, more free cells than the memory holds, or more
-    /// states than can be numbered.
+    /// [`HomeError`]: no agent or room, the agent or a block in a wall or on another, more free cells than the memory holds, or too many
+    /// states.
     pub fn build(self, moves: Moves) -> Result<(Home<M>, HomeState), HomeError> {
         self.try_build(moves).map_err(|(error, _)| error)
     }
 
-    /// As [`build`](Self::build), but gives the memory back where that fails.
+    /// As [`build`](Self::build), but returns the memory if building fails.
     ///
     /// # Errors
     /// As [`build`](Self::build), with the memory.
@@ -291,7 +291,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         }
     }
 
-    /// Finds the free cells and the cell of each thing: the number of cells, the agent, the initial state, and the blocks.
+    /// Finds the free cells and the cell of each thing. Returns the number of cells, the agent, the initial state, and the blocks.
     fn check(&mut self) -> Result<(usize, ObjectId, HomeState, [ObjectId; BLOCKS]), HomeError> {
         let whole = |problem| HomeError { problem, object: None };
         let Some(agent) = self.agent else { return Err(whole(Problem::NoAgent)) };
@@ -299,7 +299,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         let count = self.cells.free;
         let (start, blocks) = self.start(agent, count)?;
         let block_count = self.objects().of_class(BLOCK).count();
-        // Numbers that ran over would make two states one to the search.
+        // If numbers overflowed, the search would take two states for one.
         let is_numbered = (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_some();
         let bits = cell_bits(count).saturating_mul(block_count.saturating_add(1));
         if !is_numbered && (cfg!(not(feature = "large")) || bits > StateKey::BITS) {
@@ -308,7 +308,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         Ok((count, agent, start, blocks))
     }
 
-    /// Takes a cell that is free.
+    /// Adds a cell if it is free.
     fn see_cell(&mut self, cell: Cell) -> Result<(), CapacityError> {
         if is_wall(cell, self.areas_of(ROOM).map(|(_, area)| area), self.areas_of(DOOR).map(|(_, area)| area)) {
             return Ok(());
@@ -324,7 +324,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         Ok(())
     }
 
-    /// Tells a free cell its neighbours.
+    /// Sets the neighbours of a free cell.
     fn join_neighbours(&mut self, position: usize, count: usize) {
         let free = self.memory.read().places.get(..count).unwrap_or(&[]);
         let Some(cell) = free.get(position).map(Place::cell) else { return };

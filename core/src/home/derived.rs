@@ -1,13 +1,13 @@
-//! Derived facts of a room or a block: they follow from where things are.
+//! Derived facts about a room or a block: they follow from the places of things.
 //!
-//! | fact | of |
+//! | fact | holds for |
 //! |---|---|
-//! | `leftmost`, `rightmost`, `topmost`, `bottommost` | the room whose middle, or the block that, is farthest that way |
+//! | `leftmost`, `rightmost`, `topmost`, `bottommost` | the room with the centre farthest that way, or the block |
 //! | `largest`, `smallest` | the room with the most or the fewest cells inside |
-//! | `nearest`, `farthest` | the block, or the room that the robot is not in, by steps as if there were no walls |
+//! | `nearest`, `farthest` | the block, or the room without the robot, by steps as if there were no walls |
 //! | `nextToRed`, for each colour | a room that a door joins to a red one |
 //!
-//! Where two are equal, there is no such fact. A room or block that is alone is not said to be the first of many.
+//! On a tie, the fact holds for neither. A single room or block has no facts of comparison.
 
 use super::layout::{Area, Cell};
 use super::moves::{Home, HomeState};
@@ -16,7 +16,7 @@ use crate::memory::HomeMemory;
 use crate::oomdp::{ClassId, ObjectId};
 use crate::task::attribute_token;
 
-/// By what objects of a class are compared: the one with the least has the fact.
+/// The measure by which objects of a class are compared: the object with the smallest value has the fact.
 const FACTS: [(&str, Measure); 8] = [
     ("leftmost", Measure::Left),
     ("rightmost", Measure::Right),
@@ -41,7 +41,7 @@ enum Measure {
 }
 
 impl Measure {
-    /// What an area that a robot sees from a cell measures; `None` for one that is not compared.
+    /// The measure of an area, seen from the robot's cell; `None` if it is not compared.
     fn of(self, area: Area, robot: Cell) -> Option<i32> {
         let span = |from: i32, to: i32| to.wrapping_sub(from);
         let (middle_x, middle_y) = (area.left.wrapping_add(area.right), area.bottom.wrapping_add(area.top));
@@ -63,7 +63,7 @@ impl Measure {
 }
 
 impl<M: HomeMemory> Home<M> {
-    /// Tells the facts of an object.
+    /// Passes each fact of an object to `tell`.
     pub(super) fn for_each_derived(&self, state: &HomeState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         let Some(class) = self.objects().get(object).map(|object| object.class).filter(|&class| class == ROOM || class == BLOCK) else {
             return;
@@ -86,7 +86,7 @@ impl<M: HomeMemory> Home<M> {
         }
     }
 
-    /// Where an object is: a room's or door's box, the cell of a block.
+    /// The extent of an object: a room's or door's box, or the cell of a block.
     fn extent(&self, state: &HomeState, object: ObjectId) -> Area {
         match self.block_cell(state, object) {
             Some(cell) => Area::new(cell.x, cell.y, cell.x, cell.y),

@@ -1,7 +1,7 @@
-//! Where the rooms and doors of a home are, and which cells are free of wall.
+//! The places of a home's rooms and doors, and its cells without wall.
 
 use crate::oomdp::CellId;
-/// A free cell of a home. Its region is the room whose inside it is in, or else the door.
+/// A free cell of a home. Its region is the room that has it inside, or else the door.
 pub use crate::oomdp::FloorCell as Place;
 
 /// The largest distance of a coordinate from the origin, in cells.
@@ -21,7 +21,7 @@ pub struct Area {
 }
 
 impl Area {
-    /// A box that has no cell.
+    /// A box without cells.
     pub const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
 
     /// The box with these sides.
@@ -49,15 +49,15 @@ impl Area {
     }
 }
 
-/// A box as a home keeps it: no side is beyond [`FARTHEST`], so that half the bytes are enough.
+/// A box in the memory of a home: no side is beyond [`FARTHEST`], so half the bytes are enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StoredArea([i16; 4]);
 
 impl StoredArea {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self([0; 4]);
 
-    /// The box, which is within reach.
+    /// Stores a box that is within reach.
     pub(super) const fn of(area: Area) -> Self {
         Self([area.left as i16, area.bottom as i16, area.right as i16, area.top as i16])
     }
@@ -96,7 +96,7 @@ impl Place {
     }
 }
 
-/// Whether a cell is wall: on the border of any room with no door there, or in no room's box.
+/// Whether a cell is wall: on the border of a room and in no door, or outside all rooms' boxes.
 pub(super) fn is_wall(cell: Cell, rooms: impl Iterator<Item = Area>, mut doors: impl Iterator<Item = Area>) -> bool {
     let (mut on_border, mut in_room) = (false, false);
     for room in rooms {
@@ -108,7 +108,7 @@ pub(super) fn is_wall(cell: Cell, rooms: impl Iterator<Item = Area>, mut doors: 
     !in_room || (on_border && !doors.any(|door| door.holds(cell)))
 }
 
-/// Finds the cell among the places, which lie row by row from the south, each row from the west.
+/// Finds the cell among the places, which are sorted by rows from the south, and from the west within a row.
 pub(super) fn find(places: &[Place], cell: Cell) -> Option<CellId> {
     places.binary_search_by_key(&(cell.y, cell.x), |place| (i32::from(place.y), i32::from(place.x))).ok().map(|found| CellId(found as u16))
 }

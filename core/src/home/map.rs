@@ -1,4 +1,4 @@
-//! A home drawn as text: what a person, a test and an error message look at.
+//! A home drawn as text, for people, tests and error messages.
 
 use super::layout::{Area, Cell};
 use super::moves::{Home, HomeState};

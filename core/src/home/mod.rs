@@ -1,9 +1,9 @@
 //! The paper's home environment (section 4): rooms with walls and doors, blocks that can be pushed about, one agent.
 //!
-//! - `layout`: where the rooms and doors are, and which cells are free;
-//! - `builder`: a home from its objects, checked;
-//! - `moves`: what north, south, east, west and pull do, and which propositions hold;
-//! - `derived`: facts of rooms and blocks that follow from where they are, such as leftmost (feature `derived`);
+//! - `layout`: the rooms and doors, and the free cells;
+//! - `builder`: builds a home from its objects, and checks it;
+//! - `moves`: the effects of north, south, east, west and pull, and the propositions that hold;
+//! - `derived`: facts about rooms and blocks that follow from their places, such as leftmost (feature `derived`);
 //! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.
@@ -71,8 +71,8 @@ pub fn paper_tasks() -> Result<[LiftedTask; 2], TaskTextError> {
     Ok([LiftedTask::single(AGENT_IN_ROOM, &SCHEMA)?, LiftedTask::single(BLOCK_IN_ROOM, &SCHEMA)?])
 }
 
-/// These lifted tasks, and each with the ways of a robot that goes from room to room: through a room, avoiding a room, through one of two rooms.
-/// A task that has a way already gets no other.
+/// These lifted tasks, and each with the ways of a robot that moves from room to room: through a room, avoiding a room, through one of two
+/// rooms. A task with a way gets no further one.
 ///
 /// ```
 /// use goodbot::home::{paper_tasks, with_routes};
@@ -81,7 +81,7 @@ pub fn paper_tasks() -> Result<[LiftedTask; 2], TaskTextError> {
 /// ```
 ///
 /// # Errors
-/// [`TaskTextError::Capacity`] where they are more than [`LIFTED_TASKS`], and [`TaskTextError::NoWays`] where the library was built without
+/// [`TaskTextError::Capacity`] if there are more than [`LIFTED_TASKS`], and [`TaskTextError::NoWays`] if the library was built without
 /// ways.
 pub fn with_routes(tasks: &[LiftedTask]) -> Result<Vec<LiftedTask, LIFTED_TASKS>, TaskTextError> {
     let full = |_| CapacityError::full(Capacity::LiftedTasks, LIFTED_TASKS);

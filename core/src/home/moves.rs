@@ -1,4 +1,4 @@
-//! What the home's actions do, and which propositions hold (model: paper, section 4).
+//! The effects of a home's actions, and the propositions that hold (model: paper, section 4).
 
 use super::layout::{Area, Cell, Place, find};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
@@ -16,7 +16,7 @@ pub enum Moves {
     /// North, south, east, west; a block in the way is pushed.
     #[default]
     Push,
-    /// Those and pull: the first neighbour block, in the order north, south, east, west, that could not be pushed swaps places with the
+    /// Push, and pull: the first neighbour block, in the order north, south, east, west, that could not be pushed swaps places with the
     /// agent.
     PushAndPull,
 }
@@ -34,14 +34,14 @@ pub(super) const fn cell_bits(cells: usize) -> usize {
     (usize::BITS - cells.saturating_sub(1).leading_zeros()) as usize
 }
 
-/// Where the agent and each block are.
+/// The cells of the agent and of each block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct HomeState {
     pub(super) agent: CellId,
     pub(super) blocks: [CellId; BLOCKS],
 }
 
-/// A home: its rooms and doors, and what its actions do.
+/// A home: its rooms and doors, and the effects of its actions.
 #[derive(Debug)]
 pub struct Home<M> {
     memory: M,
@@ -85,9 +85,9 @@ impl<M> Home<M> {
         }
     }
 
-    /// The same home, which tells derived facts of its rooms and blocks, or tells them no more: `leftmost`, `rightmost`, `topmost`, `bottommost`, `largest`,
-    /// `smallest`, `nearest`, `farthest`, and `nextToRed` for what a door joins to a red room. They are more machine tokens to learn, so a
-    /// home whose rooms and blocks are told apart by colour and shape does better without.
+    /// The same home with derived facts about its rooms and blocks, or without them: `leftmost`, `rightmost`, `topmost`, `bottommost`,
+    /// `largest`, `smallest`, `nearest`, `farthest`, and `nextToRed` for a room that a door joins to a red room. Each is one more machine
+    /// token to learn, so leave them out if colour and shape tell the rooms and blocks apart.
     ///
     /// ```
     /// use goodbot::{HeapMemory, oomdp::Domain, home::{Area, Cell, HomeBuilder, Moves}};
@@ -108,18 +108,18 @@ impl<M> Home<M> {
         Self { tells_derived, ..self }
     }
 
-    /// Whether it tells derived facts: see [`with_derived`](Self::with_derived).
+    /// Whether it has derived facts: see [`with_derived`](Self::with_derived).
     #[cfg(feature = "derived")]
     pub fn tells_derived(&self) -> bool {
         self.tells_derived
     }
 
-    /// The memory, for another home.
+    /// Returns the memory, for another home.
     pub fn into_memory(self) -> M {
         self.memory
     }
 
-    /// Which actions it offers.
+    /// The actions that it offers.
     pub fn moves(&self) -> Moves {
         self.moves
     }
@@ -149,14 +149,14 @@ impl<M: HomeMemory> Home<M> {
         Objects::new(self.memory.read().objects, self.objects)
     }
 
-    /// How full the tables of objects, names and cells are.
+    /// The number of used entries in the tables of objects, names and cells.
     pub fn usage(&self) -> Capacities {
         let mut used = Capacities { cells: self.place_count, ..Capacities::NONE };
         self.objects().usage(&mut used);
         used
     }
 
-    /// The box of a room or door; a box of no cell for anything else.
+    /// The box of a room or door; a box without cells for anything else.
     pub fn area(&self, object: ObjectId) -> Area {
         let areas = self.memory.read().areas;
         areas.get(..self.objects().len()).and_then(|areas| areas.get(object.index())).map_or(Area::NOWHERE, |area| area.area())
@@ -172,19 +172,19 @@ impl<M: HomeMemory> Home<M> {
         self.places().get(cell.index()).map(Place::cell)
     }
 
-    /// Where the agent is.
+    /// The agent's cell.
     pub fn agent_cell(&self, state: &HomeState) -> Cell {
         self.place(state.agent).unwrap_or(Cell::new(i32::MIN, i32::MIN))
     }
 
-    /// Where a block is; `None` for an object that is no block.
+    /// The cell of a block; `None` for any other object.
     pub fn block_cell(&self, state: &HomeState, block: ObjectId) -> Option<Cell> {
         self.place(self.cell(state, self.piece(block).filter(|&piece| piece != Piece::ROBOT)?))
     }
 
-    /// Moves the named agent and blocks to these cells, all at once, so two things can swap places. Use it for a robot that senses where
-    /// things are. The others stay. `None` if a cell is a wall, two things would share a cell, or an object is neither the agent nor a
-    /// block.
+    /// Moves the named agent and blocks to these cells, all at once, so two things can swap places. Use it for a robot that senses the
+    /// places of things. The others stay. `None` if a cell is a wall, two things would share a cell, or an object is neither the agent nor
+    /// a block.
     pub fn placed(&self, state: &HomeState, things: &[(ObjectId, Cell)]) -> Option<HomeState> {
         let placed = things
             .iter()
@@ -282,7 +282,7 @@ impl<M: HomeMemory> Domain for Home<M> {
     // The agent's cell counts fastest: neighbouring states lie close together in the search's arrays.
     #[inline]
     fn number(&self, state: &HomeState) -> u64 {
-        // More states than numbers: they have none.
+        // There are more states than numbers, so this number identifies none.
         if !self.is_numbered() {
             return 0;
         }

@@ -1,6 +1,6 @@
-//! The training data: which English command goes with which machine command, and how much each pair counts.
+//! The training data: pairs of an English command and a machine command, each with a weight.
 //!
-//! Equal machine commands are kept once. A session's English command is kept once, however many machine commands it goes with.
+//! Equal machine commands are stored once. A session's English command is stored once, for all its machine commands.
 
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::memory::{BitextTables, BitextTablesRef};
@@ -8,7 +8,7 @@ use crate::probability::square_root;
 use crate::symbols::{Symbol, close_gap};
 use core::cell::Cell;
 
-/// Where a run of symbols lies in its pool: the start above a byte of the length and, for a session, a bit that says whether its command
+/// The place of a run of symbols in its pool: the start, above a byte with the length and, for a session, a bit that is set if its command
 /// was heard more than once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span(u32);
@@ -17,7 +17,7 @@ pub struct Span(u32);
 const MOST_POOL: usize = 1 << 24;
 
 impl Span {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self(0);
 
     const LENGTH: u32 = 0x7f;
@@ -27,7 +27,7 @@ impl Span {
         Self(((start as u32) << 8) | (len & Self::LENGTH as usize) as u32)
     }
 
-    /// The same, with its symbols at another place.
+    /// The same span, with its symbols at another place.
     const fn moved(self, start: usize) -> Self {
         Self(((start as u32) << 8) | (self.0 & 0xff))
     }
@@ -45,23 +45,23 @@ impl Span {
     }
 }
 
-/// An English command and a machine command that was meant by it, with the probability of that.
+/// An English command and a machine command that it may mean, with the weight of this meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pair {
     /// The session, by position.
     pub session: u16,
     /// The machine command, by position.
     pub command: u16,
-    /// How much it counts.
+    /// The weight in training.
     pub weight: f32,
 }
 
 impl Pair {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { session: 0, command: 0, weight: 0.0 };
 }
 
-/// How much of the memory is used.
+/// The used part of the memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Extent {
     commands: usize,
@@ -85,7 +85,7 @@ pub struct Bitext<'t> {
     used: &'t mut Extent,
 }
 
-/// A training can leave out every second session.
+/// Half of the sessions can be left out of a training: every second one.
 #[cfg(feature = "layer")]
 pub(super) const FOLDS: usize = 2;
 
@@ -101,7 +101,7 @@ impl LeftOut {
     /// The first part.
     pub const FIRST: Self = Self { part: Some(0) };
 
-    /// The part after this one; none after the last.
+    /// The next part; no session after the last part.
     pub fn next(self) -> Self {
         Self { part: self.part.map(|part| part.saturating_add(1)).filter(|&part| usize::from(part) < FOLDS) }
     }
@@ -131,7 +131,7 @@ impl LeftOut {
     }
 }
 
-/// The training data, to be read.
+/// The training data, read-only.
 #[derive(Clone, Copy, Debug)]
 pub struct BitextRef<'t> {
     memory: BitextTablesRef<'t>,
@@ -140,63 +140,63 @@ pub struct BitextRef<'t> {
 }
 
 impl<'t> BitextRef<'t> {
-    /// The data that `used` says are there.
+    /// The data in the extent `used`.
     pub(crate) const fn new(memory: BitextTablesRef<'t>, used: Extent) -> Self {
         Self { memory, used, left_out: LeftOut::NONE }
     }
 
-    /// The same data, without some sessions where training asks for them.
+    /// The same data, with some sessions left out of training.
     pub(super) const fn without(self, left_out: LeftOut) -> Self {
         Self { left_out, ..self }
     }
 
-    /// Whether training passes over a session.
+    /// Whether a session is left out of training.
     pub(super) fn leaves_out(self, session: u16) -> bool {
         self.left_out.has(session)
     }
 
-    /// How much a pair counts where each meaning counts as much as the root of how often it was told.
+    /// The weight of a pair, if each meaning counts as the square root of its number of occurrences.
     pub(super) fn weight_of_meaning(self, pair: &Pair) -> f32 {
         let same = |other: &&Pair| other.command == pair.command && !self.leaves_out(other.session);
         let times: f32 = self.pairs().iter().filter(same).map(|other| other.weight).sum();
         pair.weight / square_root(times.max(1.0))
     }
 
-    /// Whether training passes over some sessions.
+    /// Whether some sessions are left out of training.
     pub(super) fn leaves_out_any(self) -> bool {
         self.left_out != LeftOut::NONE
     }
 
-    /// How many sessions training does not pass over.
+    /// The number of sessions kept in training.
     #[cfg(feature = "layer")]
     pub(super) fn sessions_kept(self) -> usize {
         (0..self.used.sessions as u16).filter(|&session| !self.leaves_out(session)).count()
     }
 
-    /// How many sessions.
+    /// The number of sessions.
     #[cfg(not(feature = "layer"))]
     pub(super) const fn sessions_kept(self) -> usize {
         self.used.sessions
     }
 
-    /// How many words all sessions have together, each as often as it was said.
+    /// The number of words in all sessions, repetitions included.
     #[cfg(feature = "layer")]
     pub(super) const fn words_said(self) -> usize {
         self.used.sentence_words
     }
 
-    /// How many sessions.
+    /// The number of sessions.
     pub const fn sessions(self) -> usize {
         self.used.sessions
     }
 
-    /// Another number whenever sessions came or went.
+    /// A number that changes whenever sessions are added or removed.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn changes(self) -> u32 {
         self.used.changes
     }
 
-    /// How many distinct machine commands.
+    /// The number of distinct machine commands.
     pub const fn commands(self) -> usize {
         self.used.commands
     }
@@ -230,7 +230,7 @@ impl<'t> BitextRef<'t> {
         pairs.get(start..end).unwrap_or(&[])
     }
 
-    /// How much the memory holds.
+    /// The sizes of the tables.
     pub(crate) fn room(self, rooms: &mut Capacities) {
         rooms.commands = self.memory.commands.len().min(usize::from(u16::MAX));
         rooms.command_tokens = self.memory.command_tokens.len().min(MOST_POOL);
@@ -239,7 +239,7 @@ impl<'t> BitextRef<'t> {
         rooms.pairs = self.memory.pairs.len();
     }
 
-    /// How much of it is used.
+    /// The used parts of the tables.
     pub(crate) const fn usage(self, used: &mut Capacities) {
         let Extent { commands, command_tokens, sessions, sentence_words, pairs, .. } = self.used;
         (used.commands, used.command_tokens) = (commands, command_tokens);
@@ -248,17 +248,17 @@ impl<'t> BitextRef<'t> {
 }
 
 impl<'t> Bitext<'t> {
-    /// The data that `used` says are there.
+    /// The data in the extent `used`.
     pub(crate) const fn new(memory: BitextTables<'t>, used: &'t mut Extent) -> Self {
         Self { memory, used }
     }
 
-    /// The data, to be read.
+    /// The data, read-only.
     pub const fn read(&self) -> BitextRef<'_> {
         BitextRef::new(self.memory.read(), *self.used)
     }
 
-    /// How many sessions.
+    /// The number of sessions.
     pub const fn sessions(&self) -> usize {
         self.used.sessions
     }
@@ -280,17 +280,17 @@ impl<'t> Bitext<'t> {
         }
     }
 
-    /// How much is used now; [`rewind`](Self::rewind) takes it.
+    /// The used part, for [`rewind`](Self::rewind).
     pub const fn extent(&self) -> Extent {
         *self.used
     }
 
-    /// Forgets what came after `extent`.
+    /// Forgets all data after `extent`.
     pub fn rewind(&mut self, extent: Extent) {
         *self.used = extent;
     }
 
-    /// Adds a session with its English command. Pairs added after it belong to it.
+    /// Adds a session with its English command. Pairs added afterwards belong to it.
     ///
     /// # Errors
     /// A [`CapacityError`]; nothing is added then.
@@ -332,8 +332,8 @@ impl<'t> Bitext<'t> {
         Ok(())
     }
 
-    /// Forgets a session and its pairs. Those after it move up by one. Another session of the same English command remembers that it was
-    /// heard before.
+    /// Forgets a session and its pairs. Later ones move up by one. If another session has the same English command, it is marked as heard
+    /// before.
     pub(super) fn remove_session(&mut self, session: u16) {
         let position = usize::from(session);
         if position >= self.used.sessions {
@@ -358,7 +358,7 @@ impl<'t> Bitext<'t> {
         self.remove_unused_commands();
     }
 
-    /// Forgets the machine commands that no pair has.
+    /// Forgets the machine commands without a pair.
     fn remove_unused_commands(&mut self) {
         for command in (0..self.used.commands as u16).rev() {
             if self.read().pairs().iter().any(|pair| pair.command == command) {
@@ -393,7 +393,7 @@ impl<'t> Bitext<'t> {
         self.add_command(tokens)
     }
 
-    /// Adds a machine command. Gives its position.
+    /// Adds a machine command. Returns its position.
     pub(crate) fn add_command(&mut self, tokens: &[Symbol]) -> Result<u16, CapacityError> {
         let limit = self.memory.commands.len().min(usize::from(u16::MAX));
         let Some(entry) = self.memory.commands.get_mut(self.used.commands).filter(|_| self.used.commands < limit) else {
@@ -412,7 +412,7 @@ fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) ->
     pool.get(span.start()..span.end()).unwrap_or(&[])
 }
 
-/// Removes one span of a table and its symbols from their pool; what follows moves up.
+/// Removes one span of a table and its symbols from their pool; later ones move up.
 fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_used: &mut usize, position: usize) {
     let Some(spans) = spans.get_mut(position..*used) else { return };
     let Some(&mut removed) = spans.first_mut() else { return };

@@ -1,22 +1,22 @@
-//! What gives way when memory is full, so that learning goes on (feature `forgetting`; without it a session without room is refused). Of two
-//! sessions that are equal by a rule, the older one goes.
+//! Which sessions are forgotten when memory is full, so that learning continues (feature `forgetting`; without it a session without room is
+//! refused). If a rule finds two sessions equal, the older one goes.
 //!
-//! When a session gives way, another one of the same English command, if there is one, remembers that the command was heard before. A
-//! session is *strange* when its command was heard once in the robot's life, as far as is remembered, and has a word that no other session
-//! has: a slip of the tongue, or something new.
+//! When a session is forgotten, another session with the same English command, if there is one, remembers that the command was heard
+//! before. A session is *strange* if its command was heard once in the robot's life, as far as is remembered, and has a word that no other
+//! session has: a slip of the tongue, or something new.
 //!
-//! - Where a new session finds no room among the others, the oldest strange one goes, if more than two and more than an eighth of the
-//!   sessions are strange. Otherwise one goes whose command others have too, if there is one: the one that is repeated most, by how often
-//!   its command is kept and how many sessions have its rarest word (three count as many); of these the one that taught least, for it
-//!   goes with the most machine commands.
-//! - Where the alignment tables are full, the new session's machine commands of less than a tenth that need a table of their own are left
-//!   out. Where those of more find no room, the oldest strange session of another length goes, then one whose command has the rarest
-//!   length.
-//! - Where the vocabulary is full, rare words go first: the oldest strange session goes, then the one that has the most words that no
-//!   other has. Words and machine tokens that nothing has any more go with it. An eighth of the vocabulary is kept free, so that the next
-//!   command is heard whole; words, and what is known of objects, are left out where there are more at once.
+//! - If there is no room for one more session, the oldest strange session goes, if more than two and more than an eighth of the sessions
+//!   are strange. Otherwise one goes whose command other sessions repeat, if there is one: the one that is repeated most, measured by how
+//!   often its command is kept plus how many sessions have its rarest word (counted up to three); among equals, the one that taught least,
+//!   because it has the most machine commands.
+//! - If the alignment tables are full, those of the new session's machine commands that need a table of their own and weigh less than a
+//!   tenth are left out. If heavier ones find no room, the oldest strange session of another length goes, then one whose command has the
+//!   rarest length.
+//! - If the vocabulary is full, rare words go first: the oldest strange session goes, then the session with the most words that no other
+//!   has. Words and machine tokens that no session uses any more go with it. An eighth of the vocabulary is kept free, so that the next
+//!   command is heard whole; if more words, or more facts about objects, come at once, the rest are left out.
 //!
-//! The newest session never goes. One that could not be kept even alone is refused, and nothing is forgotten for it.
+//! The newest session is never forgotten. A session that would not fit even alone is refused, and nothing is forgotten for it.
 
 use super::model::LanguageMut;
 use super::settings::Model;
@@ -26,85 +26,85 @@ use crate::symbols::{Symbol, SymbolsRef};
 use crate::task::role::is_marker;
 use heapless::Vec;
 
-/// Whether a session may give way. If none may, no code that chooses one is linked.
+/// Whether sessions may be forgotten. If not, the code that chooses one is not linked.
 const FORGETS: bool = cfg!(feature = "forgetting");
 
 /// The inverse of the share of the vocabulary that is kept free.
 const FREE_PART: usize = 8;
 
-/// The least room for `entries` if an eighth of it is kept free.
+/// The smallest capacity for `entries` of which an eighth is kept free.
 pub(crate) const fn with_free_part(entries: usize) -> usize {
     entries.saturating_add(entries.saturating_sub(1) / (FREE_PART - 1))
 }
 
-/// The inverse of the share of sessions that may be strange; two always may.
+/// The inverse of the share of sessions that may be strange; [`STRANGE`] always may.
 const STRANGE_PART: usize = 8;
 const STRANGE: usize = 2;
 
-/// A word in this many sessions is well known.
+/// A word that this many sessions have is well known.
 const WELL_KNOWN: usize = 3;
 
-/// Machine commands of a smaller weight are left out where the alignment tables have no room for their lengths.
+/// If the alignment tables have no room for their lengths, machine commands of a smaller weight are left out.
 pub(super) const LIGHT: f32 = 0.1;
 
-/// The least of a session's weight that must be kept.
+/// The smallest share of a session's weight that must be kept.
 pub(super) const LEAST_KEPT: f32 = 0.5;
 
-/// The result of one try to keep a session.
+/// The result of one attempt to keep a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use]
 pub(crate) enum Room {
-    /// It has room.
+    /// There is room.
     Found,
-    /// That is not known yet.
+    /// Not known yet: call again.
     Sought,
-    /// This session gave way, because this table was full; whether that is enough is not known yet.
+    /// This session was forgotten because this table was full; whether that is enough is not known yet.
     Made(u16, Capacity),
 }
 
-/// What comes next where a session is kept, or the vocabulary gets room. Each takes a call.
+/// The next step in keeping a session, or in making room in the vocabulary. Each takes one call.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Step {
-    /// A look at whether there is room.
+    /// Check whether there is room.
     Look,
-    /// The session is added, or the vocabulary is taken as it is.
+    /// Add the session, or accept the vocabulary as it is.
     Take,
-    /// The session that gives way is chosen.
+    /// Choose the session to forget.
     Choose(Choice),
-    /// One gave way, and the parameters that the data want are found anew.
+    /// A session was forgotten: collect the parameters of the remaining training data again.
     Renew,
 }
 
-/// The choice of the session that gives way. One session after another is looked at.
+/// The choice of the session to forget. One call looks at one session.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Choice {
     want: Want,
     /// The table that is full.
     full: Capacity,
-    /// Sessions that may give way, and those of them that were looked at.
+    /// The number of sessions to choose from, and of those looked at so far.
     among: u16,
     looked: u16,
-    /// The strange ones of them, and the oldest of those.
+    /// The number of strange sessions among those, and the oldest of them.
     strange: u16,
     oldest_strange: Option<u16>,
-    /// The oldest of the highest rank.
+    /// The oldest session of the highest rank, so far.
     best: Option<(u16, Rank)>,
 }
 
-/// How little is lost with a session: of two ranks, the first number that differs tells.
+/// How little is lost with a session, the higher the less; compared number by number.
 type Rank = [u16; 3];
 
-/// A session by itself.
+/// The size of a session by itself.
 pub(crate) struct Alone {
-    /// Its different words.
+    /// Its number of different words.
     pub words: usize,
-    /// Its different machine tokens.
+    /// Its number of different machine tokens.
     pub tokens: usize,
-    /// The words of its command, each as often as it is said.
+    /// The number of words in its command, repetitions included.
     pub sentence: usize,
 }
 
-/// Why a session has to give way.
+/// Why a session has to be forgotten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Want {
     /// Room for one more session.
@@ -116,7 +116,7 @@ enum Want {
 }
 
 impl Choice {
-    /// Begins among the first `sessions`; `None` where there is none, or none may give way.
+    /// Begins with the first `sessions` sessions; `None` if there are none, or if none may be forgotten.
     fn among(sessions: usize, want: Want, full: Capacity) -> Option<Self> {
         let begun = Self { want, full, among: sessions as u16, looked: 0, strange: 0, oldest_strange: None, best: None };
         (FORGETS && sessions > 0).then_some(begun)
@@ -124,14 +124,14 @@ impl Choice {
 }
 
 impl LanguageMut<'_> {
-    /// Adds one session to the training data, as [`add_session`](Self::add_session) does, or where memory is full lets one other session
-    /// give way: call again, with the same `step`, until room is found. Words that found no room when they were heard are left out.
+    /// Adds one session to the training data, as [`add_session`](Self::add_session) does. If memory is full, other sessions are forgotten:
+    /// call again, with the same `step`, until room is found. Words that found no room when they were heard are left out.
     /// [`tidy_vocabulary`](Self::tidy_vocabulary) and a training must follow.
     ///
     /// `session_tokens` are the machine tokens that must stay.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the session could not be kept even alone; nothing is forgotten then.
+    /// A [`CapacityError`] if the session would not fit even alone; nothing is forgotten then.
     pub(crate) fn add_session_or_make_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -187,7 +187,7 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Whether a session could be kept if there were no other.
+    /// Checks that the session would fit if there were no other.
     fn check_alone<'a>(
         &self,
         words: &[Symbol],
@@ -208,12 +208,12 @@ impl LanguageMut<'_> {
         Capacities { sessions: 1, sentence_words: sentence, translations, ..needs }.fits_in(&self.read().rooms())
     }
 
-    /// Makes sure that the vocabulary fits the tables and has an eighth free, now that a session was added, or lets one other session give
-    /// way for that: call again, with the same `step`, until room is found. Symbols may change: those of the session, in `sentence` and
-    /// `session_tokens`, are renamed with the rest. A training must follow.
+    /// After a session was added, checks that the vocabulary fits the tables with an eighth free, and otherwise forgets other sessions:
+    /// call again, with the same `step`, until room is found. Symbols may change; those in `sentence` and `session_tokens` change too. A
+    /// training must follow.
     ///
     /// # Errors
-    /// A [`CapacityError`] that [`add_session_or_make_room`](Self::add_session_or_make_room) would have given.
+    /// A [`CapacityError`] as of [`add_session_or_make_room`](Self::add_session_or_make_room).
     pub(crate) fn tidy_vocabulary(
         &mut self,
         sentence: &mut [Option<Symbol>],
@@ -245,17 +245,17 @@ impl LanguageMut<'_> {
         Ok(Room::Sought)
     }
 
-    /// Forgets the words and machine tokens that no session has any more. Training begins.
+    /// Forgets the words and machine tokens that no session uses any more. Training begins.
     pub(crate) fn forget_unused(&mut self) {
         self.forget_unlearned();
         self.remove_unused_words(&mut []);
         self.remove_unused_tokens(&mut []);
-        // It is less than before, so it fits.
+        // The vocabulary only shrank, so it fits.
         let _ = self.data_replaced();
         self.begin_training();
     }
 
-    /// The table of words, machine tokens or their parameters that has too little room, if there is one.
+    /// The table of words, machine tokens or their parameters that has too little free space, if there is one.
     fn full_of_vocabulary(&self) -> Option<Capacity> {
         let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();
         let is_full = |used: usize, room: usize| room.saturating_sub(used) < room / FREE_PART;
@@ -272,7 +272,7 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Looks at one more session, or lets the chosen one give way.
+    /// Looks at one more session, or forgets the chosen one.
     fn choose_on(&mut self, choice: &mut Choice) -> Room {
         if choice.looked < choice.among {
             let (session, is_strange) = (choice.looked, self.is_strange(choice.looked));
@@ -294,7 +294,7 @@ impl LanguageMut<'_> {
         Room::Made(chosen, choice.full)
     }
 
-    /// How little is lost with a session.
+    /// The rank of a session: how little is lost with it.
     fn rank(&self, session: u16, want: Want, is_strange: bool) -> Rank {
         let data = self.bitext.read();
         let length = |session| data.sentence(session).len();
@@ -314,31 +314,31 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Whether the command was heard once, and has a word that no other session has.
+    /// Whether the command was heard once and has a word that no other session has.
     fn is_strange(&self, session: u16) -> bool {
         let data = self.bitext.read();
         !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
     }
 
-    /// How many sessions have the same command, itself included.
+    /// The number of sessions with the same command, itself included.
     fn times_kept(&self, session: u16) -> usize {
         let data = self.bitext.read();
         let sentence = data.sentence(session);
         (0..data.sessions() as u16).filter(|&other| data.sentence(other) == sentence).count()
     }
 
-    /// How many sessions have a word, counted up to `most`: few are visited for a word that is well known.
+    /// The number of sessions that have a word, counted up to `most`: for a well-known word few sessions are visited.
     fn sessions_with(&self, word: Symbol, most: usize) -> usize {
         let data = self.bitext.read();
         (0..data.sessions() as u16).filter(|&session| data.sentence(session).contains(&word)).take(most).count()
     }
 
-    /// How many words of a session no other session has.
+    /// The number of words of a session that no other session has.
     fn own_words(&self, session: u16) -> usize {
         self.bitext.read().sentence(session).iter().filter(|&&word| self.sessions_with(word, 2) <= 1).count()
     }
 
-    /// How many sessions have the rarest word of a session, itself included; [`WELL_KNOWN`] for a well-known word.
+    /// The number of sessions that have the session's rarest word, itself included; [`WELL_KNOWN`] for a well-known word.
     fn rarest(&self, session: u16) -> usize {
         self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
@@ -359,7 +359,7 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets the machine tokens that neither a machine command nor the session has.
+    /// Forgets the machine tokens that neither a machine command nor the new session uses.
     fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) {
         for position in (0..self.tokens.len() as u16).rev() {
             let token = Symbol(position);
@@ -376,7 +376,7 @@ impl LanguageMut<'_> {
     }
 }
 
-/// Moves a symbol up where one before it was removed.
+/// Adjusts a symbol after `removed` was taken out of the table.
 pub(super) fn close_up(symbol: &mut Symbol, removed: Symbol) {
     if *symbol > removed && !is_marker(*symbol) {
         symbol.0 = symbol.0.saturating_sub(1);

@@ -1,12 +1,12 @@
-//! With the feature `marks`: one letter that is written in many ways: a mark by itself, full-width, half-width, with characters that nobody sees.
+//! With the feature `marks`: the many ways to write one letter: combining marks, full-width and half-width forms, invisible characters.
 //!
-//! A word is kept as it would be typed most shortly, in Unicode's composed form. Other spellings of one word, such as "gruen" and "grün", are
-//! kept as they were heard, and [compared](is_spelled_alike) as one.
+//! A word is kept in Unicode's composed form, the shortest. Other spellings of a word, such as "gruen" and "grün", are kept as they were
+//! heard, and [compared](is_spelled_alike) as one word.
 
-/// The ordinary form of a letter, often itself. `None` for characters that nobody sees.
+/// The ordinary form of a letter, often itself. `None` for invisible characters.
 pub(super) const fn ordinary(letter: char) -> Option<char> {
     match letter {
-        // What is plain stays.
+        // Plain characters stay.
         '\0'..='\u{ac}' => Some(letter),
         _ if is_unseen(letter) => None,
         '‘' | '’' | '\u{2bc}' => Some('\''),
@@ -15,18 +15,19 @@ pub(super) const fn ordinary(letter: char) -> Option<char> {
     }
 }
 
-/// The soft hyphen, joiners and non-joiners, and the mark of the byte order.
+/// The soft hyphen, joiners and non-joiners, and the byte order mark.
 const fn is_unseen(letter: char) -> bool {
     matches!(letter, '\u{ad}' | '\u{200c}' | '\u{200d}' | '\u{2060}' | '\u{feff}')
 }
 
-/// Whether a character is part of a word without being a letter: invisible ones, and the marks that make が of か and ぱ of は.
+/// Whether a character is part of a word without being a letter: invisible ones, and the combining voice marks that turn か into が and は
+/// into ぱ.
 pub(super) const fn is_within_words(letter: char) -> bool {
     is_unseen(letter) || matches!(letter, '\u{3099}' | '\u{309a}')
 }
 
-/// Whether two words are one but for ä and ae, ö and oe, ü and ue, å and aa, ß and ss, ı and i, or begin so with the same `letters` letters;
-/// 0 for none such.
+/// Whether two words are equal if ä counts as ae, ö as oe, ü as ue, å as aa, ß as ss and ı as i, or begin with the same `letters` letters
+/// in this sense (0 compares whole words).
 ///
 /// ```
 /// use goodbot::language::is_spelled_alike;
@@ -48,7 +49,7 @@ pub fn is_spelled_alike(one: &str, other: &str, letters: usize) -> bool {
     }
 }
 
-/// A word without letters that other people write as two.
+/// A word in which letters that may be written as two are written so.
 fn spelled_out(word: &str) -> impl Iterator<Item = char> {
     word.chars().flat_map(|letter| {
         let (first, second) = match letter {
@@ -64,11 +65,11 @@ fn spelled_out(word: &str) -> impl Iterator<Item = char> {
     })
 }
 
-/// The one letter that two are: a letter with a mark, or parts of a Korean syllable.
+/// The letter that two characters compose: a letter with a mark, or parts of a Korean syllable.
 pub(super) fn composed(before: char, letter: char) -> Option<char> {
     let (first, second) = (u32::from(before), u32::from(letter));
     match letter {
-        // The dot that İ has in lower case.
+        // The dot of İ in lower case.
         '\u{307}' if before == 'i' => Some('i'),
         '\u{300}'..='\u{36f}' => {
             let (_, letters) = MARKED.iter().find(|&&(mark, _)| mark == letter)?;
@@ -88,7 +89,7 @@ pub(super) fn composed(before: char, letter: char) -> Option<char> {
     }
 }
 
-/// The full-width letter that a half-width one of Japanese is, with its marks apart.
+/// The full-width letter of a half-width Japanese one, with its marks apart.
 pub(super) fn full_width(letter: char) -> char {
     const KATAKANA: &str =
         "ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリルレロワン\u{3099}\u{309a}";
@@ -98,7 +99,8 @@ pub(super) fn full_width(letter: char) -> char {
     }
 }
 
-/// For each mark, letters and the same ones with it, by turns: lower case of Latin, Greek and Cyrillic. From Unicode's canonical compositions.
+/// For each mark, pairs of a letter and the same letter with the mark: lower case of Latin, Greek and Cyrillic. From Unicode's canonical
+/// compositions.
 #[rustfmt::skip]
 const MARKED: [(char, &str); 25] = [
     ('\u{300}', "aàeèiìnǹoòuùwẁyỳâầêềôồüǜăằēḕōṑơờưừеѐиѝ"),
@@ -146,7 +148,7 @@ mod tests {
     #[test]
     fn one_command_written_in_many_ways_has_the_same_words() {
         for (written, plain) in [
-            // Marks by themselves, as some systems write file names and speech.
+            // Combining marks, as some systems write them in file names and speech.
             ("gru\u{308}n habitacio\u{301}n e\u{323}\u{302}", "grün habitación ệ"),
             ("GRU\u{308}N", "grün"),
             ("\u{438}\u{306}од", "йод"),
@@ -156,7 +158,7 @@ mod tests {
             // Full width, and half width.
             ("ｇｏ　Ｒｏｏｍ５", "go room5"),
             ("ｸﾞﾘｰﾝ", "グリーン"),
-            // Apostrophes, and what nobody sees.
+            // Apostrophes and invisible characters.
             ("don’t don‘t don't l’eau", "don't don't don't l'eau"),
             ("\u{feff}ro\u{ad}om ro\u{200d}o\u{2060}m", "room room"),
             // Turkish.

@@ -1,18 +1,18 @@
-//! The language model (paper, section 3): how words are explained by machine tokens.
+//! The language model (paper, section 3): how machine tokens explain words.
 //!
-//! - `tokenizer`: a command as words;
-//! - `letters`: one letter that is written in many ways;
+//! - `tokenizer`: splits a command into words;
+//! - `letters`: one form for letters that can be written in several ways;
 //! - [`unspaced`]: words of scripts without spaces;
 //! - `bitext`: the training data, pairs of an English command and a machine command, each with a weight;
-//! - `spelling`: which words are variants of one;
-//! - `synonyms`: which words a table says mean the same;
+//! - `spelling`: words that count as variants of another;
+//! - `synonyms`: words that a table declares to mean the same;
 //! - `tables`: the parameters;
-//! - `settings`: which model it is, and how it is trained;
+//! - `settings`: the choice of the model, and its training;
 //! - [`ibm2`]: IBM Model 2, the paper's;
 //! - [`roles`]: the role model, which is the default;
 //! - [`layer`]: a discriminative layer above the role model, for hosts;
 //! - `training`: training, in steps as large as the caller allows;
-//! - [`forgetting`]: what gives way when memory is full;
+//! - [`forgetting`]: the sessions that give way when memory is full;
 //! - `model`: all of it together.
 
 pub(crate) mod bitext;

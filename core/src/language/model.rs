@@ -35,7 +35,7 @@ pub(crate) struct LanguageState {
     learned_tokens: usize,
 }
 
-/// How much of the tables is used by what is not learned yet.
+/// The extent of data in the tables that are not learned yet.
 #[cfg(feature = "snapshot")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unlearned {
@@ -46,10 +46,10 @@ pub(crate) struct Unlearned {
 
 #[cfg(feature = "snapshot")]
 impl Unlearned {
-    /// Nothing.
+    /// No data.
     pub(crate) const NONE: Self = Self { words: 0, tokens: 0, data: Extent::NONE };
 
-    /// Nothing, in the tables of a model that has nothing.
+    /// No data, in the tables of an empty model.
     pub(crate) const fn after(language: &LanguageState) -> Self {
         Self { words: 0, tokens: 0, data: language.data }
     }
@@ -75,7 +75,7 @@ impl LanguageState {
         !self.training.is_done()
     }
 
-    /// Exchanges what says how much of the tables is used. What is written into the tables meanwhile is not learned.
+    /// Exchanges the extents of used data. Data written into the tables meanwhile do not count as learned.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn exchange(&mut self, used: &mut Unlearned) {
         core::mem::swap(&mut self.words, &mut used.words);
@@ -83,7 +83,7 @@ impl LanguageState {
         core::mem::swap(&mut self.data, &mut used.data);
     }
 
-    /// The model in its tables; `counts` are for the expected counts.
+    /// The model in its tables; `counts` is memory for the expected counts.
     pub(crate) fn with<'t>(&'t mut self, tables: LanguageTables<'t>, counts: &'t mut [u64]) -> LanguageMut<'t> {
         LanguageMut {
             settings: &mut self.settings,
@@ -98,7 +98,7 @@ impl LanguageState {
         }
     }
 
-    /// The model in its tables, to be read; `counts` is how many words there are for the expected counts.
+    /// The model in its tables, read-only; `counts` is the number of words for the expected counts.
     pub(crate) fn read<'t>(&'t self, tables: LanguageTablesRef<'t>, counts: usize) -> LanguageRef<'t> {
         LanguageRef {
             settings: &self.settings,
@@ -115,7 +115,7 @@ impl LanguageState {
     }
 }
 
-/// The language model: what was said and what it meant, and IBM Model 2 trained on that. To be read.
+/// The language model, read-only: vocabularies, training data, and the model trained on them.
 #[derive(Clone, Copy, Debug)]
 pub struct LanguageRef<'t> {
     settings: &'t Settings,
@@ -131,12 +131,12 @@ pub struct LanguageRef<'t> {
 }
 
 impl<'t> LanguageRef<'t> {
-    /// How it is trained.
+    /// The settings.
     pub const fn settings(self) -> &'t Settings {
         self.settings
     }
 
-    /// Which model it is.
+    /// The model.
     #[inline]
     pub(crate) const fn model(self) -> Model {
         self.settings.model.in_use()
@@ -162,7 +162,7 @@ impl<'t> LanguageRef<'t> {
         self.tables
     }
 
-    /// Whether a training is under way. Until it is done, the parameters say nothing.
+    /// Whether a training is under way. Until it is complete, the parameters are meaningless.
     pub fn is_training(self) -> bool {
         !self.training.is_done()
     }
@@ -172,8 +172,7 @@ impl<'t> LanguageRef<'t> {
         self.training
     }
 
-    /// Pr(e|m), times Pr(n|l) where [`Settings::length`] says so. For the role model, `command` is a
-    /// [description](crate::task::description).
+    /// Pr(e|m), times Pr(n|l) if [`Settings::length`] is set. For the role model, `command` is a [description](crate::task::description).
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
         match self.model() {
             Model::Model2 => ibm2::likelihood::likelihood(self.tables, sentence, command, self.settings.length),
@@ -181,8 +180,8 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// Tells how probable each word of a command is after those before it, by its position, where `description` was meant. Nothing for
-    /// Model 2 and before anything is learned.
+    /// Calls `tell` for each word of a command with its position and its probability after the previous words, if `description` is meant.
+    /// It tells nothing for Model 2 and before anything is learned.
     pub fn word_by_word(self, sentence: &[Option<Symbol>], description: &[Symbol], tell: impl FnMut(usize, f32)) {
         match self.model() {
             Model::Model2 => {}
@@ -190,8 +189,8 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// Weighs the kinds of task, for the role model: see [`roles::kind`]. `weights` are pi_t Pr(e|t) of each task, `form` gives the token of
-    /// its lifted task and `prior` its pi_t. Model 2 leaves the weights as they are.
+    /// Weighs the kinds of task, for the role model: see [`roles::kind`]. `weights` are pi_t Pr(e|t) of each task, `form` returns the token
+    /// of its lifted task and `prior` its pi_t. For Model 2 the weights stay.
     pub fn weigh_kinds(
         self,
         sentence: &[Option<Symbol>],
@@ -208,8 +207,8 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// Replaces the role model's weights of tasks by those of the [layer](super::layer), after [`weigh_kinds`](Self::weigh_kinds).
-    /// `same` gives the first task of the same description, and `description` that one's.
+    /// Replaces the role model's weights of tasks by those of the [layer](super::layer), after [`weigh_kinds`](Self::weigh_kinds). `same`
+    /// returns the first task with the same description, and `description` the description of that task.
     #[cfg(feature = "layer")]
     pub fn weigh_parts<'d>(
         self,
@@ -223,7 +222,7 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// The tasks of each session, for the [layer](super::layer), where there is memory for them: each pair's weight is the prior of the task.
+    /// The tasks of each session, for the [layer](super::layer), if there is memory for it: each pair's weight is the prior of the task.
     #[cfg(feature = "layer")]
     pub fn possible(self) -> Option<BitextRef<'t>> {
         self.layer.map(|layer| layer.possible)
@@ -234,7 +233,7 @@ impl<'t> LanguageRef<'t> {
         self.tables.unknown_share(sentence)
     }
 
-    /// How much each table holds.
+    /// The size of each table.
     pub(crate) fn rooms(self) -> Capacities {
         let mut rooms = Capacities::NONE;
         (rooms.words, rooms.word_bytes) = self.words.room();
@@ -244,7 +243,7 @@ impl<'t> LanguageRef<'t> {
         rooms
     }
 
-    /// How much of each table is used.
+    /// The used part of each table.
     pub(crate) fn usage(self, used: &mut Capacities) {
         (used.words, used.word_bytes) = (self.words.len(), self.words.byte_len());
         (used.tokens, used.token_bytes) = (self.tokens.len(), self.tokens.byte_len());
@@ -252,17 +251,17 @@ impl<'t> LanguageRef<'t> {
         self.tables.usage(used);
     }
 
-    /// How many machine tokens there are, and their bytes.
+    /// The number of machine tokens, and their bytes.
     pub(crate) fn usage_of_tokens(self) -> (usize, usize) {
         (self.tokens.len(), self.tokens.byte_len())
     }
 
-    /// Whether a word, as [`for_each_piece`](super::for_each_piece) gives it, counts as one that was learned.
+    /// Whether a word, as [`for_each_piece`](super::for_each_piece) passes it, counts as a learned one.
     pub fn knows(self, word: &str) -> bool {
         self.word_like(word, self.learned_words).is_some_and(|known| known.index() < self.learned_words)
     }
 
-    /// The word here that `word` counts as. Slips are those of the first `learned` words.
+    /// The word here that `word` counts as. Only the first `learned` words can be meant by a slip.
     pub(crate) fn word_like(self, word: &str, learned: usize) -> Option<Symbol> {
         let letters = usize::from(self.settings.word_letters);
         match self.model() {
@@ -271,26 +270,26 @@ impl<'t> LanguageRef<'t> {
         }
     }
 
-    /// How many English words the sessions have that were learned from.
+    /// The number of English words in the learned sessions.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_words(self) -> usize {
         self.learned_words
     }
 
-    /// How many machine tokens those sessions have.
+    /// The number of machine tokens in the learned sessions.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_tokens(self) -> usize {
         self.learned_tokens
     }
 
-    /// Why a heard word is not in the vocabulary.
+    /// The reason why a heard word is not in the vocabulary.
     pub(super) fn no_room_for_a_word(self) -> CapacityError {
         let (words, bytes) = self.words.room();
         if self.words.len() < words { CapacityError::full(Capacity::WordBytes, bytes) } else { CapacityError::full(Capacity::Words, words) }
     }
 }
 
-/// The language model, to be taught: what one call works on.
+/// The language model, for one call that changes it.
 #[derive(Debug)]
 pub struct LanguageMut<'t> {
     settings: &'t mut Settings,
@@ -305,7 +304,7 @@ pub struct LanguageMut<'t> {
 }
 
 impl<'t> LanguageMut<'t> {
-    /// The model, to be read.
+    /// The model, read-only.
     pub const fn read(&self) -> LanguageRef<'_> {
         LanguageRef {
             settings: self.settings,
@@ -321,29 +320,29 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// The machine tokens, to intern those of a new session's tasks in. They stay when the session is learned from.
+    /// The machine tokens, to intern those of a new session's tasks. They stay if the session is learned from.
     pub fn tokens_mut(&mut self) -> &mut Symbols<'t> {
         &mut self.tokens
     }
 
-    /// Forgets the words and machine tokens that came since the last session that was learned from.
+    /// Forgets the words and machine tokens that came after the last learned session.
     pub fn forget_unlearned(&mut self) {
         self.words.truncate(*self.learned_words);
         self.tokens.truncate(*self.learned_tokens);
     }
 
-    /// The words of a command, new ones interned. Where the vocabulary is full, a new word is `None`: it says nothing, and is left out when
-    /// the command is learned from.
+    /// The words of a command; new ones are interned. If the vocabulary is full, a new word is `None`: it is no evidence, and is left out
+    /// when the command is learned from.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the command or one of its words is too long.
+    /// A [`CapacityError`] if the command or one of its words is too long.
     pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
         let mut sentence = Sentence::new();
         self.hear_into(command, &mut sentence)?;
         Ok(sentence)
     }
 
-    /// Like [`hear`](Self::hear), into a sentence that is there already: it is large for a controller's stack.
+    /// Like [`hear`](Self::hear), into an existing sentence: one is large for a controller's stack.
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -358,11 +357,10 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Adds one session to the training data: its English command with each of `pairs`, a machine command and its weight. A weight that is
-    /// not a number from 0 to 1,000,000 counts as 0. A training must follow:
-    /// [`begin_training`](Self::begin_training).
+    /// not a number from 0 to 1,000,000 counts as 0. A training must follow: [`begin_training`](Self::begin_training).
     ///
     /// # Errors
-    /// A [`CapacityError`]; the model is then as before.
+    /// A [`CapacityError`]; the model is then unchanged.
     pub fn add_session<'a>(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -383,11 +381,11 @@ impl<'t> LanguageMut<'t> {
         result
     }
 
-    /// Tells the [layer](super::layer) which tasks the last session could have meant, with the prior of each: all of them, each description
-    /// once. Without this the layer learns nothing from the session. Nothing where the layer is not wanted, or has no memory at all.
+    /// Gives the [layer](super::layer) all possible tasks of the last session, each description once, with the prior of each. Without this
+    /// the layer learns nothing from the session. It does nothing if the layer is off, or has no memory.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the layer's tables are full, or those of machine tokens; it then learns nothing from the session.
+    /// A [`CapacityError`] if the layer's tables are full, or those of machine tokens; it then learns nothing from the session.
     #[cfg(feature = "layer")]
     pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
         let is_on = self.settings.has_layer();
@@ -403,14 +401,14 @@ impl<'t> LanguageMut<'t> {
             added = added.and_then(|()| known.add_pair(&mut layer.possible, description, weight));
         }
         match added {
-            // A task that was not meant may have tokens that no pair has.
+            // A task that was not meant may have tokens that are in no pair.
             Ok(()) => *self.learned_tokens = self.tokens.len(),
             Err(_) => layer.possible.rewind(extent),
         }
         added
     }
 
-    /// Forgets the tasks of all sessions: the layer's state is in memory that another model may have had before.
+    /// Forgets the tasks of all sessions: another model may have used the layer's memory before.
     #[cfg(feature = "layer")]
     pub(crate) fn forget_tasks(&mut self) {
         if let Some(layer) = &mut self.layer.room {
@@ -418,7 +416,7 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Forgets a session and its pairs. Those after it move up by one.
+    /// Forgets a session and its pairs. Later ones move up by one.
     pub(crate) fn remove_session(&mut self, session: u16) {
         self.bitext.remove_session(session);
         #[cfg(feature = "layer")]
@@ -444,8 +442,8 @@ impl<'t> LanguageMut<'t> {
         self.tables.trained.wanted = Wanted::NONE;
     }
 
-    /// Takes over what the role model learned elsewhere, in place of everything: its words, its machine tokens and its parameters. There are no
-    /// training data with them.
+    /// Replaces everything by a role model from another robot: its words, its machine tokens and its parameters. There are no training data
+    /// with them.
     #[cfg(feature = "snapshot")]
     pub(crate) fn take_over<'a>(
         &mut self,
@@ -455,7 +453,7 @@ impl<'t> LanguageMut<'t> {
         cells: impl Iterator<Item = f32>,
     ) {
         self.clear(settings);
-        // The room for all was counted.
+        // The room for all was checked.
         for word in words {
             let _ = self.words.intern(word);
         }
@@ -467,7 +465,7 @@ impl<'t> LanguageMut<'t> {
         *self.training = Training::DONE;
     }
 
-    /// The symbol of a word: that of the word here that it counts as, or a new one. Slips are those of the first `learned` words.
+    /// The symbol of a word: that of the word here that it counts as, or a new one. Only the first `learned` words can be meant by a slip.
     pub(crate) fn take_word(&mut self, word: &str, learned: usize) -> Result<Symbol, CapacityError> {
         match self.read().word_like(word, learned) {
             Some(known) => Ok(known),
@@ -483,11 +481,11 @@ impl<'t> LanguageMut<'t> {
         &mut self.bitext
     }
 
-    /// Adapts to new training data: all their words and tokens are learned ones, and there is a table for each of
-    /// their pairs of lengths. A training must follow.
+    /// Adapts to new training data: all their words and tokens count as learned, and there is a table for each of their pairs of lengths. A
+    /// training must follow.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the tables have no room.
+    /// A [`CapacityError`] if the tables have no room.
     pub(crate) fn data_replaced(&mut self) -> Result<(), CapacityError> {
         (*self.learned_words, *self.learned_tokens) = (self.words.len(), self.tokens.len());
         self.tables.fits_rows(self.tokens.len(), self.words.len())?;
@@ -498,10 +496,10 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Finds anew which parameters the data want now. A training must follow.
+    /// Determines anew which parameters the data need. A training must follow.
     ///
     /// # Errors
-    /// A [`CapacityError`] where Model 2's tables have no room. The role model's are not asked: a session may still give way for them.
+    /// A [`CapacityError`] if Model 2's tables have no room. The role model's are not checked: a session may still give way for them.
     pub(super) fn rebuild_wanted(&mut self) -> Result<(), CapacityError> {
         self.tables.trained.wanted = Wanted::NONE;
         match self.model() {
@@ -513,7 +511,7 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Whether the tables have room for the parameters of all data.
+    /// Checks that the tables have room for the parameters of all data.
     pub(super) fn parameters_fit(&self) -> Result<(), CapacityError> {
         match self.model() {
             Model::Model2 => self.tables.fits_rows(self.tokens.len(), self.words.len()),
@@ -521,10 +519,10 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Counts the parameters for one more machine command of a command of this many words.
+    /// Reserves the parameters for one more machine command of a command of this many words.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the tables have no room.
+    /// A [`CapacityError`] if the tables have no room.
     fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
         match self.model() {
             Model::Model2 => self.tables.add_lengths(command.len(), words),
@@ -532,8 +530,8 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
-    /// Goes on with the role model's Pr(e|t), with at most about `left` table cells of work and at least one word. Returns whether all
-    /// words are read. Its state in between is kept after the parameters in the tables.
+    /// Continues the role model's Pr(e|t), with at most about `left` table cells of work and at least one word. Returns whether all words
+    /// are read. Between calls its state is stored after the parameters in the tables.
     pub(crate) fn likelihood_on(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -554,17 +552,17 @@ impl<'t> LanguageMut<'t> {
         done
     }
 
-    /// Which model it is.
+    /// The model.
     #[inline]
     pub(crate) const fn model(&self) -> Model {
         self.settings.model.in_use()
     }
 
-    /// Tells for each word of a command, the last first, what it was taken for where `description` was meant: its position, a meaning, and
-    /// the share of 1 that this meaning has. Nothing for Model 2, before anything is learned and while learning.
+    /// Calls `tell` for each word of a command, the last first, if `description` is meant: its position, a meaning, and the probability of
+    /// this meaning. It tells nothing for Model 2, before anything is learned, and during training.
     ///
     /// # Errors
-    /// A [`CapacityError`] where the command is too long for the room that the tables have after the parameters.
+    /// A [`CapacityError`] if the command is too long for the room after the parameters in the tables.
     pub fn explain(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -598,7 +596,7 @@ impl<'t> LanguageMut<'t> {
         }
         self.tables.fits_rows(self.tokens.len(), self.words.len())?;
         if self.model() == Model::Roles {
-            // Its words take room even where no machine command is left to go with them.
+            // Its words need room even if no machine command is left for them.
             self.want(&[], words.len())?;
         }
         self.bitext.add_session(&words)?;
@@ -609,13 +607,13 @@ impl<'t> LanguageMut<'t> {
         Ok(())
     }
 
-    /// Begins training on all the data, from uniform parameters.
+    /// Begins training on all the data, from scratch.
     pub fn begin_training(&mut self) {
         let (words, tokens) = (*self.learned_words, *self.learned_tokens);
         *self.training = Training::begin(&mut self.tables, self.bitext.read(), &mut self.layer, words, tokens, self.settings);
     }
 
-    /// Goes on with the training, with at most about `budget` table cells of work.
+    /// Continues the training, with at most about `budget` table cells of work.
     pub fn train(&mut self, budget: u32) -> Progress {
         self.training.advance(&mut self.tables, self.bitext.read(), &mut self.layer, self.settings, budget)
     }
@@ -632,7 +630,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// An untrained model.
     ///
     /// # Errors
-    /// A [`SettingError`] where a setting is out of range.
+    /// A [`SettingError`] if a setting is out of range.
     pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
         settings.check()?;
         let model = Self { memory, state: LanguageState::new(settings) };
@@ -657,13 +655,13 @@ impl<M: AgentMemory> LanguageModel<M> {
         (&mut self.state, self.memory.lend())
     }
 
-    /// The model, to be read.
+    /// The model, read-only.
     pub fn read(&self) -> LanguageRef<'_> {
         let tables = self.memory.read();
         self.state.read(tables.language, tables.workspace.len())
     }
 
-    /// How it is trained.
+    /// The settings.
     pub const fn settings(&self) -> &Settings {
         &self.state.settings
     }
@@ -678,7 +676,7 @@ impl<M: AgentMemory> LanguageModel<M> {
         self.read().tokens()
     }
 
-    /// The machine tokens, to intern new ones in.
+    /// The machine tokens, to intern new ones.
     pub fn tokens_mut(&mut self) -> Symbols<'_> {
         self.lend().tokens
     }
@@ -696,7 +694,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// As [`LanguageMut::hear`].
     ///
     /// # Errors
-    /// A [`CapacityError`] where the command or one of its words is too long.
+    /// A [`CapacityError`] if the command or one of its words is too long.
     pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
         self.lend().hear(command)
     }
@@ -718,7 +716,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// As [`LanguageMut::add_session`].
     ///
     /// # Errors
-    /// A [`CapacityError`]; the model is then as before.
+    /// A [`CapacityError`]; the model is then unchanged.
     pub fn add_session<'a>(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -727,22 +725,22 @@ impl<M: AgentMemory> LanguageModel<M> {
         self.lend().add_session(sentence, pairs)
     }
 
-    /// Forgets the words and machine tokens that came since the last session that was learned from.
+    /// Forgets the words and machine tokens that came after the last learned session.
     pub fn forget_unlearned(&mut self) {
         self.lend().forget_unlearned();
     }
 
-    /// Begins training on all the data, from uniform parameters.
+    /// Begins training on all the data, from scratch.
     pub fn begin_training(&mut self) {
         self.lend().begin_training();
     }
 
-    /// Goes on with the training, with at most about `budget` table cells of work.
+    /// Continues the training, with at most about `budget` table cells of work.
     pub fn train(&mut self, budget: u32) -> Progress {
         self.lend().train(budget)
     }
 
-    /// The memory, for something else.
+    /// Returns the memory, for other use.
     pub fn into_memory(self) -> M {
         self.memory
     }

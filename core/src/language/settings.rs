@@ -1,4 +1,4 @@
-//! How the language model is trained, and which settings are out of range.
+//! The settings of the language model, and their ranges.
 
 use crate::decimal::Decimal;
 use crate::task::TokenOrder;
@@ -9,7 +9,7 @@ pub const MOST_ROUNDS: u32 = 1_000;
 /// The largest weight and pseudo-count, so that no sum of them overflows.
 pub const MOST_WEIGHT: f32 = 1e6;
 
-/// Which model words are understood by.
+/// The model that explains words.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {
@@ -17,49 +17,51 @@ pub enum Model {
     /// by default.
     #[default]
     Model2,
-    /// [`roles`](super::roles): every word is background, speaks of the kind of task, or names a value of something in a role.
+    /// [`roles`](super::roles): every word is background, indicates the kind of task, or names a value of an object in a role.
     Roles,
 }
 
 impl Model {
-    /// The model that is built in. Without the feature `model2` it is always the role model, and the compiler leaves out the code of the other.
+    /// The model that is built in. Without the feature `model2` it is always the role model, and the compiler leaves out the code of Model
+    /// 2.
     #[inline]
     pub(crate) const fn in_use(self) -> Self {
         if cfg!(feature = "model2") { self } else { Self::Roles }
     }
 
-    /// Whether it is built in.
+    /// Whether the model is built in.
     #[inline]
     pub(crate) const fn is_there(self) -> bool {
         cfg!(feature = "model2") || matches!(self, Self::Roles)
     }
 }
 
-/// How the language model is trained.
+/// The settings of the language model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Which model. `smoothing`, `alignment_prior`, `length` and `order` are Model 2's alone.
+    /// The model. `smoothing`, `alignment_prior`, `length` and `order` are for Model 2 alone.
     pub model: Model,
     /// The pseudo-count of every word for every machine token.
     pub smoothing: f32,
-    /// The pseudo-count, for each word's position, of an alignment that knows nothing.
+    /// The pseudo-count, for each word's position, of a uniform alignment.
     pub alignment_prior: f32,
-    /// Rounds of EM. The role model takes up to half as many more, the more sessions there are.
+    /// Rounds of EM. The role model takes up to half as many more, the more sessions there are; with ways, always a quarter more.
     pub rounds: u32,
-    /// Whether the command's length counts too: a factor Pr(n|l).
+    /// Whether the command's length counts too, as a factor Pr(n|l).
     pub length: bool,
-    /// How many letters of a word count: words that begin with the same ones are one word. 0 for whole words. Model 2 cuts the rest off; the
-    /// role model keeps the word that it heard first.
+    /// The number of letters of a word that count: words that begin with the same letters are one word. 0 for whole words. Model 2 cuts off
+    /// the other letters; the role model keeps the word that it heard first.
     pub word_letters: u8,
     /// The position of a constraint's facts in a machine command.
     pub order: TokenOrder,
-    /// Whether the [`layer`](super::layer) is trained above the role model, in memory [that has room for it](crate::memory::AgentHeap::with_layer).
+    /// Whether to train the [`layer`](super::layer) above the role model, in memory [with room for
+    /// it](crate::memory::AgentHeap::with_layer).
     #[cfg(feature = "layer")]
     pub layer: bool,
 }
 
 impl Settings {
-    /// The paper's: smoothing 0.1, no alignment prior, 10 rounds, no length factor, whole words, facts by attribute.
+    /// The paper's settings: smoothing 0.1, no alignment prior, 10 rounds, no length factor, whole words, facts by attribute.
     pub const PAPER: Self = Self {
         model: Model::Model2,
         smoothing: 0.1,
@@ -72,8 +74,8 @@ impl Settings {
         layer: false,
     };
 
-    /// Model 2 for short commands in few words: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four letters
-    /// a word, and facts beside the proposition that they speak of.
+    /// Model 2 for short commands with few words: alignments drawn towards uniform by 4 pseudo-counts, 8 rounds, smoothing 0.01, four
+    /// letters per word, and facts beside their proposition.
     pub const SMOOTHED: Self = Self {
         model: Model::Model2,
         smoothing: 0.01,
@@ -86,10 +88,11 @@ impl Settings {
         layer: false,
     };
 
-    /// What understands people best without a heap: the role model, 8 to 12 rounds, words that begin with the same four letters are one.
+    /// The settings that understand people best without a heap: the role model, 8 to 12 rounds, words with the same first four letters are
+    /// one.
     pub const DEFAULT: Self = Self { model: Model::Roles, ..Self::SMOOTHED };
 
-    /// The default, with the [`layer`](super::layer) above it: what hosts learn with.
+    /// The default, with the [`layer`](super::layer) above it: the settings of hosts.
     #[cfg(feature = "layer")]
     pub const LAYERED: Self = Self { layer: true, ..Self::DEFAULT };
 }
@@ -107,8 +110,8 @@ impl Settings {
         self.layer && self.model.in_use() == Model::Roles
     }
 
-    /// How many letters of a word a model keeps; 0 for all of them. The role model keeps a word as it heard it first, however many letters
-    /// count.
+    /// The number of letters of a word that a model keeps; 0 for all. The role model keeps a word as it heard it first, however many
+    /// letters count.
     ///
     /// ```
     /// use goodbot::language::Settings;
@@ -121,10 +124,10 @@ impl Settings {
         }
     }
 
-    /// Whether a model can be trained with them.
+    /// Checks that every setting is in its range.
     ///
     /// # Errors
-    /// A [`SettingError`] that names the first that is out of range.
+    /// A [`SettingError`] that names the first setting out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound(self.model.is_there(), SettingError::Model(self.model))?;
@@ -134,7 +137,7 @@ impl Settings {
     }
 }
 
-/// Whether a weight or pseudo-count is one to train with: no infinite or negative number.
+/// Whether a weight or pseudo-count can be used for training: neither infinite nor negative.
 pub(crate) fn is_weight(value: f32) -> bool {
     (0.0..=MOST_WEIGHT).contains(&value)
 }
@@ -144,7 +147,7 @@ pub(crate) fn is_weight(value: f32) -> bool {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SettingError {
-    /// [`Settings::model`]: it was not built in.
+    /// [`Settings::model`]: the model is not built in.
     Model(Model),
     /// [`Settings::smoothing`].
     Smoothing(f32),
@@ -158,13 +161,13 @@ pub enum SettingError {
     Drift(f32),
     /// [`Options::ending`](crate::Options::ending).
     Ending,
-    /// What a question costs: `Asking::kappa`.
+    /// The cost of a question: `Asking::kappa`.
     Kappa(f32),
-    /// How often an answer is wrong: `Asking::eta`.
+    /// The probability of a wrong answer: `Asking::eta`.
     Eta(f32),
-    /// The probability from which on the robot is sure: `Asking::sure`.
+    /// The probability from which the robot is sure: `Asking::sure`.
     Sure(f32),
-    /// For how many steps the trainer has patience: `Asking::patience`.
+    /// The trainer's patience in steps: `Asking::patience`.
     Patience(f32),
 }
 

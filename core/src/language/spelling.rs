@@ -1,22 +1,22 @@
-//! Which words are variants of one: what begins alike, and slips of the pen.
+//! Which words count as variants of one: words that begin alike, and slips of the pen.
 
 use super::tokenizer::word_form;
 use crate::symbols::{Symbol, SymbolsRef};
 
-/// Shorter words have no slips: too many words differ by one letter.
+/// For shorter words no slip is assumed: too many words differ by one letter.
 const LEAST_LETTERS: usize = 5;
 
-/// The known word that `word` counts as: itself, one that begins with the same `letters` letters (0 for none such), also where "ä" is written
-/// "ae", or, for a word of five letters or more, the first of the `learned` words that differs by one letter left out, put in, exchanged with
-/// its neighbour or taken for another.
+/// The known word that `word` counts as: itself; one that begins with the same `letters` letters (0 turns this off), also if "ä" is written
+/// "ae"; or, for a word of five letters or more, the first of the `learned` words that differs by one letter left out, added or replaced,
+/// or by two neighbours exchanged.
 pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters: usize) -> Option<Symbol> {
     if let Some(known) = words.find(word) {
         return Some(known);
     }
-    // A Korean sign is a syllable, so two of them count as four letters: the rest is a particle or an ending.
+    // A Korean character is a syllable, so two of them count as four letters; the rest is a particle or an ending.
     let letters = if word.starts_with(|first| matches!(first, '\u{ac00}'..='\u{d7a3}')) { letters.div_ceil(2) } else { letters };
     let form = word_form(word, letters);
-    // A word of fewer letters is alike to itself alone.
+    // A shorter word is alike to itself alone.
     let has_form = letters > 0 && (form.len() < word.len() || self::letters(form) == letters);
     let begins_alike = |known: &str| has_form && known.starts_with(form);
     let find =
@@ -27,7 +27,7 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     alike.or_else(|| find(&|known| is_slip(known, word), learned))
 }
 
-/// Whether two words, one of them of five letters or more, differ by one slip.
+/// Whether two words of five letters or more differ by one slip.
 ///
 /// ```
 /// use goodbot::language::is_slip;
@@ -38,12 +38,12 @@ pub fn is_slip(one: &str, other: &str) -> bool {
     letters(one).min(letters(other)) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
 }
 
-/// How many bytes two words have in common, from one end.
+/// The number of bytes that two words share, from one end.
 fn alike(one: impl Iterator<Item = u8>, other: impl Iterator<Item = u8>) -> usize {
     one.zip(other).take_while(|(one, other)| one == other).count()
 }
 
-/// How many letters a word has. The core's own count is for long texts, and takes flash.
+/// The number of letters of a word. `chars().count()` is made for long texts and takes flash.
 #[inline(never)]
 fn letters(word: &str) -> usize {
     word.bytes().filter(|byte| byte & 0xc0 != 0x80).count()
@@ -51,7 +51,7 @@ fn letters(word: &str) -> usize {
 
 /// Whether two words differ by one slip.
 pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
-    // What is left where they begin and end alike. In both the same bytes begin a letter.
+    // Cut off the bytes that both share at the beginning and the end, but only whole letters.
     let begin = (0..=alike(one.bytes(), other.bytes())).rev().find(|&at| one.is_char_boundary(at)).unwrap_or(0);
     let (one, other) = (one.get(begin..).unwrap_or(""), other.get(begin..).unwrap_or(""));
     let end = one.len().wrapping_sub(alike(one.bytes().rev(), other.bytes().rev()));
@@ -60,7 +60,7 @@ pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
     let (one, other) = (one.get(..end).unwrap_or(""), other.get(..other_end).unwrap_or(""));
     match (letters(one), letters(other)) {
         (0 | 1, 1) | (1, 0) => true,
-        // Neighbours in the other order.
+        // Two neighbours exchanged.
         (2, 2) => one.chars().eq(other.chars().rev()),
         _ => false,
     }
@@ -72,7 +72,7 @@ mod tests {
     use std::string::String;
     use std::vec::Vec;
 
-    /// The words that come from one by one slip, letter by letter.
+    /// The words that differ from one by a single slip, letter by letter.
     fn slips(word: &[char]) -> Vec<Vec<char>> {
         let (mut all, letters) = (Vec::new(), ['a', 'é', '子']);
         for at in 0..=word.len() {

@@ -1,15 +1,15 @@
-//! Words that a table says mean the same: colour names above all.
+//! Words that mean the same according to a table: colour names above all.
 //!
-//! The table is a shell's, and never learned: a robot links it, a program loads it. What was learned comes first. A word that the model
-//! knows, also by its beginning or with a slip of the pen, stays as it is. Any other is replaced by the first word of its line that
-//! the model has learned; where there is none, the word stays, and is learned as a new one.
+//! The table belongs to a shell and is never learned: a robot links it, a program loads it. Learned words come first: a word that the model
+//! knows, also by its beginning or with a slip of the pen, stays as it is. Any other word is replaced by the first word of its line that
+//! the model has learned; if there is none, the word stays and is learned as a new one.
 
 use super::model::LanguageRef;
 use super::tokenizer::for_each_piece;
 use crate::capacity::CapacityError;
 use core::fmt;
 
-/// A table of synonyms: in each line the words that mean the same, with blanks between them. What follows a `#` is a comment.
+/// A table of synonyms: each line holds words that mean the same, separated by blanks. A `#` starts a comment.
 ///
 /// ```
 /// use goodbot::language::Synonyms;
@@ -27,10 +27,10 @@ impl<'t> Synonyms<'t> {
     /// No synonyms.
     pub const NONE: Self = Self { text: "" };
 
-    /// The table that a text holds.
+    /// Reads the table from a text.
     ///
     /// # Errors
-    /// A [`SynonymError`] where a word occurs twice, or is not written as the model hears words: in lower case, without punctuation.
+    /// A [`SynonymError`] if a word occurs twice, or is not written as the model hears words: in lower case, without punctuation.
     pub fn new(text: &'t str) -> Result<Self, SynonymError<'t>> {
         let table = Self { text };
         let words = || table.lines().enumerate().flat_map(|(line, words)| words.map(move |word| (line.saturating_add(1), word)));
@@ -54,14 +54,14 @@ impl<'t> Synonyms<'t> {
         self.text.lines().map(|line| line.split('#').next().unwrap_or("").split_whitespace())
     }
 
-    /// The other words of a word's line, in their order.
+    /// The other words on a word's line, in their order.
     pub fn of<'w>(self, word: &'w str) -> impl Iterator<Item = &'t str> + use<'t, 'w> {
         let line = self.lines().find(|words| words.clone().any(|other| other == word));
         line.into_iter().flatten().filter(move |&other| other != word)
     }
 
-    /// Gives each word of a command to `take`, or the synonym of it that the model knows. `take` gets both: the
-    /// word that was said, and the one to be heard.
+    /// Passes each word of a command to `take`, together with the word to be heard for it: a synonym that the model knows, or the word
+    /// itself.
     ///
     /// # Errors
     /// As [`for_each_piece`].
@@ -77,7 +77,7 @@ impl<'t> Synonyms<'t> {
         })
     }
 
-    /// The command in words that the model knows, as far as the table has them: for [`Agent::hear`](crate::Agent::hear).
+    /// The command with synonyms that the model knows, for [`Agent::hear`](crate::Agent::hear).
     ///
     /// ```
     /// # use goodbot::{Agent, Capacities, Options, home, memory::AgentHeap};
@@ -105,21 +105,21 @@ impl<'t> Synonyms<'t> {
     }
 }
 
-/// Why a text is no table of synonyms.
+/// Why a text is not a table of synonyms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SynonymError<'t> {
     /// A word is in the table twice.
     Twice {
         /// The word.
         word: &'t str,
-        /// Both lines, the first being 1.
+        /// Both line numbers, counted from 1.
         lines: [usize; 2],
     },
     /// This is not heard as one word in lower case.
     NotAWord {
-        /// The text there.
+        /// The text.
         word: &'t str,
-        /// Its line, the first being 1.
+        /// Its line number, counted from 1.
         line: usize,
     },
 }

@@ -1,40 +1,40 @@
 //! The parameters: two tables of numbers, `translations` and `alignments`, and the expected count of each number.
 //!
-//! Each model says in its own folder which part of them is which: [`ibm2`](super::ibm2) and [`roles::layout`](super::roles::layout).
+//! Each model defines its parts of them in its own folder: [`ibm2`](super::ibm2) and [`roles::layout`](super::roles::layout).
 
 use super::roles::Layout;
 use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::memory::{ParameterTables, ParameterTablesRef};
 use crate::symbols::Symbol;
 
-/// The parameters that the training data now would have.
+/// The parameters that the present training data need.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Wanted {
-    /// Model 2's: how many pairs of lengths have an alignment table.
+    /// Model 2's: the number of pairs of lengths with an alignment table.
     pub(super) length_pairs: usize,
     /// The role model's.
     pub(super) layout: Layout,
 }
 
 impl Wanted {
-    /// None.
+    /// No parameters.
     pub(super) const NONE: Self = Self { length_pairs: 0, layout: Layout::NONE };
 }
 
-/// How much of the tables is in use.
+/// The extent of the trained parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Trained {
-    /// V: English words that the parameters were trained on.
+    /// V: the English words in the training data.
     pub(super) words: usize,
-    /// Machine tokens that they were trained on, NULL not counted.
+    /// The machine tokens in the training data, NULL not counted.
     pub(super) tokens: usize,
-    /// The role model's parameters that were trained.
+    /// The layout of the role model's trained parameters.
     pub(super) layout: Layout,
     pub(super) wanted: Wanted,
 }
 
 impl Trained {
-    /// Nothing is in use.
+    /// No parameters.
     pub(crate) const NONE: Self = Self { words: 0, tokens: 0, layout: Layout::NONE, wanted: Wanted::NONE };
 }
 
@@ -50,7 +50,7 @@ fn first<T>(all: &mut [T], most: usize) -> &mut [T] {
     all.get_mut(..count).unwrap_or(&mut [])
 }
 
-/// How many cells can be trained with this many words for the expected counts. Who only obeys does not count.
+/// The cells that can be trained with this many words for the expected counts. A robot that only obeys needs no counts.
 const fn countable(counts: usize) -> usize {
     if cfg!(feature = "learning") { counts.saturating_mul(2) } else { usize::MAX }
 }
@@ -64,7 +64,7 @@ pub struct Tables<'t> {
     pub(super) trained: &'t mut Trained,
 }
 
-/// The parameters, to be read.
+/// The parameters, read-only.
 #[derive(Clone, Copy, Debug)]
 pub struct TablesRef<'t> {
     pub(super) memory: ParameterTablesRef<'t>,
@@ -72,7 +72,7 @@ pub struct TablesRef<'t> {
 }
 
 impl<'t> Tables<'t> {
-    /// The parameters that `trained` says are there. Cells beyond those that can be counted are left out.
+    /// The parameters in the extent `trained`. Cells without room for their counts are left out.
     pub(crate) fn new(mut memory: ParameterTables<'t>, counts: &'t mut [u64], trained: &'t mut Trained) -> Self {
         let cells = countable(counts.len());
         memory.translations = first(memory.translations, cells);
@@ -80,12 +80,12 @@ impl<'t> Tables<'t> {
         Self { memory, counts, trained }
     }
 
-    /// The parameters, to be read.
+    /// The parameters, read-only.
     pub const fn read(&self) -> TablesRef<'_> {
         TablesRef { memory: self.memory.read(), trained: self.trained }
     }
 
-    /// The parameters, and the counts of each: t and its counts, then a and its counts.
+    /// The parameters with their counts: t and its counts, then a and its counts.
     pub(super) fn parts(&mut self) -> (Cells<'_>, Cells<'_>) {
         let counts: &mut [f32] = bytemuck::try_cast_slice_mut(self.counts).unwrap_or(&mut []);
         let memory = &mut self.memory;
@@ -93,14 +93,14 @@ impl<'t> Tables<'t> {
         (Cells { values: memory.translations, counts: of_translations }, Cells { values: memory.alignments, counts: of_alignments })
     }
 
-    /// Whether there is room for a row of `words` for NULL, or the background, and one for each of `tokens`.
+    /// Whether there is room for a row of `words` for NULL, or the background, and for one row per token.
     pub(super) fn fits_rows(&self, tokens: usize, words: usize) -> Result<(), CapacityError> {
         let cells = tokens.saturating_add(1).saturating_mul(words);
         let room = self.memory.translations.len();
         if cells > room { Err(CapacityError::new(Capacity::Translations, room, cells)) } else { Ok(()) }
     }
 
-    /// Takes over parameters of the role model that were learned elsewhere: the cells of both tables, one after the other.
+    /// Takes over the role model's parameters from another robot: the cells of both tables, one after the other.
     #[cfg(feature = "snapshot")]
     pub(super) fn take_over(&mut self, layout: Layout, cells: impl Iterator<Item = f32>) {
         let wanted = Wanted { layout, ..Wanted::NONE };
@@ -110,7 +110,7 @@ impl<'t> Tables<'t> {
         translations.iter_mut().chain(alignments).zip(cells).for_each(|(slot, cell)| *slot = cell);
     }
 
-    /// Begins to count, in the cells that are in use.
+    /// Clears the counts of the cells in use.
     pub(super) fn clear_counts(&mut self) {
         let translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
         let alignments = self.read().alignments_end().max(self.trained.layout.cells());
@@ -131,7 +131,7 @@ impl<'t> TablesRef<'t> {
         (self.memory.translations, self.memory.alignments)
     }
 
-    /// The parameters that `trained` says are there, with room for the counts of `cells` cells.
+    /// The parameters in the extent `trained`, with room for the counts of `cells` cells.
     pub(crate) fn new(mut memory: ParameterTablesRef<'t>, counts: usize, trained: &'t Trained) -> Self {
         let cells = countable(counts);
         memory.translations = memory.translations.get(..cells).unwrap_or(memory.translations);
@@ -139,32 +139,32 @@ impl<'t> TablesRef<'t> {
         Self { memory, trained }
     }
 
-    /// How much the tables hold.
+    /// The sizes of the tables.
     pub(super) const fn room(self, rooms: &mut Capacities) {
         rooms.translations = self.memory.translations.len();
         rooms.alignments = self.memory.alignments.len();
         rooms.length_pairs = self.memory.length_pairs.len();
     }
 
-    /// How much of the tables is used.
+    /// The used parts of the tables.
     pub(super) fn usage(self, used: &mut Capacities) {
         used.translations = self.trained.tokens.saturating_add(1).saturating_mul(self.trained.words);
         let alignments = self.alignments_end().max(self.trained.wanted.layout.cells());
         (used.alignments, used.length_pairs) = (alignments, self.trained.wanted.length_pairs);
     }
 
-    /// V: the English words that the parameters were trained on; 0 for an untrained model.
+    /// V: the number of English words in the training; 0 for an untrained model.
     pub const fn words(self) -> usize {
         self.trained.words
     }
 
-    /// The share of a command's words that the parameters were not trained on, from 0 to 1.
+    /// The share of a command's words that were not in the training, from 0 to 1.
     pub fn unknown_share(self, sentence: &[Option<Symbol>]) -> f32 {
         let known = sentence.iter().flatten().filter(|word| word.index() < self.words()).count();
         1.0 - known as f32 / sentence.len().max(1) as f32
     }
 
-    /// The machine tokens that they were trained on, NULL not counted.
+    /// The number of machine tokens in the training, NULL not counted.
     pub const fn tokens(self) -> usize {
         self.trained.tokens
     }

@@ -1,7 +1,7 @@
-//! A command as words: split on blanks, in lower case, without the punctuation at both ends of each.
+//! Splits a command into words: at blanks, in lower case, without punctuation at either end.
 //!
 //! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
-//! character beyond ASCII that is no blank and no common punctuation counts as a letter.
+//! character beyond ASCII that is neither a blank nor common punctuation counts as a letter.
 
 #[cfg(feature = "marks")]
 use super::letters::{composed, full_width, is_within_words, ordinary};
@@ -12,13 +12,13 @@ use crate::symbols::Symbol;
 use heapless::{String, Vec};
 use letters::{is_alphanumeric, split, to_lower_case};
 
-/// A command as words, `None` for one that the vocabulary does not have.
+/// A command as words, with `None` for words outside the vocabulary.
 pub type Sentence = Vec<Option<Symbol>, WORDS_PER_COMMAND>;
 
 /// One word, in lower case.
 pub type Word = String<NAME_BYTES>;
 
-/// Gives each word of `command` to `take`.
+/// Passes each word of `command` to `take`.
 ///
 /// ```
 /// use goodbot::language::for_each_word;
@@ -29,8 +29,7 @@ pub type Word = String<NAME_BYTES>;
 /// ```
 ///
 /// # Errors
-/// A [`CapacityError`] where a word is longer than [`NAME_BYTES`] or there are more than [`WORDS_PER_COMMAND`] words, and whatever `take`
-/// gives.
+/// A [`CapacityError`] if a word is longer than [`NAME_BYTES`] or there are more than [`WORDS_PER_COMMAND`] words, and any error of `take`.
 pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
     let pieces = || split(command).map(|word| word.trim_matches(|letter| is_apostrophe(letter) || !is_of_word(letter)));
     let words = || pieces().filter(|word| word.chars().any(is_alphanumeric));
@@ -41,8 +40,8 @@ pub fn for_each_word(command: &str, mut take: impl FnMut(&str) -> Result<(), Cap
     words().try_for_each(|word| take(&lower_case(word)?))
 }
 
-/// Gives each word of `command` to `take`, as the role model hears it: in lower case, without the punctuation of any script, and what a
-/// hyphen joins apart. Scripts without spaces between words are cut as [`unspaced`](super::unspaced) says.
+/// Passes each word of `command` to `take` as the role model hears it: in lower case, without the punctuation of any script, with
+/// hyphenated words split. Scripts without spaces between words are split as [`unspaced`](super::unspaced) describes.
 ///
 /// ```
 /// use goodbot::language::for_each_piece;
@@ -61,9 +60,9 @@ pub fn for_each_piece(command: &str, mut take: impl FnMut(&str) -> Result<(), Ca
     give_pieces(command, &mut take)
 }
 
-/// The same, compiled once for all callers.
+/// [`for_each_piece`], compiled once for all callers.
 fn give_pieces(command: &str, take: &mut dyn FnMut(&str) -> Result<(), CapacityError>) -> Result<(), CapacityError> {
-    // A command has no more words than bytes: to count those of a short one would take a controller a tenth of a call.
+    // A command has no more words than bytes. Counting those of a short one would take a controller a tenth of a call.
     if command.len() > WORDS_PER_COMMAND {
         let count = pieces(command).count();
         if count > WORDS_PER_COMMAND {
@@ -74,7 +73,7 @@ fn give_pieces(command: &str, take: &mut dyn FnMut(&str) -> Result<(), CapacityE
 }
 
 impl Model {
-    /// Gives each word of `command` to `take` as this model hears it: Model 2 by [`for_each_word`], the role model by [`for_each_piece`].
+    /// Passes each word of `command` to `take` as this model hears it: Model 2 by [`for_each_word`], the role model by [`for_each_piece`].
     ///
     /// # Errors
     /// As those.
@@ -86,7 +85,7 @@ impl Model {
     }
 }
 
-/// The words of a command that are read where it has too many: as many as [`WORDS_PER_COMMAND`], from the first.
+/// The beginning of a command that is read if it has too many words: its first [`WORDS_PER_COMMAND`] words.
 ///
 /// ```
 /// assert_eq!(goodbot::language::first_words("go to the red room"), "go to the red room");
@@ -97,7 +96,7 @@ pub fn first_words(command: &str) -> &str {
     start_of_piece(command, WORDS_PER_COMMAND).and_then(|end| command.get(..end)).unwrap_or(command)
 }
 
-/// Where a word of [`for_each_piece`] begins in a command, in bytes. `None` where there are fewer words.
+/// The position in bytes at which a word of [`for_each_piece`] begins. `None` if there are fewer words.
 #[cfg(feature = "talk")]
 pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
     Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
@@ -107,7 +106,7 @@ const fn pieces(command: &str) -> Pieces<'_> {
     Pieces { rest: command }
 }
 
-/// The pieces of a command, letter by letter: adapters of iterators would take a controller twice the flash.
+/// The pieces of a command, found letter by letter: iterator adapters would take twice the flash on a controller.
 struct Pieces<'c> {
     rest: &'c str,
 }
@@ -120,7 +119,7 @@ impl<'c> Iterator for Pieces<'c> {
         let (mut start, mut end, mut before, mut says) = (0_usize, 0_usize, Script::Spaced, false);
         for (at, letter) in self.rest.char_indices() {
             if is_apostrophe(letter) {
-                // Those at both ends are not part of the word.
+                // At either end of a word they are not part of it.
                 continue;
             }
             #[cfg(feature = "marks")]
@@ -200,18 +199,18 @@ const fn is_apostrophe(letter: char) -> bool {
     matches!(letter, '\'' | '’' | '‘')
 }
 
-/// Whether a character is in one of these ranges, each with its first and its last. A table takes less flash than comparisons.
+/// Whether a character is in one of these ranges, each given by its first and last character. A table takes less flash than comparisons.
 fn is_in(ranges: &[u16], letter: char) -> bool {
     ranges.as_chunks().0.iter().any(|&[first, last]| (u32::from(first)..=u32::from(last)).contains(&u32::from(letter)))
 }
 
-/// The marks of scripts that write vowels and accents by themselves.
+/// The combining marks of scripts that write vowels and accents as separate characters.
 const MARKS: [u16; 24] = [
     0x300, 0x36f, 0x591, 0x5c7, 0x610, 0x61a, 0x64b, 0x670, 0x900, 0x963, 0x966, 0xddf, 0xe31, 0xe4e, 0xeb1, 0xecd, 0xf71, 0xf84, 0x102b,
     0x103e, 0x17b4, 0x17d3, 0x200c, 0x200d,
 ];
 
-/// Letters and digits, and other characters of words: apostrophes, and the marks of scripts that write vowels and accents by themselves.
+/// Letters, digits and the other characters of words: apostrophes and combining [`MARKS`].
 fn is_of_word(letter: char) -> bool {
     if letter.is_ascii() {
         return letter.is_ascii_alphanumeric() || is_apostrophe(letter);
@@ -219,7 +218,7 @@ fn is_of_word(letter: char) -> bool {
     is_alphanumeric(letter) || is_apostrophe(letter) || is_in(&MARKS, letter)
 }
 
-/// The beginning of a word, by which its forms are one word: `orange` and `orangey`. All of it where `letters` is 0.
+/// The beginning of a word, which counts for all its forms: `orange` and `orangey`. The whole word if `letters` is 0.
 ///
 /// ```
 /// use goodbot::language::word_form;
@@ -240,7 +239,7 @@ fn lower_case(text: &str) -> Result<Word, CapacityError> {
     Ok(word)
 }
 
-/// A word in lower case, as it would be typed most shortly.
+/// A word in lower case, in composed form.
 #[cfg(feature = "marks")]
 fn composed_word(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
@@ -254,7 +253,7 @@ fn composed_word(text: &str) -> Result<Word, CapacityError> {
     Ok(word)
 }
 
-/// A word in lower case. How letters are written otherwise takes tables.
+/// A word in lower case. Other ways to write a letter need the tables of `marks`.
 #[cfg(not(feature = "marks"))]
 fn composed_word(text: &str) -> Result<Word, CapacityError> {
     lower_case(text)

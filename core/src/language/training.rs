@@ -1,4 +1,4 @@
-//! A training, in steps as large as the caller allows. What each step does is the model's own: [`ibm2::training`](super::ibm2) and
+//! A training, in steps as large as the caller allows. Each model defines its own steps: [`ibm2::training`](super::ibm2) and
 //! [`roles::training`](super::roles::training).
 
 use super::bitext::BitextRef;
@@ -19,11 +19,11 @@ use crate::planning::Progress;
 enum Phase {
     #[default]
     Done,
-    /// The tables take their new sizes.
+    /// The tables get their new sizes.
     Start,
     Model2(ibm2::training::Part),
     Roles(roles::training::Part),
-    /// A model that has not seen some sessions is asked for them, from this one on.
+    /// The posteriors of sessions under a model that has not seen them, from this session on.
     #[cfg(feature = "layer")]
     Understand(u16),
     #[cfg(feature = "layer")]
@@ -47,7 +47,7 @@ impl Training {
     /// No training is under way.
     pub(super) const DONE: Self = Self { phase: Phase::Done, round: 0 };
 
-    /// Begins, for `words` and `tokens`. The caller has made sure that the tables have room. Without words there is nothing to train.
+    /// Begins, for `words` and `tokens`. The caller has checked that the tables have room. Without words there is nothing to train.
     pub(super) fn begin(
         tables: &mut Tables<'_>,
         bitext: BitextRef<'_>,
@@ -65,18 +65,18 @@ impl Training {
         Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
     }
 
-    /// Whether it has come to its end.
+    /// Whether the training is complete.
     pub fn is_done(&self) -> bool {
         self.phase == Phase::Done
     }
 
-    /// The round under way, from 0.
+    /// The current round, from 0.
     pub fn round(&self) -> u32 {
         self.round
     }
 
-    /// Goes on, with at most about `budget` table cells of work: at least one pair, row or alignment table, or of the role model one memory of
-    /// a word. The first call also sizes the tables, regardless of the budget.
+    /// Continues, with at most about `budget` table cells of work: at least one pair, row or alignment table, or for the role model one
+    /// memory of a word. The first call also sizes the tables, regardless of the budget.
     pub(super) fn advance(
         &mut self,
         tables: &mut Tables<'_>,
@@ -94,7 +94,7 @@ impl Training {
         let (layout, tokens) = (tables.trained.layout, tables.trained.tokens);
         while left > 0 {
             let (work, next) = match self.phase {
-                // What is not built in is not linked.
+                // A model that is not built in is not linked.
                 Phase::Model2(part) if Model::Model2.is_there() => {
                     let (cells, next) = ibm2::training::advance(tables, bitext, part, &mut self.round, settings);
                     (cells, Phase::of_model_2(next))
@@ -116,7 +116,7 @@ impl Training {
                 }
                 #[cfg(feature = "layer")]
                 Phase::Understand(_) => {
-                    // The next model is trained on others.
+                    // The next model is trained on other sessions.
                     if let Some(room) = &mut layer.room {
                         *room.left_out = room.left_out.next();
                     }

@@ -1,14 +1,14 @@
-//! Scripts that are written without spaces between words: Chinese, Japanese, Thai, Lao, Khmer, Burmese.
+//! Scripts without spaces between words: Chinese, Japanese, Thai, Lao, Khmer, Burmese.
 //!
-//! A piece of such a text is what its readers take for one sign:
+//! A piece of such a text is one sign for its readers:
 //!
 //! - a Chinese character, with 子 after it, which makes nouns of many;
 //! - a hiragana, with the small ones after it;
 //! - a run of katakana, which writes one foreign word;
 //! - a consonant of Thai, Lao, Khmer or Burmese with the vowels and tones around it.
 //!
-//! A name of several pieces is learned piece by piece, as "tan coloured" is. So a text is cut alike with spaces and without them, and no
-//! dictionary takes room.
+//! A name of several pieces is learned piece by piece, like "tan coloured". So a text is split alike with and without spaces, and no
+//! dictionary is needed.
 //!
 //! ```
 //! use goodbot::language::for_each_piece;
@@ -18,10 +18,10 @@
 //! # Ok::<(), goodbot::capacity::CapacityError>(())
 //! ```
 
-/// How a letter is cut from the next one.
+/// The class of a letter, which decides whether a piece ends before it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Script {
-    /// Written with spaces.
+    /// Of a script with spaces.
     Spaced,
     /// One character, one piece.
     Han,
@@ -35,7 +35,7 @@ pub(super) enum Script {
     Leads,
     /// A consonant of Thai, Lao, Khmer or Burmese.
     Consonant,
-    /// Makes one piece of the consonants on both sides.
+    /// Joins the consonants on both sides to one piece.
     Joins,
 }
 
@@ -61,7 +61,7 @@ impl Script {
         }
     }
 
-    /// Whether a letter is of the same piece as the one before it.
+    /// Whether a letter belongs to the piece of the previous letter.
     pub fn goes_on(self, before: Self) -> bool {
         match (before, self) {
             (_, Self::Follows | Self::Joins)

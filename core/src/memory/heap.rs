@@ -45,7 +45,7 @@ crate::for_each_agent_table! { crate::lend_tables!(AgentHeap) }
 
 #[cfg(feature = "layer")]
 impl AgentHeap {
-    /// The same, with room for the [layer](crate::language::layer): for this many tasks of all sessions together, including those that
+    /// Adds memory for the [layer](crate::language::layer): `tasks` counts the possible tasks of all sessions together, also those that
     /// were not meant.
     #[must_use]
     pub fn with_layer(self, tasks: usize) -> Self {

@@ -4,14 +4,14 @@
 //! [`HeapMemory`] takes the same capacities at run time. Both have two parts: `home`, for a [`Home`](crate::home::Home), and `agent`, for
 //! an [`Agent`](crate::Agent). Either part may be moved in or lent:
 //!
-//! | what is handed over | who owns the tables |
+//! | memory handed over | who owns the tables |
 //! |---|---|
 //! | `memory.agent` | the agent |
 //! | `&mut memory.agent` | the caller, who can use them again when the agent is gone |
-//! | [`AgentTables`] | the caller, table by table: for memory that is dealt out at run time |
+//! | [`AgentTables`] | the caller, table by table: for memory that is allotted at run time |
 //!
-//! All of it is made from one list of tables (`list.rs`). The tables are typed. An untyped array of words, dealt out at each call, would
-//! need a type of which every bit pattern is valid for each table; a goal's piece, a task's progress and a pair's lengths are none.
+//! All memory is made from one list of tables (`list.rs`). The tables are typed: in an untyped array of words, every bit pattern would have
+//! to be valid for every table, and that is not so for a goal's pieces, a task's progress or a pair's lengths.
 
 mod arrays;
 #[cfg(feature = "alloc")]
@@ -52,7 +52,7 @@ macro_rules! tables {
                     $Tables { $($table: self.$table,)* $($part: self.$part.lend(),)* }
                 }
 
-                /// The same tables, to be read.
+                /// The same tables, read-only.
                 #[inline]
                 pub const fn read(&self) -> $TablesRef<'_> {
                     $TablesRef { $($table: self.$table,)* $($part: self.$part.read(),)* }

@@ -1,4 +1,4 @@
-//! Exact division by one number, again and again.
+//! Repeated exact division by one number.
 
 /// Exact division through a 32-bit reciprocal. It avoids the software division of small controllers such as Cortex-M0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -6,15 +6,15 @@ pub struct Divider {
     by: u64,
     /// 2^32 divided by the number, rounded up.
     inverse: u64,
-    /// From this dividend on, the product with the reciprocal may be one too large.
+    /// From this dividend on, the quotient from the reciprocal may be one too large.
     limit: u64,
 }
 
 impl Divider {
-    /// Divides by `number`, or by 1 where that is 0.
+    /// Divides by `number`, or by 1 if that is 0.
     pub const fn new(number: usize) -> Self {
         let by = if number == 0 { 1 } else { number as u64 };
-        // From one division of 32 bits: one of 64 would be linked for this alone.
+        // One division of 32 bits; a division of 64 bits would be linked for this alone.
         let most = if by > u32::MAX as u64 { 0 } else { u32::MAX / by as u32 } as u64;
         // Whether the number divides 2^32.
         let is_even = by.is_power_of_two() && by <= 1 << 32;
@@ -43,7 +43,7 @@ const fn divided(number: u64, by: u64) -> (u64, u64) {
     }
 }
 
-/// Bit by bit: no home in a controller's memory has so many states, and the division of 64 bits takes half a kilobyte of flash.
+/// Bit by bit: no home in a controller's memory has so many states, and a division of 64 bits takes half a kilobyte of flash.
 #[cfg(any(test, target_os = "none"))]
 #[inline(never)]
 const fn bit_by_bit(number: u64, by: u64) -> (u64, u64) {

@@ -1,4 +1,4 @@
-//! The seam: what a robot brings of its own.
+//! The interface to a robot of your own.
 
 #[cfg(feature = "derived")]
 use super::ObjectId;
@@ -12,7 +12,7 @@ pub struct Action(pub(crate) u8);
 impl Action {
     /// Doing nothing: an action of every domain, not listed among its own.
     pub const NOOP: Self = Self(15);
-    /// How many actions of its own a domain can have.
+    /// The most actions that a domain can have.
     pub const MOST: usize = 15;
 
     /// The action at this position.
@@ -20,7 +20,7 @@ impl Action {
         Self(position)
     }
 
-    /// The position among the actions of a domain.
+    /// The action's position among those of its domain.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
@@ -47,7 +47,7 @@ impl ActionSet {
         self.0 & Self::of(action).0 != 0
     }
 
-    /// The actions of both.
+    /// The actions of either set.
     #[must_use]
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -59,12 +59,12 @@ impl ActionSet {
         self.union(Self::of(action))
     }
 
-    /// Whether there is none.
+    /// Whether the set is empty.
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// How many there are.
+    /// The number of actions.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }
@@ -105,7 +105,7 @@ impl<'a> ActionKind<'a> {
 /// The largest cost of an action.
 pub const MOST_COST: u8 = 16;
 
-/// What there is in a domain: its vocabulary and its objects.
+/// The vocabulary and the objects of a domain.
 #[derive(Clone, Copy, Debug)]
 pub struct World<'a> {
     /// The classes, attributes and propositional functions.
@@ -116,29 +116,29 @@ pub struct World<'a> {
 
 /// A robot and its world: an object-oriented MDP with deterministic actions (paper, sections 3 and 4).
 ///
-/// The objects and their attributes do not change as the robot acts; the state holds what does. To bring your own robot:
+/// The objects and their attributes do not change as the robot acts; everything that changes is in the state. To bring your own robot:
 ///
 /// 1. name its classes, attributes and propositional functions in a [`Schema`], and its objects in an [`ObjectSet`](super::ObjectSet);
 /// 2. choose a state type, and number the states without gaps from 0: [`state_count`](Self::state_count), [`number`](Self::number) and
 ///    [`numbered`](Self::numbered);
-/// 3. say what the actions do ([`step`](Self::step)) and which propositions hold ([`holds`](Self::holds));
+/// 3. define the effects of the actions ([`step`](Self::step)) and the propositions that hold ([`holds`](Self::holds));
 /// 4. set `type Search =` [`OneByOne`](super::OneByOne). A robot that moves pieces on a floor of cells can implement
 ///    [`PushGrid`](super::PushGrid) as well and set [`BitRows`](super::BitRows), which is many times faster;
-/// 5. in a test, let [`check`](super::check) try all that this page asks for, in every state that the robot can come to;
+/// 5. in a test, let [`check`](super::check) verify these rules in every state that the robot can reach;
 /// 6. name the tasks that commands may mean: [`LiftedTask::parse`](crate::task::LiftedTask::parse) reads them, such as
-///    `cupInPlace(?c, ?p)`. Give them to [`Agent::new`](crate::Agent::new), and the domain and its state to all that the agent does.
+///    `cupInPlace(?c, ?p)`. Pass them to [`Agent::new`](crate::Agent::new), and the domain and its state to the agent's other calls.
 ///
-/// An agent tells one domain from another, so that no plan is used in a domain that it was not made for: by their objects and the values of these, their
-/// actions, their number of states and, for a [`PushGrid`](super::PushGrid), the floor. Where two domains differ in nothing but what
-/// [`step`](Self::step) or [`holds`](Self::holds) does, end the session before you change one for the other, with
-/// [`Agent::leave`](crate::Agent::leave), or give one of their objects another name.
+/// An agent distinguishes domains, so that no plan is used in another domain: by their objects with their values, their actions, their
+/// number of states and, for a [`PushGrid`](super::PushGrid), the floor. If two domains differ only in [`step`](Self::step) or
+/// [`holds`](Self::holds), call [`Agent::leave`](crate::Agent::leave) before you exchange one for the other, or rename one of their
+/// objects.
 ///
 /// The folder `examples` has four robots: one that turns and drives, an arm, lamps in a house, and a lift made of tables.
 pub trait Domain {
-    /// All that changes as the robot acts.
+    /// Everything that changes as the robot acts.
     type State: Copy + PartialEq;
 
-    /// Which search plans for this domain: [`OneByOne`](super::OneByOne) or [`BitRows`](super::BitRows).
+    /// The search that plans for this domain: [`OneByOne`](super::OneByOne) or [`BitRows`](super::BitRows).
     type Search: SearchKind<Self>;
 
     /// The vocabulary and the objects.
@@ -147,16 +147,17 @@ pub trait Domain {
     /// The actions, at most [`Action::MOST`], always in the same order. Doing nothing is not listed.
     fn actions(&self) -> &[ActionKind<'_>];
 
-    /// Returns the state that an action leads to, or `None` where the action cannot be done. Bumping into a wall can be done and changes
-    /// nothing. It is asked for actions of [`actions`](Self::actions) alone, never for doing nothing.
+    /// Returns the state that an action leads to, or `None` if the action cannot be done. Bumping into a wall can be done and changes
+    /// nothing. It is called only for actions of [`actions`](Self::actions), never for doing nothing.
     fn step(&self, state: &Self::State, action: Action) -> Option<Self::State>;
 
-    /// Returns whether the proposition holds in the state. Its objects are of the classes that the propositional function names. They
-    /// are different ones, unless a lifted task names one variable twice.
+    /// Returns whether the proposition holds in the state. Its objects are of the classes that the propositional function names, and all
+    /// different, unless a lifted task repeats a variable.
     fn holds(&self, proposition: &GroundProposition, state: &Self::State) -> bool;
 
-    /// A bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] where no bound is known. No plan leads through a
-    /// state beyond it, without a word: `oomdp::check` finds such a state, and [`Agent::plan`](crate::Agent::plan) refuses to plan for one.
+    /// An upper bound: every number that [`number`](Self::number) returns is below it. [`u64::MAX`] if no bound is known. States beyond the
+    /// bound are left out of plans silently: `oomdp::check` finds such a state, and [`Agent::plan`](crate::Agent::plan) refuses to plan
+    /// from one.
     fn state_count(&self) -> u64;
 
     /// Returns the number of a state. Different states have different numbers. Exact plans need memory for every number below
@@ -166,8 +167,8 @@ pub trait Domain {
     /// Returns the state with this number. It is called only with numbers that [`number`](Self::number) returned.
     fn numbered(&self, number: u64) -> Self::State;
 
-    /// Returns what an agent keeps of a state: its number. A domain that wraps a home asks the home, for a large one has more states than can
-    /// be numbered.
+    /// Returns the state as an agent keeps it: its number. A domain that wraps a home calls the home's own `key`, for a large home has more
+    /// states than numbers.
     #[inline]
     fn key(&self, state: &Self::State) -> StateKey {
         StateKey::of(self.number(state))
@@ -179,9 +180,8 @@ pub trait Domain {
         self.numbered(key.number())
     }
 
-    /// Tells what can be said of an object in this state beside its attributes: derived facts, each one word such as `leftmost` or
-    /// `largest`. The role model takes them for values of one more attribute, where the schema has room for one more. A domain need not
-    /// tell any.
+    /// Calls `tell` with each derived fact of an object in this state, beyond its attributes: single words such as `leftmost` or `largest`.
+    /// The role model treats them as values of one more attribute, if the schema has room for one more. A domain need not have any.
     #[cfg(feature = "derived")]
     fn tell_derived(&self, _state: &Self::State, _object: ObjectId, _tell: &mut dyn FnMut(&str)) {}
 }
@@ -196,8 +196,8 @@ pub(crate) fn own_actions<D: Domain + ?Sized>(domain: &D) -> impl Iterator<Item 
     (0..domain.actions().len().min(Action::MOST)).map(|position| Action(position as u8))
 }
 
-/// A digest of what a domain is: its objects, its actions, the number of its states and, for a [`PushGrid`], its floor. Plans and sessions
-/// of one domain are told from those of another by it, at every call: it goes word by word, with one multiplication each.
+/// A digest of a domain: its objects, its actions, the number of its states and, for a [`PushGrid`], its floor. It identifies the domain of
+/// plans and sessions. It is computed at every call, so it costs one multiplication for each word.
 pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
     let mut digest = 0_u32;
     let mut take = |word: u32| digest = (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);
@@ -211,7 +211,7 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
     take((states >> 32) as u32);
     if let Some(grid) = D::Search::grid(domain) {
         for cell in grid.floor().cells {
-            // A cell's neighbours are those beside it.
+            // The neighbours of a cell follow from the coordinates.
             let place = u32::from(cell.x.cast_unsigned()) << 16 | u32::from(cell.y.cast_unsigned());
             take(place ^ u32::from(cell.region).rotate_right(5));
         }
@@ -220,7 +220,7 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
     digest
 }
 
-/// Takes bytes four at a time.
+/// Passes bytes four at a time.
 pub(super) fn for_each_word(bytes: &[u8], take: &mut impl FnMut(u32)) {
     let (words, rest) = bytes.as_chunks();
     words.iter().for_each(|&word| take(u32::from_le_bytes(word)));
@@ -240,7 +240,7 @@ pub fn action_named<D: Domain + ?Sized>(domain: &D, name: &str) -> Option<Action
     domain.actions().iter().take(Action::MOST).position(|kind| kind.name == name).map(|position| Action(position as u8))
 }
 
-/// What an action leads to, `noop` included; nothing for an action that the domain does not have.
+/// The state that an action leads to, `noop` included; `None` for an action that the domain does not have.
 pub fn apply<D: Domain + ?Sized>(domain: &D, state: &D::State, action: Action) -> Option<D::State> {
     match action {
         Action::NOOP => Some(*state),

@@ -4,13 +4,13 @@
 use super::ObjectId;
 use super::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, StateKey, World};
 
-/// A floor with pieces, or a domain of another kind: for a program that meets both, whose code for a domain is then linked once. Its states
-/// are of the same two kinds; nothing can be done in a state of the other one, and nothing holds there.
+/// A floor with pieces, or a domain of another kind. A program with both kinds then links the code for a domain once. Its states are of the
+/// same two kinds; in a state of the other kind, no action can be done and no proposition holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Either<F, O> {
-    /// A floor with pieces, such as a home, or what belongs to it.
+    /// A floor with pieces, such as a home, or its state.
     Floor(F),
-    /// A domain of another kind, whose states are expanded one by one, or what belongs to it.
+    /// A domain of another kind, whose states are expanded one by one, or its state.
     Other(O),
 }
 

@@ -1,15 +1,15 @@
-//! Object-oriented MDPs (paper, section 3): a world is a set of objects of a few classes, each with attributes, and propositional
-//! functions say what holds between them.
+//! Object-oriented MDPs (paper, section 3): a world is a set of objects of a few classes, each with attributes, and propositional functions
+//! define relations between them.
 //!
 //! - `schema`: the classes, attributes and propositional functions of a domain, by name;
 //! - `objects`: the objects of one environment;
-//! - `domain`: the [`Domain`] trait, the seam where a robot brings its own states and actions;
+//! - `domain`: the [`Domain`] trait, by which a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
 //! - `either`: one type for domains of two kinds;
-//! - `soundness`: whether a domain is what the trait asks for;
+//! - `soundness`: checks that a domain keeps the rules of the trait;
 //! - `state_key`: a state as an agent keeps it;
-//! - `search_kind`: which search plans for a domain;
-//! - `vocabulary`: the digest that tells vocabularies apart;
+//! - `search_kind`: the choice of the search for a domain;
+//! - `vocabulary`: the digest that identifies a vocabulary;
 //! - `divider`: exact division through a reciprocal.
 
 pub(crate) mod divider;

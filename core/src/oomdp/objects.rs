@@ -24,7 +24,7 @@ impl ObjectId {
     }
 }
 
-/// One object: its class, its name, and the value of each attribute of the schema (none where its class does not carry it).
+/// One object: its class, its name, and its value of each attribute of the schema (none if its class does not carry the attribute).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Object {
     /// Its class.
@@ -36,7 +36,7 @@ pub struct Object {
 }
 
 impl Object {
-    /// What unused memory holds: zeros, so that a static needs no room in flash.
+    /// The value of unused memory: zeros, so that a static needs no room in flash.
     pub const UNUSED: Self = Self { class: ClassId(0), name: Symbol(0), values: [0; ATTRIBUTES] };
 
     /// The value of an attribute, by the attribute's position in the schema.
@@ -54,7 +54,7 @@ pub enum ObjectError {
     DuplicateName,
     /// The name is empty.
     EmptyName,
-    /// Something was full.
+    /// A table was full.
     Capacity(CapacityError),
 }
 
@@ -76,7 +76,7 @@ impl From<CapacityError> for ObjectError {
     }
 }
 
-/// How many objects and names there are.
+/// The numbers of objects and names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ObjectCount {
     objects: usize,
@@ -84,7 +84,7 @@ pub struct ObjectCount {
 }
 
 impl ObjectCount {
-    /// None.
+    /// No objects.
     pub const NONE: Self = Self { objects: 0, names: 0 };
 }
 
@@ -118,32 +118,32 @@ impl<'t> ObjectSet<'t> {
         Self { memory, count: ObjectCount::NONE }
     }
 
-    /// The objects that `count` says are in the tables, to be added to.
+    /// The first `count` objects in the tables; more can be added.
     pub const fn with(memory: ObjectTables<'t>, count: ObjectCount) -> Self {
         Self { memory, count }
     }
 
-    /// How many objects and names there are.
+    /// The numbers of objects and names.
     pub const fn count(&self) -> ObjectCount {
         self.count
     }
 
-    /// The objects, to be read.
+    /// The objects, read-only.
     pub const fn read(&self) -> Objects<'_> {
         Objects { memory: self.memory.read(), count: self.count }
     }
 
-    /// The objects, all of which have been added.
+    /// The complete set of objects.
     pub fn into_objects(self) -> Objects<'t> {
         let ObjectTables { objects, name_bytes, name_ends } = self.memory;
         Objects { memory: ObjectTablesRef { objects, name_bytes, name_ends }, count: self.count }
     }
 
-    /// Adds an object with its values of the schema's attributes, in their order: `&["", "school"]` where its class does not carry the first
+    /// Adds an object with its values of the schema's attributes, in their order: `&["", "school"]` if its class does not carry the first
     /// one. `""` means no value, as do values that are left out.
     ///
     /// # Errors
-    /// [`ObjectError`]; the set is then unchanged but for names it may have interned.
+    /// [`ObjectError`]; the set is then unchanged except for names that it may have interned.
     pub fn add(&mut self, class: ClassId, name: &str, values: &[&str]) -> Result<ObjectId, ObjectError> {
         if name.is_empty() {
             return Err(ObjectError::EmptyName);
@@ -176,7 +176,7 @@ impl<'t> ObjectSet<'t> {
 }
 
 impl<'t> Objects<'t> {
-    /// The objects that `count` says are in the tables.
+    /// The first `count` objects in the tables.
     pub const fn new(memory: ObjectTablesRef<'t>, count: ObjectCount) -> Self {
         Self { memory, count }
     }
@@ -185,12 +185,12 @@ impl<'t> Objects<'t> {
         SymbolsRef::new(self.memory.name_bytes, self.memory.name_ends, self.count.names)
     }
 
-    /// How many objects there are.
+    /// The number of objects.
     pub const fn len(self) -> usize {
         self.count.objects
     }
 
-    /// Whether there is none.
+    /// Whether there are no objects.
     pub const fn is_empty(self) -> bool {
         self.count.objects == 0
     }
@@ -225,12 +225,12 @@ impl<'t> Objects<'t> {
         self.get(id).map_or("", |object| self.names().text(object.name))
     }
 
-    /// The value of an object's attribute, by the attribute's position in the schema; empty where it has none.
+    /// The value of an object's attribute, by the attribute's position in the schema; empty if it has none.
     pub fn value(self, id: ObjectId, attribute: usize) -> &'t str {
         self.get(id).and_then(|object| object.value(attribute)).map_or("", |value| self.names().text(value))
     }
 
-    /// Hands over all that it is, as words: the objects, and the names that they refer to.
+    /// Passes all of its contents to `take`, word by word: the objects, and their names.
     pub(super) fn for_each_word(self, take: &mut impl FnMut(u32)) {
         for (_, object) in self.iter() {
             take(u32::from(object.class.0) << 16 | u32::from(object.name.0));
@@ -243,20 +243,20 @@ impl<'t> Objects<'t> {
         ends.iter().for_each(|&end| take(u32::from(end)));
     }
 
-    /// How many objects, names and bytes of them there are.
+    /// Sets the used numbers of objects, names and name bytes.
     pub fn usage(self, used: &mut Capacities) {
         (used.objects, used.names, used.name_bytes) = (self.count.objects, self.count.names, self.names().byte_len());
     }
 }
 
-/// Iterates over objects. On a page it is one function for all callers; elsewhere the compiler inlines it, which takes less flash.
+/// Iterates over objects. On a page it is one function for all callers; elsewhere inlining takes less flash.
 #[derive(Clone)]
 struct EachObject<'t> {
     objects: &'t [Object],
     next: usize,
 }
 
-/// Iterates over the objects of a class, in one function too.
+/// Iterates over the objects of a class, compiled in the same way.
 #[derive(Clone)]
 struct OfClass<'t> {
     objects: EachObject<'t>,

@@ -1,4 +1,4 @@
-//! Robots that walk on a floor of cells and move pieces there.
+//! Robots that move on a floor of cells and move pieces there.
 
 use super::{Action, Domain, GroundProposition};
 
@@ -28,15 +28,15 @@ pub struct FloorCell {
     pub x: i16,
     /// To the north.
     pub y: i16,
-    /// The cells to the north, south, east and west: those at distance 1, or [`CellId::NONE`] where there is none.
+    /// The cells to the north, south, east and west: those at distance 1, or [`CellId::NONE`].
     pub neighbours: [CellId; 4],
-    /// The region that the cell belongs to, such as a room or a door, below 32. Where memory is too small for the whole floor, plans are
-    /// made within a few regions. A floor without regions has 0 everywhere.
+    /// The region of the cell, such as a room or a door, below 32. If memory is too small for the whole floor, plans are made within a few
+    /// regions. A floor without regions has 0 everywhere.
     pub region: u8,
 }
 
 impl FloorCell {
-    /// What unused memory holds: zeros, so that a static needs no room in flash.
+    /// The value of unused memory: zeros, so that a static needs no room in flash.
     pub const UNUSED: Self = Self { x: 0, y: 0, neighbours: [CellId(0); 4], region: 0 };
 }
 
@@ -45,7 +45,7 @@ impl FloorCell {
 pub struct Floor<'a> {
     /// The cells, row by row from the south, each row from the west.
     pub cells: &'a [FloorCell],
-    /// The actions that go to the north, south, east and west.
+    /// The actions that move to the north, south, east and west.
     pub directions: [Action; 4],
 }
 
@@ -62,7 +62,7 @@ impl Floor<'_> {
     }
 }
 
-/// Something on the floor that changes its cell: 0 is the robot, the others are what it moves.
+/// Something on the floor that changes its cell: 0 is the robot, the others are the pieces that it moves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Piece(pub(crate) u8);
 
@@ -90,20 +90,20 @@ impl Piece {
 /// Optional structure that makes planning fast: a robot on a floor of cells that moves other pieces.
 ///
 /// These rules must hold; [`BitRows`](super::BitRows) relies on them:
-/// - the state is where the pieces are, and nothing else;
+/// - the state consists of the cells of the pieces, and nothing else;
 /// - every action costs 1;
-/// - a direction of the floor takes the robot to the neighbour cell where no piece is, and changes nothing where there is no cell;
-/// - toward a cell with a piece, a direction does what [`step`](Domain::step) says;
+/// - a direction of the floor takes the robot to the neighbour cell if no piece is there, and changes nothing if there is no cell;
+/// - toward a cell with a piece, a direction has the effect of [`step`](Domain::step);
 /// - any other action changes nothing unless a piece is beside the robot;
 /// - one action moves a piece by at most one cell.
 pub trait PushGrid: Domain {
-    /// Whether this domain is such a floor. One type may serve domains of several kinds, as [`Either`](super::Either) does; if this is false,
-    /// states are expanded one by one, and the other functions are not called.
+    /// Whether this domain is such a floor. One type may serve domains of several kinds, as [`Either`](super::Either) does; if this is
+    /// false, states are expanded one by one, and the other functions are not called.
     fn is_floor(&self) -> bool {
         true
     }
 
-    /// Whether [`number`](Domain::number) tells states apart. If not, [`key`](Domain::key) does, and states are never searched one by one.
+    /// Whether [`number`](Domain::number) identifies states. If not, [`key`](Domain::key) does, and states are never searched one by one.
     fn is_numbered(&self) -> bool {
         true
     }
@@ -111,32 +111,32 @@ pub trait PushGrid: Domain {
     /// The floor.
     fn floor(&self) -> Floor<'_>;
 
-    /// How many pieces there are, the robot included; at most 32.
+    /// The number of pieces, the robot included; at most 32.
     fn pieces(&self) -> usize;
 
     /// The cell of a piece.
     fn cell(&self, state: &Self::State, piece: Piece) -> CellId;
 
-    /// The state with one piece on another cell, which need not be a state that can be reached.
+    /// The state with one piece moved to another cell; it need not be reachable.
     fn put(&self, state: &Self::State, piece: Piece, cell: CellId) -> Self::State;
 
-    /// The only piece whose cell decides whether the proposition holds, or `None` where several matter.
+    /// The only piece whose cell decides whether the proposition holds, or `None` if several matter.
     fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece>;
 
-    /// Whether the robot can move a piece without standing on the piece's far side, as by pulling. A robot that only pushes cannot get a
-    /// piece out of a corner, and its planner knows that without a search.
+    /// Whether the robot can move a piece without standing on the piece's far side, for instance by pulling. A robot that only pushes
+    /// cannot move a piece out of a corner, and its planner knows that without a search.
     fn can_pull(&self) -> bool;
 
-    /// Whether a direction toward a cell with a piece pushes plainly: the piece goes to the next cell in that direction and the robot
-    /// follows, or nothing changes where that cell is wall or has a piece. The planner then makes such pushes itself, with bits, which is
-    /// faster than to ask [`step`](Domain::step). If in doubt, return `false`.
+    /// Whether a direction toward a cell with a piece is a plain push: the piece moves to the next cell in that direction and the robot
+    /// follows, or nothing changes if that cell is wall or has a piece. The planner then computes such pushes itself, with bits, which is
+    /// faster than calling [`step`](Domain::step). If in doubt, return `false`.
     fn pushes_plainly(&self) -> bool {
         false
     }
 
-    /// Whether each action that is no direction does nothing but swap the robot with a piece beside it with a wall or a piece on its far side,
-    /// as by pulling; it need not do so in every such place. Where this holds, or where there are only directions, and where pushes are
-    /// plain, floors with more states than the memory holds get exact plans too. If in doubt, return `false`.
+    /// Whether each action that is no direction has no effect except to swap the robot with a piece beside it that has a wall or a piece on
+    /// its far side, as pulling does; it need not work in every such place. If this holds, or there are only directions, and if pushes are
+    /// plain, floors with more states than the memory holds also get exact plans. If in doubt, return `false`.
     fn swaps(&self) -> bool {
         false
     }

@@ -1,6 +1,6 @@
-//! What a domain speaks of: object classes, the attributes that objects of a class carry, and propositional functions.
+//! The vocabulary of a domain: object classes, the attributes that objects of a class carry, and propositional functions.
 //!
-//! The language model sees a domain only through these names, so two robots whose schemas share names share what they learned.
+//! The language model knows a domain only by these names, so two robots whose schemas share names share their training data.
 
 use super::objects::ObjectId;
 use crate::capacity::ARGUMENTS;
@@ -53,7 +53,7 @@ impl<'a> Class<'a> {
     }
 }
 
-/// Which class carries an attribute, and how the attribute proposition is called there.
+/// A class that carries an attribute, and the name of the attribute proposition for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Carrier<'a> {
     /// The class.

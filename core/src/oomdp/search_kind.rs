@@ -1,4 +1,4 @@
-//! Which search plans for a domain. The choice is a type, so that it costs nothing at run time.
+//! The choice of the search for a domain. It is a type, so it costs nothing at run time.
 
 use super::{Action, ActionKind, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, World};
 use core::convert::Infallible;
@@ -19,11 +19,11 @@ pub trait SearchKind<D: Domain + ?Sized>: sealed::Sealed {
     fn grid(domain: &D) -> Option<&Self::Grid>;
 }
 
-/// States are expanded one by one. This serves every domain.
+/// Expands states one by one. This serves every domain.
 #[derive(Clone, Copy, Debug)]
 pub enum OneByOne {}
 
-/// The states that differ only in the robot's cell are expanded together, as rows of bits. For domains that implement [`PushGrid`].
+/// Expands all states that differ only in the robot's cell together, as rows of bits. For domains that implement [`PushGrid`].
 #[derive(Clone, Copy, Debug)]
 pub enum BitRows {}
 
@@ -48,8 +48,8 @@ impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
     }
 }
 
-/// A domain that does not exist: the compiler leaves out what is written for it. It takes the place of a kind of an [`Either`](super::Either) that a
-/// program is built without.
+/// A domain without values: the compiler leaves out all code for it. It replaces a kind of an [`Either`](super::Either) that a program is
+/// built without.
 #[derive(Debug)]
 pub struct NoGrid<S>(Infallible, PhantomData<S>);
 

@@ -1,4 +1,4 @@
-//! Whether a domain is what [`Domain`] asks for.
+//! Checks that a domain keeps the rules of [`Domain`].
 
 use super::{Action, ClassId, Domain, MOST_COST, ObjectId, PropositionId};
 #[cfg(feature = "alloc")]
@@ -11,14 +11,14 @@ use alloc::{
 };
 use core::fmt;
 
-/// What is wrong with a domain.
+/// A broken rule of a domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DomainFlaw {
     /// There are more actions than [`Action::MOST`].
     Actions {
-        /// How many.
+        /// The number of actions.
         given: usize,
     },
     /// The cost of an action is not from 1 to [`MOST_COST`].
@@ -28,37 +28,37 @@ pub enum DomainFlaw {
         /// Its cost.
         cost: u8,
     },
-    /// An action has no name, or that of another; `noop` is the name of doing nothing.
+    /// An action has no name, or the name of another; `noop` is the name of doing nothing.
     ActionName {
         /// The action.
         action: Action,
     },
-    /// A class has no name, or that of another.
+    /// A class has no name, or the name of another.
     ClassName {
         /// The class.
         class: ClassId,
     },
-    /// A propositional function has no name, or that of another.
+    /// A propositional function has no name, or the name of another.
     PropositionName {
         /// The propositional function.
         proposition: PropositionId,
     },
-    /// A propositional function has no argument, more than [`ARGUMENTS`], or one of a class that the schema does not have.
+    /// A propositional function has no argument, more than [`ARGUMENTS`], or one of an unknown class.
     Parameters {
         /// The propositional function.
         proposition: PropositionId,
     },
-    /// There are more attributes than [`ATTRIBUTES`], or one is carried by a class that the schema does not have.
+    /// There are more attributes than [`ATTRIBUTES`], or one is carried by an unknown class.
     Attribute {
         /// The attribute, by its position in the schema.
         attribute: usize,
     },
-    /// An object is of a class that the schema does not have.
+    /// An object is of an unknown class.
     ObjectClass {
         /// The object.
         object: ObjectId,
     },
-    /// An object has a value of an attribute that its class does not carry: no words could speak of it.
+    /// An object has a value of an attribute that its class does not carry: no words could refer to it.
     Value {
         /// The object.
         object: ObjectId,
@@ -69,21 +69,21 @@ pub enum DomainFlaw {
     Number {
         /// The number.
         number: u64,
-        /// What `state_count` returns.
+        /// The result of `state_count`.
         count: u64,
-        /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
+        /// The previous state, by its number, and the action that leads on from it; `None` if it is the start state.
         from: Option<(u64, Action)>,
     },
-    /// [`Domain::numbered`] returns another state than the one that has the number. Mostly, two states have the same number.
+    /// [`Domain::numbered`] returns another state than the one with the number. Usually, two states have the same number.
     Numbered {
         /// The number.
         number: u64,
-        /// The state, by its number, and the action that lead to it; `None` where the session starts from it.
+        /// The previous state, by its number, and the action that leads on from it; `None` if it is the start state.
         from: Option<(u64, Action)>,
     },
-    /// [`Domain::step`] returns now one state and now another.
+    /// [`Domain::step`] returns different states when called twice.
     Step {
-        /// The number of the state that it was asked in.
+        /// The number of the state.
         number: u64,
         /// The action.
         action: Action,
@@ -141,7 +141,7 @@ impl fmt::Display for DomainFlaw {
     }
 }
 
-/// Writes what leads to a state.
+/// Writes the previous state and the action that leads on from it.
 fn write_origin(f: &mut fmt::Formatter<'_>, from: Option<(u64, Action)>) -> fmt::Result {
     match from {
         Some((number, action)) => write!(f, " (action {} leads to it from state {number})", action.0),
@@ -151,7 +151,7 @@ fn write_origin(f: &mut fmt::Formatter<'_>, from: Option<(u64, Action)>) -> fmt:
 
 impl core::error::Error for DomainFlaw {}
 
-/// Whether the actions are as [`Domain::actions`] asks for, except for their names. Checked at each command.
+/// Checks the actions against the rules of [`Domain::actions`], except for their names. Called at each command.
 pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
     let actions = domain.actions();
     if actions.len() > Action::MOST {
@@ -163,28 +163,27 @@ pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), Domain
     }
 }
 
-/// How far [`check`] came.
+/// The extent of a [`check`].
 #[cfg(feature = "alloc")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Checked {
-    /// States that were visited.
+    /// The number of visited states.
     pub states: usize,
-    /// Whether these are all that the robot can come to.
+    /// Whether these are all states that the robot can reach.
     pub all: bool,
-    /// The first propositional function that holds in none of these states, whichever objects it is asked of, where it could hold of some.
-    /// If you do not expect that, see what [`Domain::holds`] returns for it. One that can be asked of more than 4,096 lists of objects is
-    /// left out.
+    /// The first propositional function that holds in none of these states, for any objects, although objects of its classes exist. If you
+    /// do not expect that, look at [`Domain::holds`] for it. A function with more than 4,096 groundings is left out.
     pub never_held: Option<PropositionId>,
 }
 
-/// A propositional function that can be asked of more lists of objects is not watched.
+/// A propositional function with more groundings is not watched.
 #[cfg(feature = "alloc")]
 const MOST_GROUNDINGS: usize = 4_096;
 
-/// Tries whether a domain is what [`Domain`] asks for: its description, and what its functions say in every state that the actions lead to
-/// from `start`, or in the first `most` of them. Nothing else finds these mistakes before the robot does something strange, so call it in
-/// a test of your robot's. It cannot see what only you know to be impossible, such as two trams at one stop: compare
-/// [`Checked::states`] with the number of states that you expect.
+/// Checks the rules of [`Domain`]: its description, and the results of its functions in every state that the actions lead to from `start`,
+/// or in the first `most` of them. Otherwise such mistakes show only when the robot behaves strangely, so call it in a test of your robot.
+/// It cannot detect states that only you know to be impossible, such as two trams at one stop: compare [`Checked::states`] with the number
+/// of states that you expect.
 ///
 /// ```
 /// use goodbot::{HeapMemory, home::{Area, Cell, HomeBuilder, Moves}, oomdp::check};
@@ -199,14 +198,14 @@ const MOST_GROUNDINGS: usize = 4_096;
 /// ```
 ///
 /// # Errors
-/// The first [`DomainFlaw`] that is found.
+/// The first [`DomainFlaw`] found.
 #[cfg(feature = "alloc")]
 pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
     check_description(domain)?;
     let mut seen = BTreeSet::from([check_number(domain, &start, None)?]);
     let mut open = VecDeque::from([start]);
     let mut states: usize = 0;
-    // Those that were not seen to hold, with all objects that each could hold of.
+    // The propositional functions that have not held yet, with all their groundings.
     let mut never_held = ground_propositions(&domain.world());
     while let Some(state) = open.pop_front() {
         if states >= most {
@@ -231,7 +230,7 @@ pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Re
     Ok(Checked { states, all: open.is_empty(), never_held })
 }
 
-/// For each propositional function all that can be said with it of different objects of its classes, if that is something and not too much.
+/// For each propositional function its groundings with different objects of its classes, if there are any and not too many.
 #[cfg(feature = "alloc")]
 fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
     let of_class = |class: ClassId| world.objects.iter().filter(|(_, object)| object.class == class).count();
@@ -252,11 +251,11 @@ fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
     few.map(of_one).filter(|of_one: &Vec<_>| !of_one.is_empty()).collect()
 }
 
-/// The number of a state, where it is as it must be.
+/// Checks the number of a state, and returns it.
 #[cfg(feature = "alloc")]
 fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
     let (number, count) = (domain.number(state), domain.state_count());
-    // With no bound, there is none to keep.
+    // Without a bound, there is nothing to exceed.
     if number >= count && count != u64::MAX {
         return Err(DomainFlaw::Number { number, count, from });
     }

@@ -1,17 +1,17 @@
-//! What tells a state from all others of its domain, without its domain's own type.
+//! An identifier for the states of any domain, without the domain's own type.
 
 /// Words of a key.
 const WORDS: usize = if cfg!(feature = "large") { 4 } else { 1 };
 
-/// A state, as an agent keeps it between calls: its number where the domain's states can be numbered, else all that it is made of.
+/// A state, as an agent keeps it between calls: its number if the domain's states are numbered, else its packed contents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StateKey([u64; WORDS]);
 
 impl StateKey {
-    /// The bits that a key has room for.
+    /// The bits of a key.
     pub const BITS: usize = WORDS * u64::BITS as usize;
 
-    /// The key of a state that has a number.
+    /// The key of a state with this number.
     pub const fn of(number: u64) -> Self {
         let mut words = [0; WORDS];
         let [first, ..] = &mut words;
@@ -19,13 +19,13 @@ impl StateKey {
         Self(words)
     }
 
-    /// The number of a state that has one.
+    /// The number of a numbered state.
     pub const fn number(self) -> u64 {
         let [first, ..] = self.0;
         first
     }
 
-    /// The key of numbers below 2 to the power of `bits`, as many as there is room for.
+    /// Packs numbers below 2 to the power of `bits`, as many as fit.
     #[cfg(feature = "large")]
     pub(crate) fn packed(numbers: impl Iterator<Item = u16>, bits: usize) -> Self {
         let mut words = [0; WORDS];
@@ -40,7 +40,7 @@ impl StateKey {
         Self(words)
     }
 
-    /// The number at a position of those that were packed.
+    /// The packed number at a position.
     #[cfg(feature = "large")]
     pub(crate) fn unpacked(self, position: usize, bits: usize) -> u16 {
         (0..bits).fold(0, |number, bit| {

@@ -1,4 +1,4 @@
-//! The digest of a domain's vocabulary: robots that speak of the same things can share what they learned.
+//! The digest of a domain's vocabulary: robots with the same vocabulary can share training data.
 
 use super::Schema;
 use crate::checksum::{CHECK, Check};
@@ -26,7 +26,7 @@ pub fn digest(schema: &Schema<'_>) -> u32 {
     digest.finalize().max(1)
 }
 
-/// Takes in a name and its end. Not inlined: it is asked for in many places.
+/// Adds a name and its end to the digest. Not inlined, because it has many callers.
 #[inline(never)]
 fn take(digest: &mut Check, text: &str) {
     digest.update(text.as_bytes());

@@ -1,11 +1,11 @@
 //! Approximate plans, for the tasks that the exact search left open.
 //!
-//! 1. *Frozen pieces.* Pieces that do not matter to a task are frozen. Tasks with the same pieces share a search in the small space of the
-//!    robot and those pieces. If that finds no path, a frozen piece may block it: each other piece in turn may then move too.
+//! 1. *Frozen pieces.* Pieces that a task does not depend on are frozen. Tasks that depend on the same pieces share a search in the small
+//!    space of the robot and those pieces. If that finds no path, a frozen piece may block it: each other piece in turn may then move too.
 //! 2. *Windows of regions.* If the memory is too small for the robot and one piece on the whole floor, a search moves the two within a
 //!    window of regions (see `window`).
 //!
-//! Such a plan can miss a shorter way, or a dead end. The robot acts on it, but it is no evidence.
+//! Such a plan can miss a shorter path, or a dead end. The robot acts on it, but it is no evidence.
 
 mod trail;
 mod window;
@@ -16,7 +16,7 @@ use super::goals::Goals;
 use crate::oomdp::{Piece, PushGrid};
 use crate::task::TaskSet;
 
-/// Which searches are left to try.
+/// The remaining searches.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Approximation {
     /// The tasks not tried yet in this pass.
@@ -25,27 +25,27 @@ pub(super) struct Approximation {
     too_large: TaskSet,
     /// 0: each task's own pieces; then each piece in turn may move too; then windows of regions.
     pass: usize,
-    /// The search in a window that is being found.
+    /// The search in a window that is being prepared.
     errand: Option<Errand>,
-    /// The search in a window that is under way, if another way to do the same is left.
+    /// The current search in a window, if there is another way to do the same.
     retry: Option<Subgoal>,
 }
 
-/// What a call comes to: no search is left, the next is not found yet, or it is this one, for these tasks.
+/// The outcome of a call: no search is left, the next one is not ready yet, or this search, for these tasks.
 pub(super) type Next = Option<Option<(TaskSet, RowSearch)>>;
 
 impl Approximation {
-    /// Begins for the tasks left open.
+    /// Begins for the open tasks.
     pub(super) fn new(unknown: TaskSet) -> Self {
         Self { waiting: unknown, ..Self::default() }
     }
 
-    /// Whether something is under way that can be cut anywhere. The marks are not to be changed meanwhile.
+    /// Whether a step is under way that can be interrupted anywhere. Do not change the marks meanwhile.
     pub(super) const fn is_on_errand(&self) -> bool {
         self.errand.is_some()
     }
 
-    /// Goes on to the next search, of the open tasks `unknown`, with about `left` expansions at most. `marks` holds zeros where nothing is
+    /// Continues to the next search, for the open tasks `unknown`, with about `left` expansions at most. `marks` holds zeros if no step is
     /// under way.
     #[inline(never)]
     pub(super) fn next<G: PushGrid + ?Sized>(

@@ -1,14 +1,14 @@
 //! The exact search that expands rows of states at once, for robots on a floor of cells (see [`PushGrid`]).
 //!
-//! The states that differ only in the robot's cell make up a row: one bit a cell, line after line of the floor. Each arrangement of the
+//! The states that differ only in the robot's cell make up a row: one bit per cell, line by line of the floor. Each arrangement of the
 //! other pieces has a row. All states of a row at one distance are expanded together: the robot's moves reach the bits shifted by one cell
-//! each way, without the cells that are wall, occupied, or nearer. Only moves of a piece leave the row, one bit at a time.
+//! in each direction, without the cells that are wall, occupied, or nearer. Only moves of a piece leave the row, one bit at a time.
 //!
-//! A row has one plane of bits for each action, the states with a shortest path that begins with it, and two for the frontier: the current
-//! distance and the next. A robot with four actions takes six bits for each cell of the floor.
+//! A row has one plane of bits for each action, with the states that have a shortest path beginning with it, and two planes for the
+//! frontier: the current distance and the next. A robot with four actions takes six bits per cell of the floor.
 //!
-//! If the robot's cell determines the progress of the tasks' way, each layer of the way has its own rows. A cell with progress takes the
-//! state to the row of another layer, and no move leaves a cell to avoid.
+//! If the robot's cell determines the progress of the tasks' way, each layer of the way has its own rows. A cell that brings progress takes
+//! the state to the row of another layer, and no move leaves a cell to avoid.
 //!
 //! The approximate plans use the same search in a smaller [`View`] of the floor.
 
@@ -20,24 +20,24 @@ use super::one_by_one::StateSearch;
 use crate::oomdp::{Action, ActionSet, CellId, Divider, Floor, FloorCell, Piece, PushGrid, own_actions};
 use crate::task::{Part, TaskSet, Way, WayState};
 
-/// A part of the way to a task's goal: one piece goes to a cell.
+/// A subgoal of a task: one piece goes to a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Subgoal {
     pub(super) task: usize,
     pub(super) piece: Piece,
-    /// The cell, or `None` for any cell that the task asks for.
+    /// The cell, or `None` for any cell that satisfies the task.
     pub(super) to: Option<CellId>,
 }
 
-/// Which part of the state space is searched. In all but the whole view, pieces that are not among `moving` stay where they are, as
-/// walls, and so do the cells outside the window. Without the feature `approximate` it is always the whole.
+/// The part of the state space to search. Except in the whole view, pieces that are not in `moving` stay in place, as walls, and cells
+/// outside the window are walls too. Without the feature `approximate` it is always the whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     /// The pieces that can change their cells, one bit each; the robot's is set.
     pub(super) moving: u32,
     /// The regions in which they stay, one bit each.
     pub(super) window: u32,
-    /// What is looked for, instead of the tasks' goals.
+    /// The subgoal, instead of the tasks' goals.
     pub(super) subgoal: Option<Subgoal>,
 }
 
@@ -67,7 +67,7 @@ impl View {
         self.subgoal.filter(|_| cfg!(feature = "approximate"))
     }
 
-    /// The moving pieces but the robot, one bit each.
+    /// The moving pieces except the robot, one bit each.
     fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> u32 {
         (1..grid.pieces()).map(|piece| Piece(piece as u8).bit()).fold(0, |pieces, piece| pieces | piece) & self.moving
     }
@@ -95,7 +95,7 @@ impl View {
     }
 }
 
-/// The region of a cell, as a set.
+/// The region of a cell, as a bit set.
 pub(super) const fn region(cell: &FloorCell) -> u32 {
     match 1_u32.checked_shl(cell.region as u32) {
         Some(region) => region,
@@ -103,16 +103,16 @@ pub(super) const fn region(cell: &FloorCell) -> u32 {
     }
 }
 
-/// The smallest box around the cells of a view, laid out as bits.
+/// The smallest box around the cells of a view, as a layout of bits.
 #[derive(Clone, Copy, Debug)]
 struct Bits {
     left: i16,
     bottom: i16,
-    /// Bits from a cell to its northern neighbour: one more than the box is wide, so that nothing moves from the end of a line to the
-    /// beginning of another.
+    /// The distance in bits from a cell to its northern neighbour: one more than the width of the box, so that no move leads from the end
+    /// of a line to the beginning of another.
     width: usize,
     len: usize,
-    /// Cells of the view.
+    /// The number of cells of the view.
     cells: usize,
 }
 
@@ -126,7 +126,7 @@ impl Bits {
         let span = |from: i16, to: i16| usize::from(to.wrapping_sub(from).cast_unsigned()).saturating_add(1);
         let width = span(left, right).saturating_add(1);
         let len = width.saturating_mul(span(first.y, top)).saturating_sub(1);
-        // With a single line, north and south lead nowhere; their shifts are then at most one word.
+        // With a single line, north and south lead nowhere; so their shifts may be short.
         Some(Self { left, bottom: first.y, width: if len <= width { 1 } else { width }, len, cells: count })
     }
 
@@ -136,7 +136,7 @@ impl Bits {
         usize::from(up.cast_unsigned()).wrapping_mul(self.width).wrapping_add(usize::from(right.cast_unsigned()))
     }
 
-    /// The bits of a row of one word that lie ahead of these in a direction.
+    /// The bits one step from these in a direction, in a row of one word.
     #[inline]
     fn ahead(&self, bits: u64, direction: usize) -> u64 {
         let width = self.width as u32;
@@ -148,7 +148,7 @@ impl Bits {
         }
     }
 
-    /// Gives the bits beside those of one word, word by word; a word may be given several times, and words beyond the row too.
+    /// Passes the bits beside those of one word to `give`, word by word. A word may occur several times, and words beyond the row too.
     #[inline]
     fn beside(&self, word: usize, bits: u64, mut give: impl FnMut(usize, u64)) {
         let (far, near) = (self.width / 64, (self.width % 64) as u32);
@@ -159,7 +159,7 @@ impl Bits {
             }
         };
         let (up, up_over, down, down_over) = (bits << near, bits >> 1 >> over, bits >> near, bits << 1 << over);
-        // A word before the first wraps around, and is beyond the row too.
+        // A word before the first wraps around, and is then beyond the row too.
         let (after, before) = (word.wrapping_add(1), word.wrapping_sub(1));
         if far == 0 {
             give(word, bits << 1 | bits >> 1 | up | down);
@@ -176,7 +176,7 @@ impl Bits {
         }
     }
 
-    /// By how many bits a direction leads on.
+    /// The shift of a direction, in bits.
     #[inline]
     fn shift(&self, direction: usize) -> isize {
         let width = isize::try_from(self.width).unwrap_or(0);
@@ -189,27 +189,27 @@ impl Bits {
     }
 }
 
-/// A way that the robot's cell decides.
+/// The planes of a way that the robot's cell decides.
 #[derive(Clone, Copy, Debug)]
 struct WayPlanes {
-    /// The plane of the cells that need not be avoided. After it come those where each clause `through` is met, and where each earlier goal
-    /// holds.
+    /// The plane of the cells that need not be avoided. After it come the planes of the cells that meet each clause `through`, and each
+    /// earlier goal.
     first: usize,
     clauses: u8,
     stages: u8,
-    /// How many layers there are; the way of the last is behind.
+    /// The number of layers; in the last one the way is finished.
     layers: usize,
 }
 
 impl WayPlanes {
-    /// The way, where its planes begin at `first`; `None` where the robot's cell does not decide it.
+    /// The planes of a way, from `first` on; `None` if the robot's cell does not decide it.
     fn new<G: PushGrid + ?Sized>(grid: &G, way: &Way<'_>, first: usize) -> Option<Self> {
         let is_decided = way.parts().all(|(_, part)| grid.piece_of(&part) == Some(Piece::ROBOT));
         let clauses = way.pending(WayState::START).count() as u8;
         is_decided.then(|| Self { first, clauses, stages: way.stages(), layers: usize::from(way.layers()) })
     }
 
-    /// How many planes it has.
+    /// The number of planes.
     const fn count(&self) -> usize {
         1_usize.wrapping_add(self.clauses as usize).wrapping_add(self.stages as usize)
     }
@@ -228,67 +228,67 @@ impl WayPlanes {
         layer.wrapping_shr(clause as u32) & 1 == 1
     }
 
-    /// How many earlier goals were reached in a layer.
+    /// The number of earlier goals reached in a layer.
     const fn stage(&self, layer: usize) -> u8 {
         layer.wrapping_shr(self.clauses as u32) as u8
     }
 }
 
-/// How the marks are laid out, and where the search stands.
+/// The layout of the marks, and the progress of the search.
 ///
-/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, those of them that are free, for each task that
-/// asks for the robot's cell, the cells where it may hold, and those of the way; then four bit sets over the rows; then the rows, those of
-/// the first layer first.
+/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, the free ones, for each task that depends on
+/// the robot's cell the cells where it may hold, and the planes of the way; then four bit sets over the rows; then the rows, those of the
+/// first layer first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RowSearch {
     view: View,
-    /// The moving pieces but the robot, one bit each.
+    /// The moving pieces except the robot, one bit each.
     pieces: u32,
     /// The way of the tasks, if they have one.
     way: Option<WayPlanes>,
-    /// Rows of a layer.
+    /// The number of rows of a layer.
     rows: usize,
     bits: Bits,
-    /// Words of a plane.
+    /// The number of words of a plane.
     words: usize,
     actions: usize,
     by_cells: Divider,
     directions: [Action; 4],
-    /// Actions that are no direction.
+    /// The actions that are no direction.
     others: ActionSet,
-    /// The tasks that ask for the robot's cell, and those of them that ask nothing else.
+    /// The tasks that depend on the robot's cell, and those that depend on nothing else.
     of_robot: TaskSet,
     only_robot: TaskSet,
-    /// Words of a row, and of a bit set over the rows.
+    /// The numbers of words of a row, and of a bit set over the rows.
     stride: usize,
     set: usize,
-    /// Where the planes over the floor, the bit sets and the rows begin.
+    /// The starts of the planes over the floor, of the bit sets and of the rows.
     floor_at: usize,
     sets_at: usize,
     rows_at: usize,
-    /// The planes of the distance under way and of the next.
+    /// The planes of the current distance and of the next.
     here: usize,
     next: usize,
-    /// The word of the frontier's bit set that is scanned.
+    /// The word being scanned in the frontier's bit set.
     cursor: usize,
     /// Whether any row has a state at the next distance.
     ahead: bool,
-    /// Cells of the floor that the planes have; `None` once all is laid out.
+    /// The number of cells laid out in the planes; `None` once the layout is complete.
     laid: Option<u16>,
 }
 
 /// From this ratio of box cells to view cells on, expanding states one by one is faster.
 const SPARSE: usize = 16;
-/// The bit sets over the rows: two of the frontier, the rows that were ever reached, and the candidate rows.
+/// The bit sets over the rows: two of the frontier, the rows ever reached, and the candidate rows.
 const SETS: usize = 4;
 const TOUCHED: usize = 2;
-/// The rows in which a task may still hold that asks for the cell of another piece than the robot.
+/// The rows that may satisfy a task that depends on the cell of another piece than the robot.
 const CANDIDATES: usize = 3;
-/// Planes over the floor before those of the tasks: its cells, and those that are free.
+/// The planes over the floor before those of the tasks: its cells, and the free ones.
 const CELLS: usize = 0;
 const FREE: usize = 1;
 
-/// One state, by its row and its bit.
+/// The place of one state: its row and its bit.
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     row: usize,
@@ -296,8 +296,8 @@ struct Spot {
 }
 
 impl RowSearch {
-    /// The layout of a search for these tasks in this many words; `None` if it does not fit, if an action does not cost 1, if a task asks
-    /// for more than single pieces' cells, or if expanding states one by one is faster. `way` is shared by all these tasks.
+    /// The layout of a search for these tasks in this many words; `None` if it does not fit, if an action does not cost 1, if a task
+    /// depends on more than single pieces' cells, or if expanding states one by one is faster. `way` is shared by all these tasks.
     #[inline(never)]
     pub(super) fn layout<G: PushGrid + ?Sized>(
         grid: &G,
@@ -379,7 +379,7 @@ impl RowSearch {
         self.sets_at.wrapping_add(set.wrapping_mul(self.set))
     }
 
-    /// The bit set of the rows that have a state in one of the frontier's planes.
+    /// The bit set of the rows with a state in one of the frontier's planes.
     #[inline]
     const fn frontier_at(&self, plane: usize) -> usize {
         self.set_at(plane.wrapping_sub(self.actions))
@@ -390,14 +390,14 @@ impl RowSearch {
         self.floor_at.wrapping_add(plane.wrapping_mul(self.words))
     }
 
-    /// The plane of the cells where a task may hold that asks for the robot's cell.
+    /// The plane of the cells where a task that depends on the robot's cell may hold.
     #[inline]
     fn plane_of(&self, task: usize) -> usize {
         let before = self.of_robot.common(TaskSet::first(task));
         2_usize.wrapping_add(before.len())
     }
 
-    /// The way of the tasks. Without the feature `ways` this is known to be none, and takes no code.
+    /// The way of the tasks. Without the feature `ways` it is always `None`, and takes no code.
     #[inline]
     fn way(&self) -> Option<WayPlanes> {
         self.way.filter(|_| cfg!(feature = "ways"))
@@ -409,7 +409,7 @@ impl RowSearch {
         if self.way().is_some() { row.checked_div(self.rows).unwrap_or(0) } else { 0 }
     }
 
-    /// Where a row is among those of its layer.
+    /// The position of a row within its layer.
     #[inline]
     fn row_in_layer(&self, row: usize) -> usize {
         row.wrapping_sub(self.layer(row).wrapping_mul(self.rows))
@@ -427,14 +427,14 @@ impl RowSearch {
         marks.get(self.floor_plane_at(plane).wrapping_add(word)).copied().unwrap_or(0)
     }
 
-    /// The bits of one word of a layer that bring the way on.
+    /// The bits of one word of a layer that bring progress on the way.
     fn leaving(&self, marks: &[u64], way: &WayPlanes, layer: usize, word: usize) -> u64 {
         let clauses = (0..way.clauses).filter(|&clause| !WayPlanes::has_passed(layer, clause)).map(Part::Through);
         let stage = Some(way.stage(layer)).filter(|&stage| stage < way.stages).map(Part::Before);
         clauses.chain(stage).fold(0, |all, part| all | self.floor_word(marks, way.plane(part), word))
     }
 
-    /// The place of a state whose robot has come to its cell: perhaps in another layer.
+    /// The place of a state after its robot has entered its cell: perhaps in another layer.
     fn come_to(&self, marks: &[u64], to: Spot) -> Spot {
         let Some(way) = self.way() else { return to };
         let layer = self.layer(to.row);
@@ -454,14 +454,14 @@ impl RowSearch {
         self.rows_at.wrapping_add(row.wrapping_mul(self.stride))
     }
 
-    /// Whether the search can begin.
+    /// Whether the layout is complete, so that the search can begin.
     #[inline]
     pub(super) const fn is_laid_out(&self) -> bool {
         self.laid.is_none()
     }
 
-    /// Goes on to lay out the marks, which held zeros, with `most` cells at most. `way` is the one of the layout, and how far it has come.
-    /// Returns how many cells that took. [`open_first`](Self::open_first) follows.
+    /// Continues to lay out the marks, which held zeros, with at most `most` cells. `way` is the way of the layout, with its progress.
+    /// Returns the number of cells. Call [`open_first`](Self::open_first) afterwards.
     #[inline(never)]
     pub(super) fn lay_out<G: PushGrid + ?Sized>(
         &mut self,
@@ -512,7 +512,7 @@ impl RowSearch {
         to.saturating_sub(from)
     }
 
-    /// Opens the successors of `state`, once all is laid out.
+    /// Opens the successors of `state`, once the layout is complete.
     #[inline(never)]
     pub(super) fn open_first<G: PushGrid + ?Sized>(
         &mut self,
@@ -527,7 +527,7 @@ impl RowSearch {
         let layer = way.map_or(0, |(way, now)| usize::from(way.layer(now)));
         if let Some(start) = self.spot(grid, state, state, marks) {
             let start = self.in_layer(start, layer);
-            // Reached by any action, it is not reached again.
+            // The start is marked as reached, so that it is not reached again.
             self.reach(marks, start, ActionSet::of(Action(0)));
             let plane = self.row_at(start.row).wrapping_add(self.next.wrapping_mul(self.words));
             if let Some(open) = marks.get_mut(plane.wrapping_add(start.bit / 64)) {
@@ -556,7 +556,7 @@ impl RowSearch {
         floor.cells.get(cell.index()).filter(|cell| self.view.has(cell)).map(|cell| self.rank_of_bit(marks, self.bits.of(cell)))
     }
 
-    /// There are as many cells before a bit as the rank of its cell.
+    /// The rank of the cell at a bit: the number of cells before it.
     #[inline]
     fn rank_of_bit(&self, marks: &[u64], bit: usize) -> usize {
         let cells = marks.get(self.floor_at..self.floor_at.wrapping_add(self.words)).unwrap_or(&[]);
@@ -570,7 +570,7 @@ impl RowSearch {
         CellId(if self.floor_at == 0 { rank as u16 } else { entry(marks, rank) })
     }
 
-    /// Where a state lies; `None` where a piece has moved that must not, or has left the window.
+    /// The place of a state; `None` if a frozen piece has moved, or a piece has left the window.
     #[inline]
     fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State, marks: &[u64]) -> Option<Spot> {
         let floor = grid.floor();
@@ -589,13 +589,13 @@ impl RowSearch {
         Some(Spot { row, bit: self.bits.of(robot) })
     }
 
-    /// A state of a row, with the robot on any cell, and the bits that other moving pieces occupy in the row's first word.
+    /// A state of a row, with the robot on any cell, and the bits of the other moving pieces in the row's first word.
     #[inline]
     fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
         let (mut state, mut rest, mut occupied, cells) = (*now, self.row_in_layer(row) as u64, 0, grid.floor().cells);
         let last = self.pieces.checked_ilog2().unwrap_or(0);
         for piece in self.pieces() {
-            // The last digit is what is left.
+            // The remainder is the last digit.
             let (more, rank) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
             let cell = self.cell(rank as usize, marks);
             let bit = cells.get(cell.index()).map_or(64, |cell| self.bits.of(cell));
@@ -606,7 +606,7 @@ impl RowSearch {
         (state, occupied)
     }
 
-    /// Reaches one state at the next distance, by a way that begins with one of these first actions.
+    /// Reaches one state at the next distance, by a path that begins with one of these first actions.
     fn reach(&mut self, marks: &mut [u64], to: Spot, first: ActionSet) {
         let (start, word, bit) = (self.row_at(to.row), to.bit / 64, 1_u64 << (to.bit % 64));
         let Some(planes) = marks.get_mut(start..start.wrapping_add(self.stride)) else { return };
@@ -631,7 +631,7 @@ impl RowSearch {
         set_bit(marks, self.set_at(TOUCHED), to.row);
     }
 
-    /// The moving pieces but the robot.
+    /// The moving pieces except the robot.
     #[inline]
     fn pieces(&self) -> impl Iterator<Item = Piece> + use<> {
         let mut rest = self.pieces;
@@ -642,20 +642,20 @@ impl RowSearch {
         })
     }
 
-    /// Takes note that a row has a state at the next distance.
+    /// Marks a row as having a state at the next distance.
     #[inline]
     fn open(&mut self, marks: &mut [u64], row: usize) {
         set_bit(marks, self.frontier_at(self.next), row);
         self.ahead = true;
     }
 
-    /// Goes on to the next distance. Returns whether there is one.
+    /// Moves to the next distance. Returns whether there is one.
     pub(super) fn next_level(&mut self) -> bool {
         (self.here, self.next, self.cursor) = (self.next, self.here, 0);
         core::mem::take(&mut self.ahead)
     }
 
-    /// Goes on to leave zeros in the marks, with about `left` words at most. Returns whether there is nothing else.
+    /// Continues to fill the marks with zeros, with about `left` words at most. Returns whether it is done.
     pub(super) fn clear_on(&self, marks: &mut [u64], left: &mut usize) -> bool {
         let (touched_at, mut cursor) = (self.set_at(TOUCHED), 0);
         while *left > 0 {

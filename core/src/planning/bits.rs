@@ -9,7 +9,7 @@ pub(super) fn insert(bits: &mut [u64], at: usize) -> bool {
     new
 }
 
-/// Takes the first bit at or after the word `cursor`, and returns its position; `cursor` is then its word.
+/// Takes the first bit from the word `cursor` on, and returns its position; `cursor` is then its word.
 #[inline]
 pub(super) fn take_from(bits: &mut [u64], cursor: &mut usize) -> Option<usize> {
     loop {

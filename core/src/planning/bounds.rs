@@ -1,14 +1,14 @@
 //! Exact plans where the joint states of all pieces do not fit the memory, by bounds on the distance.
 //!
-//! 1. *The lower bound.* The pieces that a task does not ask for are taken away. Each plan of the floor is also one without them, so the
-//!    distance without them is never longer. One backward search finds it for all cells of the robot and one piece (see `relaxation`). Tasks
-//!    with the same goal cells share it. A task that is impossible without the other pieces is impossible with them.
-//! 2. *The upper bound.* A* with that lower bound as heuristic looks for a plan as short (see `a_star`). Of the pieces taken away, it brings
-//!    back those that are in the way. A plan that enters no cell of a piece taken away is one of the floor as well, so the two bounds agree,
-//!    and the optimal set is exact.
+//! 1. *The lower bound.* The pieces that a task does not depend on are removed. Each plan of the floor is also a plan without them, so the
+//!    distance without them is never longer. One backward search finds it for all cells of the robot and one piece (see `relaxation`).
+//!    Tasks with the same goal cells share it. A task that is impossible without the other pieces is impossible with them.
+//! 2. *The upper bound.* A* with that lower bound as heuristic looks for a plan as short (see `a_star`). It brings back those removed
+//!    pieces that are in the way. A plan that enters no cell of a removed piece is also a plan of the floor, so the two bounds agree, and
+//!    the optimal set is exact.
 //!
-//! The work grows with the square of the cells, and with how often other pieces are in the way, not with the number of pieces. What A* leaves
-//! open in its memory and work stays open.
+//! The work grows with the square of the cells, and with the number of pieces in the way, not with the number of pieces. Tasks that A*
+//! leaves open within its memory and work stay open.
 
 mod a_star;
 mod relaxation;
@@ -20,18 +20,18 @@ use super::plan::Results;
 use crate::oomdp::{PushGrid, own_actions};
 use crate::task::TaskSet;
 
-/// Expansions of A* for one task at most.
+/// The most expansions of A* for one task.
 const MOST_EXPANSIONS: u32 = 1 << 14;
-/// The same for a task that is hardly likely, where there are more tasks than one word tells apart: 200 of them together get fewer than their
+/// The same for an unlikely task, if there are more tasks than one word has bits: 200 of them together get fewer expansions than their
 /// lower bounds take in ten rooms.
 const FEW_EXPANSIONS: u32 = 1 << 8;
 
-/// Which tasks are left to bound, and what is under way.
+/// The tasks still to bound, and the current work.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
-    /// The tasks that have no lower bound yet.
+    /// The tasks without a lower bound yet.
     waiting: TaskSet,
-    /// The tasks that share the lower bound under way.
+    /// The tasks that share the current lower bound.
     group: TaskSet,
     /// The tasks that get the full work.
     likely: TaskSet,
@@ -39,7 +39,7 @@ pub(super) struct Bounds {
     search: Option<AStar>,
 }
 
-/// Whether bounds are sound on this floor: every action costs 1, and a piece is moved by a plain push or a swap alone.
+/// Whether bounds are sound on this floor: every action costs 1, and pieces move only by a plain push or a swap.
 fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
     let directions = grid.floor().directions;
     grid.pushes_plainly()
@@ -48,13 +48,13 @@ fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
 }
 
 impl Bounds {
-    /// Begins for these tasks, of which the likely ones get the full work if there are many; `None` on a floor where bounds say nothing.
+    /// Begins for these tasks, of which the likely ones get the full work if there are many; `None` on a floor where bounds are not sound.
     pub(super) fn new<G: PushGrid + ?Sized>(grid: &G, tasks: TaskSet, likely: TaskSet) -> Option<Self> {
         is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, likely, relaxation: None, search: None })
     }
 
-    /// Goes on, with at most about `left` expansions. Returns whether there is more to do. `marks` holds zeros at the beginning, and again
-    /// at the end.
+    /// Continues, with at most about `left` expansions. Returns whether there is more to do. `marks` holds zeros at the beginning, and
+    /// again at the end.
     pub(super) fn advance<G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],
@@ -116,7 +116,7 @@ impl Bounds {
         true
     }
 
-    /// Leaves zeros in the marks.
+    /// Fills the marks with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         if let Some(relaxation) = &self.relaxation {
             relaxation.clear(marks);

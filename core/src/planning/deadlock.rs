@@ -1,7 +1,7 @@
-//! Deadlocks: tasks that one piece alone rules out for ever.
+//! Deadlocks: tasks that one piece alone makes impossible for ever.
 //!
-//! A block that can only be pushed never leaves a corner, and one along a wall stays there. So each piece is followed from where it is, as
-//! if no other piece were in the way and the robot were wherever it has to be. A task that asks for none of the cells it can come to is a
+//! A block that can only be pushed never leaves a corner, and one along a wall stays at the wall. So each piece is followed from its cell,
+//! as if no other piece were in the way and the robot could stand anywhere. A task that accepts none of the cells reached by the piece is a
 //! dead end. The test is sound but incomplete: a search may find more dead ends.
 
 use super::bits::{insert, take_from};
@@ -9,25 +9,25 @@ use super::goals::Goals;
 use crate::oomdp::{CellId, Piece, PushGrid};
 use crate::task::TaskSet;
 
-/// The directions in which a piece can be moved from a cell, if nothing else is in the way: the next cells.
+/// The cells to which a piece can be moved from a cell, if nothing else is in the way.
 pub(super) fn moves<G: PushGrid + ?Sized>(grid: &G, piece: Piece, cell: CellId) -> impl Iterator<Item = CellId> {
     let floor = grid.floor();
     let free = move |direction: usize| floor.neighbour(cell, direction) != CellId::NONE;
-    // North and south stand side by side, and so do east and west.
+    // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
     let movable = piece == Piece::ROBOT || grid.can_pull();
     (0..4)
         .filter(move |&direction| free(direction) && (movable || free(direction ^ 1)))
         .map(move |direction| floor.neighbour(cell, direction))
 }
 
-/// Which tasks no piece rules out for ever, as far as is known.
+/// The search for tasks that a single piece makes impossible.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Deadlocks {
     possible: TaskSet,
-    /// The piece that is followed, and whether it has left its cell.
+    /// The followed piece, and whether its search has begun.
     piece: u8,
     has_left: bool,
-    /// The tasks that it does not rule out, and the word of the cells to go on from.
+    /// The tasks that it does not rule out so far, and the next word of open cells.
     reached: TaskSet,
     cursor: usize,
 }
@@ -38,8 +38,8 @@ impl Deadlocks {
         Self { possible: tasks, piece: 1, has_left: false, reached: TaskSet::EMPTY, cursor: 0 }
     }
 
-    /// Goes on, with at most `left` cells. Returns the tasks that are possible once that is known. `scratch` holds zeros before and
-    /// afterwards; if it is too small, fewer tasks are ruled out.
+    /// Continues, with at most `left` cells. Returns the possible tasks once they are known. `scratch` holds zeros before and afterwards;
+    /// if it is too small, fewer tasks are ruled out.
     #[inline(never)]
     pub(super) fn advance<G: PushGrid + ?Sized>(
         &mut self,

@@ -1,15 +1,15 @@
-//! Which tasks a state satisfies.
+//! The tasks that a state satisfies.
 //!
-//! A task is a conjunction of ground propositions. On a floor with pieces, most propositions depend on the cell of one piece. So for each
-//! cell of each piece the table keeps the tasks that it does not rule out, one bit a task. The tasks that a state satisfies are the
-//! intersection over its pieces: one look-up a piece, for any number of tasks. In other domains the propositions are asked one by one.
+//! A task is a conjunction of ground propositions. On a floor with pieces, most propositions depend on the cell of one piece. So the table
+//! has, for each cell of each piece, the tasks that it does not rule out, one bit each. The tasks that a state satisfies are the
+//! intersection over its pieces: one look-up per piece, for any number of tasks. In other domains the propositions are tested one by one.
 
 use crate::capacity::{Capacity, CapacityError};
 use crate::memory::GoalMemory;
 use crate::oomdp::{CellId, Domain, GroundProposition, ObjectId, Piece, PropositionId, PushGrid, SearchKind};
 use crate::task::{GroundedTask, LiftedTask, TaskSet, WayState};
 
-/// Whether a proposition is not to hold. Without the feature `talk` each is to hold, and this takes no memory.
+/// Whether a proposition is negated. Without the feature `talk` none is, and this takes no memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Sign(#[cfg(feature = "talk")] bool);
 
@@ -31,7 +31,7 @@ impl Sign {
     }
 }
 
-/// A ground proposition, or its opposite, and the tasks that it is a part of.
+/// A ground proposition, or its negation, and the tasks that contain it.
 #[derive(Clone, Copy, Debug)]
 pub struct GoalPart {
     proposition: GroundProposition,
@@ -50,17 +50,17 @@ impl GoalPart {
     };
 }
 
-/// The goals of one session's tasks, beside the tables.
+/// The goals of one session's tasks, besides the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct GoalTable {
-    /// Distinct ground propositions: at most a few for each of 64 tasks.
+    /// The number of distinct ground propositions: at most a few per task.
     parts: u16,
-    /// Cells of each piece in the table; 0 without a table, or before it is filled. A floor has no more cells than a `u16` counts.
+    /// Cells of each piece in the table; 0 without a table, or before it is filled. A floor has no more cells than fit a `u16`.
     tabled_cells: u16,
-    /// Entries of the table that are filled.
+    /// The number of filled entries.
     filled: u32,
     all: TaskSet,
-    /// The tasks that ask for the cell of the robot, for that of another piece, and for something that no single cell decides.
+    /// The tasks that depend on the robot's cell, on another piece's cell, and on something that no single cell decides.
     of_robot: TaskSet,
     of_others: TaskSet,
     of_several: TaskSet,
@@ -77,7 +77,7 @@ impl GoalTable {
         of_several: TaskSet::EMPTY,
     };
 
-    /// Lists what these tasks are made of. The table of cells is left to [`tabulate`](Self::tabulate).
+    /// Lists the propositions of these tasks. [`tabulate`](Self::tabulate) fills the table of cells later.
     pub(super) fn list<D: Domain + ?Sized>(
         memory: &mut GoalMemory<'_>,
         domain: &D,
@@ -114,14 +114,14 @@ impl GoalTable {
         Ok(table)
     }
 
-    /// Whether the table of cells is not filled yet. A domain without a floor, or with more cells than entries, has none.
+    /// Whether the table of cells is still to be filled. A domain without a floor, or with more cells than entries, has none.
     pub(super) fn is_to_tabulate<G: PushGrid + ?Sized>(&self, entries: usize, grid: &G) -> bool {
         let cells = grid.floor().cells.len();
         let is_countable = u16::try_from(cells).is_ok() && u32::try_from(entries).is_ok();
         self.tabled_cells == 0 && is_countable && cells.checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
     }
 
-    /// Fills at most this many more cells of the table. Returns how many. `state` is any state of the domain.
+    /// Fills at most `most` more cells of the table. Returns their number. `state` is any state of the domain.
     pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) -> usize {
         let cells = grid.floor().cells.len();
         let all = cells.saturating_mul(grid.pieces());
@@ -147,22 +147,22 @@ impl GoalTable {
         self.all
     }
 
-    /// How many distinct ground propositions the tasks are made of.
+    /// The number of distinct ground propositions in the tasks.
     pub(super) fn parts(&self) -> usize {
         usize::from(self.parts)
     }
 
-    /// The tasks that ask for the robot's cell.
+    /// The tasks that depend on the robot's cell.
     pub(super) fn of_robot(&self) -> TaskSet {
         self.of_robot
     }
 
-    /// The tasks that ask for the cell of a piece other than the robot.
+    /// The tasks that depend on the cell of another piece than the robot.
     pub(super) fn of_others(&self) -> TaskSet {
         self.of_others
     }
 
-    /// The tasks that ask for something that no single piece's cell decides.
+    /// The tasks that depend on something that no single piece's cell decides.
     pub(super) fn of_several(&self) -> TaskSet {
         self.of_several
     }
@@ -181,7 +181,7 @@ impl Goals<'_> {
         self.parts.iter().take(self.table.parts())
     }
 
-    /// The pieces whose cells a task asks for, one bit each; `None` where no single piece decides a proposition of it.
+    /// The pieces whose cells decide a task, one bit each; `None` if no single piece decides one of its propositions.
     #[cfg(feature = "approximate")]
     pub(super) fn pieces_of(&self, task: usize) -> Option<u32> {
         let mut parts = self.parts().filter(|part| part.tasks.contains(task));

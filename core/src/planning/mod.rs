@@ -1,4 +1,4 @@
-//! Planning: which actions begin a shortest way to each task's goal (paper, section 4: uniform-cost search).
+//! Planning: the actions that begin a shortest plan to each task's goal (paper, section 4: uniform-cost search).
 //!
 //! ```text
 //!            Planner: for one state after another, all tasks at once
@@ -11,14 +11,15 @@
 //!
 //! Ties are kept: an action is optimal for a task if any shortest way begins with it. The agent chooses among them (`Agent::decide`).
 //!
-//! - `goals`: which tasks a state satisfies, at nearly the same cost for one task as for 64;
-//! - `deadlock`: tasks that one piece alone rules out for ever, told without a search;
-//! - `bitboard`: exact; expands the states that differ only in the robot's cell together, as rows of bits;
+//! - `goals`: the tasks that a state satisfies, at nearly the same cost for one task as for 64;
+//! - `deadlock`: tasks that one piece alone makes impossible for ever, found without a search;
+//! - `bitboard`: exact; expands all states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table if the states do not fit the memory;
-//! - `bounds`: exact where two bounds of the distance agree; for floors with more joint states than fit (feature `bounds`);
-//! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence (feature `approximate`);
+//! - `bounds`: exact if two bounds of the distance agree; for floors with more joint states than fit (feature `bounds`);
+//! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence (feature
+//!   `approximate`);
 //! - `ways`: exact; tasks with a path constraint (a way), state by state in the product of the world and the way's progress;
-//! - `planner`: the order of all these;
+//! - `planner`: the order of these steps;
 //! - `plan`: the result for each task, and how it judges an action.
 
 #[cfg(feature = "approximate")]
@@ -40,7 +41,7 @@ pub use plan::{Judgement, OptimalSet, Plan};
 pub use planner::{PlanTables, Planner};
 pub use ways::Ways;
 
-/// Whether work that is done in parts has come to its end.
+/// Whether work that is done in parts is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]

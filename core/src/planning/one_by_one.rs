@@ -1,11 +1,12 @@
 //! The exact search that expands states one by one. It serves every domain.
 //!
-//! Each reached state carries the set of first actions of its shortest paths. The first goal state that the search meets for a task gives
-//! the task's distance, and the first actions of all its goal states at that distance are its optimal set: every action a with cost(s,a) +
+//! Each reached state has the set of first actions of its shortest paths. The first goal state that the search meets for a task gives the
+//! task's distance, and the first actions of all its goal states at that distance are its optimal set: every action a with cost(s,a) +
 //! dist(step(s,a)) = dist(s).
 //!
-//! With costs of 1 and at most 8 actions this takes 11 bits a state. If the states do not fit, the search keeps the states that it meets in
-//! a hash table of state numbers. Once that is full, tasks without a goal nearer than the first state without room stay *unknown*.
+//! With costs of 1 and at most 8 actions this takes 11 bits per state. If the states do not fit, the search keeps the states that it meets
+//! in a hash table of state numbers. Once that is full, a task stays *unknown* unless it has a goal nearer than the first state without
+//! room.
 
 mod frontier;
 
@@ -16,34 +17,34 @@ use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::oomdp::domain::MOST_COST;
 use crate::oomdp::{Action, ActionSet, Domain, SearchKind, cost, own_actions};
 
-/// The progress of a search state by state.
+/// The progress of a search that expands states one by one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StateSearch {
     frontier: Frontier,
-    /// States that fit.
+    /// The number of states that fit.
     slots: usize,
     hashing: bool,
-    /// Words at the end of the marks that serve as hash table, where there is no other memory for one.
+    /// The number of words at the end of the marks that serve as hash table, if there is no other memory for one.
     own_table: usize,
-    /// How many states are open.
+    /// The number of open states.
     ahead: usize,
-    /// The distance of the first state that found no room.
+    /// The distance of the first state without room.
     horizon: u32,
-    /// A state whose number is not below the domain's `state_count`, though all that are have room.
+    /// A state whose number is not below the domain's `state_count`, although all counted states have room.
     stray: Option<Stray>,
 }
 
-/// A state that the domain did not count.
+/// A reached state that the domain did not count.
 #[derive(Clone, Copy, Debug)]
 pub struct Stray {
     /// Its number.
     pub number: u64,
-    /// The number of the state before it, and the action between them.
+    /// The number of the previous state, and the action between them.
     pub from: (u64, Action),
 }
 
 impl StateSearch {
-    /// How many states fit where they are not hashed.
+    /// The number of states that fit without hashing.
     pub(super) fn room<D: Domain + ?Sized>(domain: &D, marks: usize) -> usize {
         Frontier::room(marks, ring(domain), bytes(domain), 0)
     }
@@ -81,7 +82,7 @@ impl StateSearch {
                     search.follow(marks, table, domain, state, action, ActionSet::of(action), 0);
                 }
             }
-            // Not even the state itself has room: nothing can be said.
+            // Not even this state has room, so there is no result.
             None => search.horizon = 0,
         }
         search
@@ -95,38 +96,38 @@ impl StateSearch {
         (marks, if own.is_empty() { hashed } else { own })
     }
 
-    /// Leaves zeros in the marks.
+    /// Fills the marks with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         let (marks, table) = self.split(marks, &mut []);
         self.frontier.clear(marks);
         table.fill(0);
     }
 
-    /// Whether every state found room.
+    /// Whether every state had room.
     pub(super) fn is_complete(&self) -> bool {
         self.horizon == u32::MAX
     }
 
-    /// A state that was met and that the domain did not count, as far as that was seen.
+    /// A reached state that the domain did not count, if the search met one.
     pub(super) const fn stray(&self) -> Option<Stray> {
         self.stray
     }
 
-    /// Goes on to the next distance. Returns whether there is one: from the first state without room on, a goal may be missing, and so may
-    /// a way to one.
+    /// Moves to the next distance. Returns whether there is one: from the first state without room on, a goal or a path to one may be
+    /// missing.
     pub(super) fn next_level(&mut self, level: u32) -> bool {
         self.frontier.next_level();
         self.ahead > 0 && level < self.horizon
     }
 
-    /// The place of a state; `None` where there is no room for it. Whoever asks puts the state into the frontier: entries of the hash table
-    /// count only for what is there, so the table need not be emptied before a search.
+    /// The slot of a state; `None` if there is no room for it. The caller then puts the state into the frontier. Entries of the hash table
+    /// count only for states in the frontier, so the table need not be cleared before a search.
     #[inline]
     fn slot(&self, marks: &[u64], table: &mut [u64], number: u64) -> Option<usize> {
         if !self.hashing {
             return usize::try_from(number).ok().filter(|&slot| slot < self.slots);
         }
-        // Multiplicative hashing with linear probing; where a probe runs long, the table is as good as full.
+        // Multiplicative hashing with linear probing; after a long probe the table counts as full.
         let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
         for _ in 0..64 {
@@ -179,7 +180,7 @@ impl StateSearch {
         }
     }
 
-    /// Expands one state of the distance under way. Returns how many expansions that took, or `None` where no state is left.
+    /// Expands one state of the current distance. Returns the number of expansions, or `None` if no state is left.
     #[inline]
     pub(super) fn expand<D: Domain + ?Sized>(
         &mut self,
@@ -205,24 +206,24 @@ impl StateSearch {
     }
 }
 
-/// Distances that are open at the same time: the highest cost of an action, and one.
+/// The number of distances open at the same time: the highest cost of an action, plus one.
 fn ring<D: Domain + ?Sized>(domain: &D) -> usize {
     let highest = domain.actions().iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
     usize::from(highest).saturating_add(1)
 }
 
-/// Bytes of a state's first actions.
+/// The number of bytes for a state's first actions.
 fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
     if domain.actions().len() > 8 { 2 } else { 1 }
 }
 
-/// The least [`Capacities::states`](crate::Capacities::states) for which every state of a domain has room, so that plans are exact. It is
-/// the number of states if there are at most 8 actions of cost 1, and more otherwise. `None` if the states cannot be counted.
+/// The least [`Capacities::states`](crate::Capacities::states) with room for every state of a domain, so that plans are exact. It is the
+/// number of states if there are at most 8 actions of cost 1, and more otherwise. `None` if the states cannot be counted.
 pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
     let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
     let words = Frontier::new(count, ring(domain), bytes(domain)).words();
     let usual = Frontier::new(count, 2, 1).words();
-    // Whole groups: a smaller number asks for as many words.
+    // Whole groups: a smaller number would need as many words.
     Some(if usual == words { count } else { Capacities::states_of(words) })
 }
 
@@ -233,7 +234,7 @@ pub(super) fn check<D: Domain + ?Sized>(domain: &D, marks: usize, hashed: usize)
     }
     match states_needed(domain) {
         Some(needed) => Err(CapacityError::new(Capacity::States, Frontier::room(marks, 2, 1, 0), needed)),
-        // No table has room for states that cannot be counted: they are searched by hashing.
+        // No table has room for uncounted states, so they need hashing.
         None => Err(CapacityError::full(Capacity::HashedStates, hashed)),
     }
 }

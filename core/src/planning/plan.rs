@@ -54,7 +54,7 @@ impl OptimalSet {
         }
     }
 
-    /// The actions that lead on to the goal, exact or not; `None` at the goal and where no way is known.
+    /// The actions that lead towards the goal, exact or not; `None` at the goal and if no plan is known.
     pub const fn onward(self) -> Option<ActionSet> {
         match self {
             Self::Toward(actions) | Self::Approximate(actions) => Some(actions),
@@ -75,15 +75,15 @@ impl OptimalSet {
 /// The progress of a plan, beside the tables.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Found {
-    /// The distance under way.
+    /// The current distance.
     pub(super) level: u32,
     /// The tasks planned for.
     pub(super) wanted: TaskSet,
-    /// The tasks of which nothing is known yet.
+    /// The tasks without a result yet.
     pub(super) unknown: TaskSet,
-    /// The tasks that the search under way looks for.
+    /// The tasks that the current search looks for.
     pub(super) sought: TaskSet,
-    /// The tasks of which a goal was met at this distance.
+    /// The tasks with a goal met at this distance.
     pub(super) met: TaskSet,
     pub(super) goal_here: TaskSet,
     pub(super) dead: TaskSet,
@@ -93,7 +93,7 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Nothing is known.
+    /// No results yet.
     pub(super) const NOTHING: Self = Self {
         level: 0,
         wanted: TaskSet::EMPTY,
@@ -129,7 +129,7 @@ impl Found {
         }
     }
 
-    /// These tasks are dead ends.
+    /// Marks these tasks as dead ends.
     pub(super) fn rule_out(&mut self, tasks: TaskSet) {
         self.dead = self.dead.union(tasks);
         self.unknown = self.unknown.without(tasks);
@@ -145,7 +145,7 @@ pub(super) struct Results<'t> {
 }
 
 impl Results<'_> {
-    /// Takes note of a goal of a task at the distance under way, reached by these first actions.
+    /// Records a goal of a task at the current distance, reached by these first actions.
     #[inline]
     pub(super) fn meet(&mut self, task: usize, first: ActionSet) {
         self.found.met = self.found.met.union(TaskSet::of(task));
@@ -157,7 +157,7 @@ impl Results<'_> {
         }
     }
 
-    /// All goals at the distance under way are met.
+    /// Ends the current distance, after all goals at it are met.
     pub(super) fn end_level(&mut self) {
         let found = &mut *self.found;
         found.sought = found.sought.without(found.met);
@@ -206,12 +206,12 @@ impl Plan<'_> {
         self.optimal(task).judge(action)
     }
 
-    /// The tasks for which an action is judged so.
+    /// The tasks for which an action has this judgement.
     pub fn judged(&self, action: Action, judgement: Judgement) -> TaskSet {
         self.found.wanted.iter().filter(|&task| self.judge(task, action) == judgement).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
-    /// The tasks that are done here.
+    /// The tasks whose goals hold here.
     pub fn at_goal(&self) -> TaskSet {
         self.found.goal_here
     }
@@ -226,7 +226,7 @@ impl Plan<'_> {
         self.found.unknown
     }
 
-    /// The tasks whose sets are approximate.
+    /// The tasks with approximate sets.
     pub fn approximate(&self) -> TaskSet {
         self.found.approximate
     }
@@ -236,8 +236,8 @@ impl Plan<'_> {
         self.found.applicable
     }
 
-    /// The node expansions that planning took: one for a state; for the states of a row at one distance, one for each word of the row; and
-    /// one for each action that moves a piece.
+    /// The node expansions of planning: one for a state; for the states of a row at one distance, one for each word of the row; and one for
+    /// each action that moves a piece.
     pub fn expansions(&self) -> u32 {
         self.found.expansions
     }

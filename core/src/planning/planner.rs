@@ -3,12 +3,12 @@
 //! Each plan takes these steps, for all tasks at once:
 //! 1. goals that hold here, and deadlocks, need no search. On a floor with pieces, the first plan of a session begins by tabulating the
 //!    tasks' goal cells;
-//! 2. on a floor with more joint states than fit, bounds of the distances of the tasks without a way: exact where the two bounds agree;
-//! 3. the exact search for all that are left without a way: by rows of bits if the domain is a floor with pieces and the rows fit, else state by
-//!    state. If the states do not fit either, it searches as far as its hash table reaches, so near goals are still found exactly;
+//! 2. on a floor with more joint states than fit, bounds of the distances of the tasks without a way: exact if the two bounds agree;
+//! 3. the exact search for all remaining tasks without a way: by rows of bits if the domain is a floor with pieces and the rows fit, else
+//!    state by state. If the states do not fit either, it searches as far as its hash table reaches, so near goals are still found exactly;
 //! 4. for the tasks of each unfinished way, an exact search in the product of world and way: by rows of bits if the robot's cell determines
 //!    the way's progress, else state by state;
-//! 5. on a floor with pieces, the tasks without a way that are still open get an approximate plan. Those with one stay unknown.
+//! 5. on a floor with pieces, the remaining tasks without a way get an approximate plan. Those with a way stay unknown.
 
 use super::Progress;
 #[cfg(feature = "approximate")]
@@ -29,19 +29,19 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 /// The tables of a [`Planner`], lent to it for each call. Do not change their contents between its calls.
 #[derive(Debug)]
 pub struct PlanTables<'t> {
-    /// One entry a distinct ground proposition.
+    /// One entry per distinct ground proposition.
     pub goal_parts: &'t mut [GoalPart],
-    /// One entry a cell and piece; where there are too few, propositions are asked one by one.
+    /// One entry per cell and piece; if there are too few, propositions are tested one by one.
     pub goal_entries: &'t mut [TaskSet],
     /// First actions and the frontier.
     pub marks: &'t mut [u64],
-    /// State numbers, where states are hashed; may be empty.
+    /// State numbers of a hashed search; may be empty.
     pub hashed: &'t mut [u64],
     /// The optimal set of each task.
     pub optimal: &'t mut [ActionSet],
     /// The distance of each task.
     pub distances: &'t mut [u32],
-    /// The tasks, where some have ways; see [`with_ways`](Self::with_ways).
+    /// The tasks, if some have ways; see [`with_ways`](Self::with_ways).
     pub ways: Ways<'t>,
 }
 
@@ -66,7 +66,7 @@ impl<'t> PlanTables<'t> {
         Self { ways, ..self }
     }
 
-    /// Borrows the tables apart: the goals, the marks, the hash table, and the results.
+    /// Splits the tables into the goals, the marks, the hash table, and the results.
     fn split<'s>(&'s mut self, table: &'s GoalTable, found: &'s mut Found) -> (Goals<'s>, &'s mut [u64], &'s mut [u64], Results<'s>) {
         let goals = Goals { table, parts: self.goal_parts, entries: self.goal_entries };
         (goals, self.marks, self.hashed, Results { found, optimal: self.optimal, distances: self.distances })
@@ -81,11 +81,11 @@ const WORDS_AN_EXPANSION: usize = 64;
 /// The current search, or the contents that it left in the marks.
 #[derive(Clone, Copy, Debug)]
 enum Marked {
-    /// Something else after this number of words: the marks were in other hands.
+    /// Unknown contents after this number of words, because the marks were used by others.
     Anything(usize),
     /// Zeros.
     Nothing,
-    /// By rows of bits; for the tasks that go the way of this one, if they have ways.
+    /// By rows of bits; for the tasks that share the way of this one, if they have ways.
     Rows(RowSearch, Option<u8>),
     /// State by state.
     States(StateSearch, Option<u8>),
@@ -95,12 +95,12 @@ enum Marked {
 }
 
 impl Marked {
-    /// Leaves zeros in the marks.
+    /// Fills the marks with zeros.
     fn clear(&mut self, marks: &mut [u64]) {
         while !self.clear_on(marks, &mut { u32::MAX }) {}
     }
 
-    /// Goes on to leave zeros in the marks, with about `left` expansions at most. Returns whether there is nothing else.
+    /// Continues to fill the marks with zeros, in about `left` expansions at most. Returns whether it is done.
     #[inline(never)]
     fn clear_on(&mut self, marks: &mut [u64], left: &mut u32) -> bool {
         let mut words = (*left as usize).saturating_mul(WORDS_AN_EXPANSION);
@@ -132,24 +132,24 @@ impl Marked {
     }
 }
 
-/// What is left to do.
+/// The remaining work.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
-    /// These tasks are to be planned for, of which the last named are dead ends.
+    /// Plan for the `wanted` tasks; the `dead` ones are dead ends.
     Begin {
         wanted: TaskSet,
         dead: TaskSet,
     },
-    /// The table of goals is filled next.
+    /// Fill the table of goals.
     Tabulate,
-    /// Deadlocks are told next.
+    /// Find deadlocks.
     RuleOut(Option<Deadlocks>),
-    /// The distances of tasks are bounded next; these tasks have ways to go.
+    /// Bound the distances; `with_ways` are the tasks with unfinished ways.
     #[cfg(feature = "bounds")]
     Bound {
         with_ways: TaskSet,
     },
-    /// The tasks that still wait for their exact search, and those that have ways to go.
+    /// Search for the `waiting` tasks; `with_ways` are the tasks with unfinished ways.
     Exact {
         waiting: TaskSet,
         with_ways: TaskSet,
@@ -166,7 +166,7 @@ pub struct Planner {
     /// The tasks with a way.
     with_ways: TaskSet,
     found: Found,
-    /// The tasks that deserve most work.
+    /// The tasks that get the most work.
     #[cfg(feature = "bounds")]
     likely: TaskSet,
     stage: Stage,
@@ -180,7 +180,7 @@ impl Default for Planner {
 }
 
 impl Planner {
-    /// A planner of no tasks.
+    /// A planner without tasks.
     pub const fn new() -> Self {
         Self {
             goals: GoalTable::EMPTY,
@@ -193,7 +193,7 @@ impl Planner {
         }
     }
 
-    /// Takes the tasks to plan for.
+    /// Sets the tasks to plan for.
     ///
     /// # Errors
     /// A [`CapacityError`] if the tasks' distinct ground propositions do not fit, or if the domain's states do not fit and can
@@ -231,19 +231,19 @@ impl Planner {
         let words = D::Search::grid(domain).and_then(|grid| RowSearch::words_needed(grid, &seen, TaskSet::first(tasks.len())));
         let states = words.map(Capacities::states_of).or_else(|| one_by_one::states_needed(domain));
         let states = states.or(D::Search::grid(domain).map(|_| 0));
-        // A way has a copy of the world for each state that it can be in.
+        // A way has a copy of the world for each of its states.
         let ways = Ways { lifted, tasks };
         let of_way = |task| ways.product(domain, task).and_then(|(product, _)| one_by_one::states_needed(&product));
         let states = states.map(|states| ways.all().iter().filter_map(of_way).fold(states, usize::max));
         Ok((parts, states.ok_or(CapacityError::full(Capacity::HashedStates, 0))?))
     }
 
-    /// Ends the current search, because the marks are lent to something else. They may then hold anything.
+    /// Ends the current search, because the marks are lent to others. They may then hold anything.
     pub fn release_marks(&mut self) {
         (self.stage, self.marked) = (Stage::Done, Marked::Anything(0));
     }
 
-    /// Begins, for the tasks in `wanted`; those in `dead` are known to be dead ends.
+    /// Begins a plan for the tasks in `wanted`; those in `dead` are known to be dead ends.
     pub fn begin(&mut self, wanted: TaskSet, dead: TaskSet) {
         (self.found, self.stage) = (Found::NOTHING, Stage::Begin { wanted, dead });
         #[cfg(feature = "bounds")]
@@ -252,17 +252,18 @@ impl Planner {
         }
     }
 
-    /// After [`begin`](Self::begin): these tasks are likely. Of more than 64 tasks, the others get little work where states do not fit.
+    /// Call after [`begin`](Self::begin): these tasks are likely. Among more than 64 tasks, the others get little work if the states do not
+    /// fit.
     #[cfg(feature = "bounds")]
     pub fn expect(&mut self, likely: TaskSet) {
         self.likely = likely;
     }
 
-    /// Goes on, with at most about `budget` expansions (at least one). `state` is the one to plan for, always the same.
+    /// Continues, with at most about `budget` expansions (at least one). `state` is the planned state, the same in all calls.
     #[inline(never)]
     pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
         let mut left = budget.max(1);
-        // What looks at every cell of a floor once, in expansions.
+        // The expansions that a look at every cell of a floor costs.
         let of_floor = D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32);
         while !self.is_done() {
             let is_search = !self.found.sought.is_empty();
@@ -279,7 +280,7 @@ impl Planner {
                 Stage::Approximate(approximation) => is_search || approximation.is_on_errand(),
                 _ => is_search,
             };
-            // What cannot be cut is left to the next call, unless nothing was done in this one.
+            // A step that cannot be split is left to the next call, unless nothing was done in this one.
             if left == 0 || (!is_part && left < of_floor.min(budget)) {
                 return Progress::Working;
             }
@@ -312,20 +313,20 @@ impl Planner {
         Progress::Done
     }
 
-    /// Says what needs no search.
+    /// Finds the results that need no search.
     #[inline(never)]
     fn look<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
         let ways = tables.ways;
-        // What is not told the way of a task must not take it for one without.
+        // A task whose way is not given must not be planned as one without a way.
         let wanted = wanted.without(self.with_ways.without(ways.all()));
         let goals = Goals { table: &self.goals, parts: tables.goal_parts, entries: tables.goal_entries };
         self.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), ways.open(wanted));
         self.stage = if self.found.unknown.is_empty() { Stage::Done } else { Stage::Tabulate };
     }
 
-    /// Goes on with the table of goals, if there is one to fill. Returns the work that it took, in expansions.
+    /// Continues the table of goals, if there is one to fill. Returns its work, in expansions.
     #[inline(never)]
     fn tabulate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
         let entries = tables.goal_entries.len();
@@ -338,7 +339,7 @@ impl Planner {
         cells.div_ceil(CELLS_AN_EXPANSION) as u32
     }
 
-    /// Goes on to tell the deadlocks. All tasks that are left wait for an exact search.
+    /// Continues to find the deadlocks. All remaining tasks wait for an exact search.
     #[inline(never)]
     fn rule_out<D: Domain + ?Sized>(
         &mut self,
@@ -378,7 +379,7 @@ impl Planner {
         }
     }
 
-    /// Goes on with the bounds of distances. What they leave open waits for an exact search.
+    /// Continues the bounds of distances. Tasks that stay open wait for an exact search.
     #[cfg(feature = "bounds")]
     #[inline(never)]
     fn bound<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
@@ -392,7 +393,7 @@ impl Planner {
         }
     }
 
-    /// Goes on with the search under way. It is over once it seeks no task.
+    /// Continues the current search. It ends once it seeks no task.
     fn search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let ways = tables.ways;
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
@@ -439,7 +440,7 @@ impl Planner {
         }
     }
 
-    /// The search under way has come to its end: begins the next, if one is left.
+    /// Begins the next search after the current one has ended, if one is left.
     #[inline(never)]
     fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) {
         if let Stage::Exact { waiting, with_ways } = self.stage {
@@ -458,7 +459,7 @@ impl Planner {
             }
             #[cfg(feature = "approximate")]
             {
-                // What is left of those with ways stays unknown.
+                // The remaining tasks with ways stay unknown.
                 self.stage = Stage::Approximate(Approximation::new(self.found.unknown.without(with_ways)));
                 return;
             }
@@ -466,7 +467,7 @@ impl Planner {
         self.stage = Stage::Done;
     }
 
-    /// Goes on to the next approximate search; planning is done where none is left.
+    /// Continues to the next approximate search; planning is done if none is left.
     #[cfg(feature = "approximate")]
     #[inline(never)]
     fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
@@ -490,7 +491,7 @@ impl Planner {
         }
     }
 
-    /// Begins the exact search for the tasks without a way, or else for those that go the way of the first; `None` where none is left.
+    /// Begins the exact search for the tasks without a way, or else for those that share the way of the first; `None` if none is left.
     #[inline(never)]
     fn next_exact<D: Domain + ?Sized>(
         &mut self,
@@ -515,7 +516,7 @@ impl Planner {
         let task = way.as_ref().map(|_| first as u8);
         self.marked = match (rows, &way) {
             (Some(rows), _) => Marked::Rows(rows, task),
-            // States without numbers are not searched one by one: the marks are left clear.
+            // States without numbers are not searched one by one: the marks stay clear.
             _ if D::Search::grid(domain).is_some_and(|grid| !grid.is_numbered()) => {
                 results.found.sought = TaskSet::EMPTY;
                 Marked::Nothing
@@ -526,12 +527,12 @@ impl Planner {
         Some(())
     }
 
-    /// Whether it has come to its end.
+    /// Whether planning is complete.
     pub fn is_done(&self) -> bool {
         matches!(self.stage, Stage::Done)
     }
 
-    /// A state that an action leads to and that the domain did not count, as far as that was seen.
+    /// A state that an action leads to although the domain did not count it, if the search met one.
     pub fn stray(&self) -> Option<Stray> {
         match &self.marked {
             Marked::States(states, _) => states.stray(),
@@ -539,12 +540,12 @@ impl Planner {
         }
     }
 
-    /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are gone to their ends.
+    /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are finished.
     pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
         Goals { table: &self.goals, parts: goals.goal_parts, entries: goals.goal_entries }.satisfied(domain, state, asked)
     }
 
-    /// The results for each task, in the tables that planning wrote.
+    /// The results for each task, from the tables that planning wrote.
     pub fn plan<'t>(&'t self, optimal: &'t [ActionSet], distances: &'t [u32]) -> Plan<'t> {
         Plan { found: &self.found, optimal, distances }
     }

@@ -1,8 +1,8 @@
 //! Tasks with a path constraint, called a way: the product of the world and the way's progress.
 //!
-//! The product has a copy of the world, a layer, for each state that the way can be in. A step changes the layer if it meets a clause or an
-//! earlier goal. No step leaves a state with something to avoid; such a state can only be the end. Tasks with the same way and different
-//! goals share a search. A task with a finished way is a task without one.
+//! The product has a copy of the world, a layer, for each state of the way. A step changes the layer if it meets a clause or an earlier
+//! goal. No step leaves a state with something to avoid; such a state can only be the end. Tasks with the same way and different goals
+//! share a search. A task with a finished way is a task without one.
 
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World};
 use crate::task::{GroundedTask, LiftedTask, TaskSet, Way, WayState};
@@ -12,7 +12,7 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet, Way, WayState};
 pub struct Ways<'t> {
     /// The lifted tasks.
     pub lifted: &'t [LiftedTask],
-    /// The tasks that ground them, in the order in which they are planned for.
+    /// The tasks that ground them, in planning order.
     pub tasks: &'t [GroundedTask],
 }
 
@@ -29,7 +29,7 @@ impl<'t> Ways<'t> {
         self.tasks.get(task).map_or(WayState::START, |task| task.way)
     }
 
-    /// The tasks of which this is true.
+    /// The tasks with a way for which this is true.
     fn those(&self, tasks: TaskSet, is: impl Fn(&Way<'t>, WayState) -> bool) -> TaskSet {
         if self.lifted.iter().any(LiftedTask::has_way) {
             tasks.iter().filter(|&task| self.of(task).is_some_and(|way| is(&way, self.state(task)))).collect()
@@ -53,13 +53,13 @@ impl<'t> Ways<'t> {
         self.those(tasks, |_, state| state.is_broken())
     }
 
-    /// The tasks that go the same way as one of them.
+    /// The tasks that share the way of one of them.
     pub(super) fn group(&self, first: usize, tasks: TaskSet) -> TaskSet {
         let Some(own) = self.of(first) else { return TaskSet::EMPTY };
         self.those(tasks, |way, _| way.is_shared_with(&own))
     }
 
-    /// The world with the layers of a task's way, and the layer that the way is in.
+    /// The world with the layers of a task's way, and the present state of the way.
     pub(super) fn product<'d, D: Domain + ?Sized>(&self, domain: &'d D, task: usize) -> Option<(Product<'d, 't, D>, WayState)> {
         self.of(task).map(|way| (Product { domain, layers: u64::from(way.layers()), way }, self.state(task)))
     }
@@ -99,7 +99,7 @@ impl<D: Domain + ?Sized> Domain for Product<'_, '_, D> {
         Some((next, self.way.pass(*way, |part| self.domain.holds(part, &next))))
     }
 
-    /// A goal holds in the last layer alone.
+    /// A goal holds only in the last layer.
     fn holds(&self, proposition: &GroundProposition, (state, way): &Self::State) -> bool {
         self.way.leads_to_goal(*way) && self.domain.holds(proposition, state)
     }

@@ -1,8 +1,8 @@
 //! The robot's mind: Algorithm 1.
 //!
-//! [`Agent::hear`] a command, [`Agent::plan`] from the state the robot is in, [`Agent::decide`] on an action, do it and say so with
-//! [`Agent::acted`], and tell what the trainer said with [`Agent::feedback`]; over and over, until [`Agent::finish`]. Planning and learning
-//! go in parts: `plan` and `learn` take a budget and say whether they are done. The trainer may speak while the next plan is being made.
+//! [`Agent::hear`] a command, [`Agent::plan`] from the robot's state, [`Agent::decide`] on an action, do it and report it with
+//! [`Agent::acted`], and pass on the trainer's word with [`Agent::feedback`]. Repeat until [`Agent::finish`]. Planning and learning run in
+//! parts: `plan` and `learn` take a budget and return whether they are done. The trainer may speak while the next plan is being made.
 
 use super::candidates::{CandidateCount, CandidatesRef};
 use super::done::LastDone;
@@ -30,10 +30,10 @@ use core::fmt;
 use heapless::Vec;
 use rand_core::Rng;
 
-/// Below this probability a task is not planned: its optimal set is unknown, and what happens is no evidence for or against it.
+/// Less probable tasks are not planned: their optimal sets are unknown, and no evidence counts for or against them.
 pub const NEGLIGIBLE: f32 = 1e-9;
 
-/// From this probability on, a task gets the planner's full work, however many tasks there are.
+/// From this probability on, a task gets the planner's full effort, however many tasks there are.
 #[cfg(feature = "bounds")]
 const LIKELY: f32 = 0.01;
 
@@ -46,24 +46,25 @@ pub struct Decision {
     pub action: Action,
     /// The task that it follows: the most likely one.
     pub task: usize,
-    /// What the plan says for that task, and whether exactly. Where it is a dead end or unknown, the action is to do nothing.
+    /// The plan's result for that task, and whether it is exact. If the goal cannot be reached or the result is unknown, the action is to
+    /// do nothing.
     pub plan: OptimalSet,
 }
 
-/// What the belief did with a piece of evidence.
+/// What happened to a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Evidence {
-    /// The belief has taken it in.
+    /// It changed the belief.
     Used,
-    /// It says nothing, because no task's optimal set is known exactly in the state of the action. The belief is unchanged.
+    /// It is uninformative: no task's optimal set is known exactly in the state of the action. The belief is unchanged.
     SaysNothing,
-    /// It is impossible under every task and strategy, and was ignored.
+    /// It is impossible under every task and strategy, and is ignored.
     Impossible,
 }
 
-/// Takes in that the session ends, or goes on, in a state where this is known of the tasks.
+/// Observes that the session ends, or goes on, in the state of this plan.
 #[cfg(feature = "learning")]
 #[inline(never)]
 fn observe_end(belief: &mut Belief<'_>, ending: &Ending, plan: Plan<'_>, moment: Moment, ends: bool) -> bool {
@@ -93,14 +94,14 @@ pub struct Agent<M> {
     pub(crate) start: Option<StateKey>,
     /// The digest of the domain that the session began in.
     pub(super) domain: u32,
-    /// The state that was planned for last, and the state that the action done there leads to.
+    /// The state of the last plan, and the state that the action done there leads to.
     pub(crate) planned: Option<StateKey>,
     pub(crate) expected: Option<StateKey>,
-    /// Dead ends of the state that was planned for last.
+    /// Tasks known to be dead ends in the state of the last plan.
     pub(crate) dead: TaskSet,
     pub(crate) done: LastDone,
     pub(crate) followed: Option<usize>,
-    /// The most that each table has held.
+    /// The most entries that each table has held.
     most: Capacities,
     #[cfg(feature = "asking")]
     pub(crate) asked: Asked,
@@ -115,7 +116,7 @@ impl<M> fmt::Debug for Agent<M> {
 }
 
 impl<M> Agent<M> {
-    /// An agent that knows no tasks yet, for a static: [`set_tasks`](Self::set_tasks) comes before the first command.
+    /// Creates an agent without tasks, for a static: call [`set_tasks`](Self::set_tasks) before the first command.
     ///
     /// ```
     /// use goodbot::{Agent, home, memory::AgentArrays};
@@ -152,12 +153,12 @@ impl<M> Agent<M> {
         }
     }
 
-    /// The memory, for something else.
+    /// Returns the memory, for other use.
     pub fn into_memory(self) -> M {
         self.memory
     }
 
-    /// How it understands and learns.
+    /// The options.
     pub const fn options(&self) -> &Options {
         &self.options
     }
@@ -174,12 +175,12 @@ impl<M> Agent<M> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// An agent that has learned nothing yet, in `memory.agent`, `&mut memory.agent` or any other [`AgentMemory`]. `lifted` are the tasks
-    /// that commands may mean, as many as [`LIFTED_TASKS`] at most.
+    /// Creates an agent that has learned nothing yet, in `memory.agent`, `&mut memory.agent` or any other [`AgentMemory`]. `lifted` are the
+    /// tasks that commands may mean, at most [`LIFTED_TASKS`].
     ///
     /// # Errors
-    /// [`AgentError::Capacity`] where there are more, or no room for a trainer strategy, [`AgentError::SameTask`] where one is given twice,
-    /// and [`AgentError::Setting`] where an option is out of range.
+    /// [`AgentError::Capacity`] if there are more, or no room for a trainer strategy, [`AgentError::SameTask`] if one is given twice, and
+    /// [`AgentError::Setting`] if an option is out of range.
     #[inline(never)]
     pub fn new(memory: M, lifted: &[LiftedTask], options: Options) -> Result<Self, AgentError> {
         let mut agent = Self::without_tasks(memory);
@@ -187,11 +188,11 @@ impl<M: AgentMemory> Agent<M> {
         Ok(agent)
     }
 
-    /// Takes the tasks that commands may mean, and the options. What was learned and the session under way are forgotten; the trainer is
+    /// Sets the tasks that commands may mean, and the options. All that was learned and the session under way are forgotten; the trainer is
     /// the paper's balanced one.
     ///
     /// # Errors
-    /// As [`new`](Self::new); the agent is then as before.
+    /// As [`new`](Self::new); the agent is then unchanged.
     pub fn set_tasks(&mut self, lifted: &[LiftedTask], options: Options) -> Result<(), AgentError> {
         options.check()?;
         let too_many = CapacityError::new(Capacity::LiftedTasks, LIFTED_TASKS, lifted.len());
@@ -224,7 +225,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Replaces the trainer strategies and their probabilities, which are renormalised. A session under way ends unlearned.
     ///
     /// # Errors
-    /// [`AgentError::Strategy`] or [`AgentError::Capacity`]; the strategies are then as before.
+    /// [`AgentError::Strategy`] or [`AgentError::Capacity`]; the strategies are then unchanged.
     pub fn set_strategies(&mut self, strategies: &[(Strategy, f32)]) -> Result<(), AgentError> {
         self.belief_mut().set_strategies(strategies)?;
         self.complete_joining();
@@ -232,11 +233,10 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Replaces the options, but for those of the language model: what was learned depends on them, and stays. A session under way ends
-    /// unlearned.
+    /// Replaces the options except those of the language model, on which the training data depend. A session under way ends unlearned.
     ///
     /// # Errors
-    /// [`AgentError::Setting`] where an option is out of range; the options are then as before.
+    /// [`AgentError::Setting`] if an option is out of range; the options are then unchanged.
     pub fn set_options(&mut self, options: Options) -> Result<(), AgentError> {
         let options = Options { language: self.options.language, ..options };
         options.check()?;
@@ -262,7 +262,7 @@ impl<M: AgentMemory> Agent<M> {
         self.memory.read().session.tasks.get(..self.task_count).unwrap_or(&[])
     }
 
-    /// A task of this session in words, for people and files: `blockInRoom(block0,room1)`. `None` where there is no such task.
+    /// A task of this session as text, for people and files: `blockInRoom(block0,room1)`. `None` if there is no such task.
     ///
     /// ```
     /// use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
@@ -283,8 +283,8 @@ impl<M: AgentMemory> Agent<M> {
         Some(TaskText::new(task, self.lifted.get(usize::from(task.lifted))?, domain.world()))
     }
 
-    /// The position of the task of this session with this text, as [`task_text`](Self::task_text) gives it; spaces do not matter. `None`
-    /// where there is no such task.
+    /// The position of this session's task with this text, as [`task_text`](Self::task_text) writes it; spaces do not matter. `None` if
+    /// there is no such task.
     ///
     /// ```
     /// use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
@@ -312,7 +312,7 @@ impl<M: AgentMemory> Agent<M> {
         CandidatesRef::new(self.memory.read().session.candidates, self.candidates)
     }
 
-    /// The plan of each task, for the state planned for last.
+    /// The plan of each task, for the state that was last planned.
     pub fn planned(&self) -> Plan<'_> {
         let plan = self.memory.read().session.plan;
         self.planner.plan(plan.optimal, plan.distances)
@@ -338,7 +338,7 @@ impl<M: AgentMemory> Agent<M> {
         if planned { Ok(()) } else { Err(AgentError::NotPlanned) }
     }
 
-    /// Ends a session under way, and forgets which tasks it had.
+    /// Ends a session under way and forgets its tasks.
     pub(crate) fn end_session(&mut self) {
         self.complete_joining();
         (self.start, self.followed, self.progressed) = (None, None, Progressed::Idle);
@@ -357,7 +357,7 @@ impl<M: AgentMemory> Agent<M> {
         self.asked.close();
     }
 
-    /// Forgets the questions of the session before.
+    /// Forgets the questions of the previous session.
     pub(super) fn forget_questions(&mut self) {
         #[cfg(feature = "asking")]
         {
@@ -365,7 +365,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Takes the first `count` tasks to plan for.
+    /// Makes the planner plan for the first `count` tasks.
     pub(crate) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let tasks = session.tasks.get(..count).unwrap_or(&[]);
@@ -373,12 +373,12 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.set_tasks(&mut tables, domain, &self.lifted, tasks)
     }
 
-    /// Plans for `state`, with at most about `budget` expansions of the search. Call until done; a different state begins anew.
+    /// Plans for `state`, with at most about `budget` node expansions. Call until done; a different state starts a new plan.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`] where the session was begun in another domain, [`AgentError::StateNumber`], or
-    /// [`AgentError::Domain`] where an action leads to a state whose number is not below the domain's `state_count`. The last is seen where
-    /// all states have room; [`check`](crate::oomdp::check) sees it everywhere.
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`] if the session was begun in another domain, [`AgentError::StateNumber`], or
+    /// [`AgentError::Domain`] if an action leads to a state whose number is not below the domain's `state_count`. The last is detected only
+    /// if all states have room; [`check`](crate::oomdp::check) always detects it.
     #[inline(never)]
     pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_session(domain)?;
@@ -403,14 +403,14 @@ impl<M: AgentMemory> Agent<M> {
         Ok(progress)
     }
 
-    /// A function of its own, as every step that needs much stack, so that one step's stack is free for the next.
+    /// A separate function, like every step that needs much stack: the stack of one step is free for the next.
     #[inline(never)]
     fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, key: StateKey) {
-        // A goal that could not be reached can be reached again where somebody else has moved things.
+        // If others have moved things, goals that could not be reached may be reachable again.
         if self.expected != Some(key) {
             self.dead = TaskSet::EMPTY;
         }
-        // Every state that the robot came to is planned for, before anything is done there; where it was meant to come is not.
+        // Ways advance here: every state that the robot reaches is planned before the next action. The expected state may never be reached.
         self.follow_ways(domain, state);
         (self.planned, self.expected) = (Some(key), None);
         self.planner.begin(self.at_least(NEGLIGIBLE), self.dead);
@@ -418,8 +418,8 @@ impl<M: AgentMemory> Agent<M> {
         self.planner.expect(self.at_least(LIKELY));
     }
 
-    /// Ends what is planned, because training needs the workspace. The two never work at one time: no command is heard before all is
-    /// learned, and learning begins when the session is over.
+    /// Ends the plan, because training needs the workspace. The two never run at the same time: no command is heard while learning, and
+    /// learning begins when the session is over.
     pub(crate) fn workspace_to_training(&mut self) {
         self.planned = None;
         self.planner.release_marks();
@@ -432,12 +432,12 @@ impl<M: AgentMemory> Agent<M> {
         (0..self.task_count).filter(|&task| !least.exceeds(belief.weight(task))).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
-    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the first in order is taken.
+    /// The most likely task: the largest posterior. On a tie, the task being followed stays, else the first in order is taken.
     pub fn most_likely(&self) -> Option<usize> {
         self.likeliest(&mut |_| 0)
     }
 
-    /// The most likely task: the largest posterior. On a tie the task that is followed stays; otherwise the generator draws.
+    /// The most likely task: the largest posterior. On a tie, the task being followed stays, else the generator draws.
     pub fn most_likely_by<R: Rng + ?Sized>(&self, random: &mut R) -> Option<usize> {
         self.likeliest(&mut |count| below(count, random))
     }
@@ -458,16 +458,16 @@ impl<M: AgentMemory> Agent<M> {
         tied().nth(draw(tied().count()))
     }
 
-    /// Decides on an action in `state`, which must have been planned for: the first of those that lead on to the goal of the most likely
-    /// task. At the goal, in a dead end, and where no way is known, the action is to do nothing.
+    /// Decides on an action in `state`, which must have been planned: the first of those that lead towards the goal of the most likely
+    /// task. At the goal, in a dead end, and if no plan is known, the action is to do nothing.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] where the plan for this state is not done.
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] if the plan for this state is not done.
     pub fn decide<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
         self.decide_with(domain, state, &mut |_| 0)
     }
 
-    /// As [`decide`](Self::decide), but the generator draws where several tasks are most likely, and where several actions lead on.
+    /// As [`decide`](Self::decide), but the generator draws among equally likely tasks, and among actions that lead towards the goal.
     ///
     /// # Errors
     /// As [`decide`](Self::decide).
@@ -490,23 +490,23 @@ impl<M: AgentMemory> Agent<M> {
         let plan = self.planned().optimal(task);
         let words = self.words_expected();
         let action = self.onward(task, words.as_ref(), draw);
-        // Even if the domain changes unseen, no action is chosen that cannot be done.
+        // Even if the domain changes unnoticed, no inapplicable action is chosen.
         apply(domain, state, action).ok_or(AgentError::NotPlanned)?;
         self.followed = Some(task);
         Ok(Decision { action, task, plan })
     }
 
-    /// What the trainer's words are expected to tell, where actions are chosen by it.
+    /// A model of the trainer's words, if actions are chosen by expected information.
     fn words_expected(&self) -> Option<Words> {
         (cfg!(feature = "asking") && self.options.telling).then(|| Words::expected(self.belief()))
     }
 
-    /// The action that leads on to a task's goal in the state that was planned for: of several one that is drawn. Where `words` are given,
-    /// the last action is done once more if it leads on, else one of those about which `words` are expected to tell most.
+    /// The action that leads towards a task's goal in the planned state; `draw` chooses among several. With `words`, the last action is
+    /// repeated if it leads there too; otherwise the choice is among the actions with the highest expected information of the feedback.
     pub(crate) fn onward(&self, task: usize, words: Option<&Words>, draw: &mut dyn FnMut(usize) -> usize) -> Action {
         let Some(mut actions) = self.planned().optimal(task).onward() else { return Action::NOOP };
         if let Some(words) = words.filter(|_| actions.len() > 1) {
-            // To turn without need would make a late word count for another action than the one that was meant.
+            // An unnecessary change of action would make a late word count for the wrong action.
             #[cfg(feature = "asking")]
             if let Some(last) = self.done.last().filter(|&last| actions.contains(last)) {
                 return last;
@@ -518,8 +518,7 @@ impl<M: AgentMemory> Agent<M> {
         actions.iter().nth(draw(actions.len())).unwrap_or(Action::NOOP)
     }
 
-    /// The probability that an action is right in the state that was planned for, by the tasks for which that is known; 0 where it is known
-    /// for none.
+    /// The probability that an action is right in the planned state, over the tasks for which that is known; 0 if it is known for none.
     pub(crate) fn right(&self, action: Action) -> f32 {
         let (plan, belief) = (self.planned(), self.belief());
         let weight = |judgement| total(plan.judged(action, judgement).iter().map(|task| belief.weight(task)));
@@ -527,11 +526,11 @@ impl<M: AgentMemory> Agent<M> {
         right.over(right.plus(weight(Judgement::Incorrect)))
     }
 
-    /// Records that `action` was done in `state`, which must have been planned for. Returns the state that it leads to. The trainer's
-    /// word about it is taken in by [`feedback`](Self::feedback), at any time until the next action is done.
+    /// Records that `action` was done in `state`, which must have been planned. Returns the state that it leads to. Pass on the trainer's
+    /// word about it with [`feedback`](Self::feedback), at any time until the next action is done.
     ///
     /// # Errors
-    /// As [`decide`](Self::decide), and [`AgentError::NotApplicable`] where the action cannot be done in this state.
+    /// As [`decide`](Self::decide), and [`AgentError::NotApplicable`] if the action cannot be done in this state.
     pub fn acted<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
         self.check_planned(domain, state)?;
         let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
@@ -553,7 +552,7 @@ impl<M: AgentMemory> Agent<M> {
 
 #[cfg(feature = "learning")]
 impl<M: AgentMemory> Agent<M> {
-    /// An action was done that the trainer may judge.
+    /// Records an action that the trainer may judge.
     fn await_a_word<D: Domain + ?Sized>(&mut self, domain: &D, next: &D::State, action: Action) {
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
@@ -568,11 +567,11 @@ impl<M: AgentMemory> Agent<M> {
         self.done.add(plan, action, inside);
     }
 
-    /// Takes in the trainer's word about the action that was done last, or one of the two before it: see [`Strategy::lags`]. Of several
-    /// words the last counts.
+    /// Updates the belief by the trainer's word about the last action, or about one of the two before it: see [`Strategy::lags`]. Of
+    /// several words the last counts.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], or [`AgentError::NothingDone`] where no action was done since the command.
+    /// [`AgentError::NotNow`], or [`AgentError::NothingDone`] if no action was done since the command.
     pub fn feedback(&mut self, feedback: Feedback) -> Result<Evidence, AgentError> {
         self.check_under_way()?;
         if !self.done.is_something() {
@@ -587,17 +586,17 @@ impl<M: AgentMemory> Agent<M> {
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 
-    /// What the last actions were for a task, the last one first: what its trainer's next word is about.
+    /// How a task judges the last actions, the last one first: the trainer's next word is about one of them.
     pub fn judged(&self, task: usize) -> [Judged; LAGS] {
         self.done.judged(task)
     }
 
-    /// Takes in that the trainer ended the session in `state`, which must have been planned for, after judging actions: trainers do so more
-    /// often where the task is done (see [`Options::ending`]). Comes before the session is finished or forgotten. Says nothing where the
-    /// options say that an end is no evidence.
+    /// Updates the belief by the fact that the trainer ended the session in `state`, which must have been planned, after judging actions:
+    /// trainers do so more often when the task is done (see [`Options::ending`]). Call it before the session is finished or forgotten. It
+    /// does nothing if the options say that an end is no evidence.
     ///
     /// # Errors
-    /// As [`decide`](Self::decide), and [`AgentError::NothingDone`] where no action was done since the command.
+    /// As [`decide`](Self::decide), and [`AgentError::NothingDone`] if no action was done since the command.
     pub fn trainer_ended<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Evidence, AgentError> {
         self.check_planned(domain, state)?;
         if !self.done.is_something() {
@@ -611,19 +610,19 @@ impl<M: AgentMemory> Agent<M> {
         let mut belief = Belief::new(session.belief, &mut self.belief);
         belief.settle();
         let possible = observe_end(&mut belief, &self.options.ending, plan, self.done.moment(), true);
-        // A word that comes now is about nothing.
+        // A word after the end is about no action.
         self.done = LastDone::NOTHING;
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 
-    /// Takes in that the trainer did `action` in `state`, which must have been planned for, to show the way: it is in the optimal set with
-    /// probability 1 - epsilon, spread evenly over that set, else spread evenly over the other actions that can be done.
+    /// Updates the belief by a demonstration: the trainer did `action` in `state`, which must have been planned. The action is in the
+    /// optimal set with probability 1 - epsilon, uniform over that set, and otherwise uniform over the other applicable actions.
     ///
     /// # Errors
     /// As [`acted`](Self::acted).
     pub fn demonstrated<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<Evidence, AgentError> {
         self.acted(domain, state, action)?;
-        // Nobody judges what the trainer did.
+        // Nobody judges the trainer's own action.
         self.done = LastDone::NOTHING;
         if (0..self.task_count).all(|task| self.planned().optimal(task).exact().is_none()) {
             return Ok(Evidence::SaysNothing);
@@ -647,7 +646,7 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// How large each of its tables is. Those of a home are 0.
+    /// The size of each of its tables. Those of a home are 0.
     pub fn capacities(&self) -> Capacities {
         let SessionTablesRef { tasks, candidates, belief, goals, plan } = self.memory.read().session;
         Capacities {
@@ -665,7 +664,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// How full each of its tables is now. Those of a home and of the searches are 0: planning says what it needs by a
+    /// The number of used entries in each of its tables. Those of a home and of the searches are 0: planning reports its needs by a
     /// [`CapacityError`].
     pub fn usage(&self) -> Capacities {
         let belief = self.belief();
@@ -681,14 +680,14 @@ impl<M: AgentMemory> Agent<M> {
         used
     }
 
-    /// The most that each of its tables held, at the end of a command that was heard or of a session that was learned from. See also
-    /// [`needed`](Self::needed). Without the feature `learning`, what each holds now.
+    /// The most entries that each of its tables held, at the end of a heard command or of a learned session. See also
+    /// [`needed`](Self::needed). Without the feature `learning`, the current number.
     pub fn most_used(&self) -> Capacities {
         self.most.at_least(self.usage())
     }
 
-    /// Capacities with room for the same life once more: [`most_used`](Self::most_used), an eighth of the vocabulary free, and exact plans
-    /// for the last command's tasks. If the memory has too few states for these, all states are counted.
+    /// Capacities with room for the same experience again: [`most_used`](Self::most_used), an eighth of the vocabulary free, and exact
+    /// plans for the last command's tasks. If the memory has too few states for these plans, the result keeps the memory's own states.
     pub fn needed<D: Domain + ?Sized>(&mut self, domain: &D) -> Capacities {
         let (most, rooms) = (self.most_used(), self.capacities());
         let mut session = self.memory.lend().session;

@@ -18,7 +18,7 @@ pub struct Candidate {
     check: u16,
     /// Pr(e|m).
     pub likelihood: Scaled,
-    /// Its share of the session's posterior, in no unit.
+    /// Its share of the session's posterior, unnormalised.
     pub weight: Scaled,
 }
 
@@ -27,7 +27,7 @@ impl Candidate {
     pub const UNUSED: Self = Self { start: 0, task: 0, len: 0, check: 0, likelihood: Scaled::ZERO, weight: Scaled::ZERO };
 }
 
-/// How much of the tables is used.
+/// The number of used entries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct CandidateCount {
     len: usize,
@@ -46,7 +46,7 @@ pub(crate) struct Candidates<'t> {
     count: &'t mut CandidateCount,
 }
 
-/// The distinct machine commands of one session, to be read.
+/// The distinct machine commands of one session, read-only.
 #[derive(Clone, Copy, Debug)]
 pub struct CandidatesRef<'t> {
     memory: CandidateTablesRef<'t>,
@@ -58,29 +58,29 @@ impl<'t> CandidatesRef<'t> {
         Self { memory, count }
     }
 
-    /// All, in the order in which they first came.
+    /// All candidates, in order of their first occurrence.
     pub fn entries(self) -> &'t [Candidate] {
         self.memory.candidates.get(..self.count.len).unwrap_or(&[])
     }
 
-    /// The tokens of one.
+    /// The tokens of a candidate.
     pub fn tokens(self, candidate: &Candidate) -> &'t [Symbol] {
         let start = candidate.start as usize;
         self.memory.candidate_tokens.get(start..start.saturating_add(usize::from(candidate.len))).unwrap_or(&[])
     }
 
-    /// The tokens of all.
+    /// The tokens of all candidates.
     pub(super) fn all_tokens(self) -> &'t [Symbol] {
         self.memory.candidate_tokens.get(..self.count.used).unwrap_or(&[])
     }
 
-    /// The position of the machine command with these tokens, if it is among them.
+    /// The position of the candidate with these tokens, if there is one.
     pub fn find(self, tokens: &[Symbol]) -> Option<usize> {
         let check = check(tokens);
         self.entries().iter().position(|entry| entry.check == check && self.tokens(entry) == tokens)
     }
 
-    /// The machine command that was added for a task, if one was: the last of them.
+    /// The last candidate that was added for a task, if any.
     pub fn added_for(self, task: usize) -> Option<usize> {
         self.entries().iter().rposition(|entry| usize::from(entry.task) == task)
     }
@@ -91,7 +91,7 @@ impl<'t> Candidates<'t> {
         Self { memory, count }
     }
 
-    /// The candidates, to be read.
+    /// The candidates, read-only.
     pub const fn read(&self) -> CandidatesRef<'_> {
         CandidatesRef { memory: self.memory.read(), count: *self.count }
     }
@@ -100,7 +100,7 @@ impl<'t> Candidates<'t> {
         self.memory.candidates.get_mut(..self.count.len)?.get_mut(position)
     }
 
-    /// The tokens of all, to be renamed.
+    /// The tokens of all candidates, to be renamed.
     pub(super) fn all_tokens_mut(&mut self) -> &mut [Symbol] {
         self.memory.candidate_tokens.get_mut(..self.count.used).unwrap_or(&mut [])
     }
@@ -116,7 +116,7 @@ impl<'t> Candidates<'t> {
         }
     }
 
-    /// Adds a machine command of a task that is not among them, with its likelihood. Gives its position.
+    /// Adds a new machine command of a task, with its likelihood. Returns its position.
     ///
     /// # Errors
     /// A [`CapacityError`].
@@ -142,7 +142,7 @@ impl<'t> Candidates<'t> {
     }
 }
 
-/// A short digest, so that most unequal commands are told apart by one comparison.
+/// A short digest, so that one comparison tells most unequal commands apart.
 fn check(tokens: &[Symbol]) -> u16 {
     tokens.iter().fold(0, |sum, token| sum.rotate_left(5) ^ token.0.wrapping_mul(0x9e37))
 }

@@ -1,5 +1,5 @@
-//! The last actions that were done, each judged for every task: a word about them may come while the next plan is being made, or one or
-//! two actions later.
+//! The last actions, each judged for every task: a word about an action may come while the next plan is being made, or one or two actions
+//! later.
 
 use crate::feedback::{Feedback, Judged, LAGS, Moment, Strategy};
 use crate::oomdp::Action;
@@ -16,7 +16,7 @@ struct Done {
 }
 
 impl Done {
-    /// An action that nothing is known about.
+    /// An action that no task judges.
     const UNKNOWN: Self = Self { correct: TaskSet::EMPTY, incorrect: TaskSet::EMPTY, inside: TaskSet::EMPTY };
 
     fn judged(self, task: usize, rests: bool) -> Judged {
@@ -48,7 +48,7 @@ pub(crate) struct LastDone {
 }
 
 impl LastDone {
-    /// Nothing was done yet.
+    /// No action yet.
     pub(super) const NOTHING: Self = Self {
         actions: [Done::UNKNOWN; LAGS],
         rests: [false; LAGS],
@@ -69,7 +69,7 @@ impl LastDone {
         self.word.is_some()
     }
 
-    /// An action was done in the state that was planned for. The tasks in `inside` were done before it, and still are.
+    /// Adds an action, done in the planned state. The tasks in `inside` were done before it, and still are.
     pub(super) fn add(&mut self, plan: Plan<'_>, action: Action, inside: TaskSet) {
         let rest = action == Action::NOOP;
         let (correct, incorrect) = (plan.judged(action, Judgement::Correct), plan.judged(action, Judgement::Incorrect));
@@ -91,17 +91,17 @@ impl LastDone {
         self.last
     }
 
-    /// This was said to the last action; of several words the last counts.
+    /// Records the word on the last action; of several words the last counts.
     pub(super) const fn hear(&mut self, word: Feedback) {
         self.word = Some(word);
     }
 
-    /// The last moment.
+    /// The last moment, with its word.
     pub(super) fn moment(&self) -> Moment {
         self.moment.heard(self.word.unwrap_or(Feedback::Neutral))
     }
 
-    /// How a task judges the actions.
+    /// How a task judges each of the last actions.
     pub(super) fn judged(&self, task: usize) -> [Judged; LAGS] {
         let mut judged = [Judged::Unknown; LAGS];
         for ((slot, done), rests) in judged.iter_mut().zip(self.actions).zip(self.rests) {
@@ -110,8 +110,7 @@ impl LastDone {
         judged
     }
 
-    /// Whether a word says anything to those who follow one of these strategies: an action that it may be about was right or wrong for some
-    /// task.
+    /// Whether a word is informative under one of these strategies: an action that it may be about was right or wrong for some task.
     pub(super) fn says_something(&self, strategies: &[(Strategy, f32)]) -> bool {
         self.actions.iter().enumerate().any(|(position, done)| {
             let meant = |(strategy, _): &(Strategy, f32)| strategy.lags().get(position).is_some_and(|&lag| lag > 0.0);

@@ -15,11 +15,11 @@ use core::fmt;
 pub enum AgentError {
     /// The command has no word.
     EmptyCommand,
-    /// There is no task to do here: none is permissible, or all are done already.
+    /// There is no task to do here: none is possible, or all are done already.
     NoTask,
     /// The tasks are written in the vocabulary of another robot: read them with this domain's schema.
     OtherVocabulary,
-    /// The domain is not what [`Domain`](crate::oomdp::Domain) asks for.
+    /// The domain breaks a rule of [`Domain`](crate::oomdp::Domain).
     Domain(DomainFlaw),
     /// A task was given twice: it would be twice as probable as the others.
     SameTask {
@@ -30,7 +30,7 @@ pub enum AgentError {
     },
     /// The number of the state is not below the domain's `state_count`.
     StateNumber,
-    /// The agent is in a phase that does not allow this. The phase says which call leads on.
+    /// The agent's phase does not allow this call. The phase names the call that comes next.
     NotNow(Phase),
     /// The plan for this state is not done: call `plan` until it is.
     NotPlanned,
@@ -38,7 +38,7 @@ pub enum AgentError {
     OtherDomain,
     /// No action was done since the command: there is nothing to judge.
     NothingDone,
-    /// The action cannot be done in the state that was planned for.
+    /// The action cannot be done in the planned state.
     NotApplicable,
     /// No question waits for an answer.
     NotAsked,

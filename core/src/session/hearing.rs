@@ -1,4 +1,4 @@
-//! How a session begins: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
+//! The beginning of a session: a command becomes a belief over the tasks that are possible here (paper, Algorithm 1).
 
 use super::agent::Agent;
 use super::candidates::CandidateCount;
@@ -14,12 +14,12 @@ use crate::task::grounded::ground_with_done;
 use crate::task::{GroundedTask, LiftedTask};
 
 impl<M: AgentMemory> Agent<M> {
-    /// Hears a command in the state that the session starts from: the tasks possible here get their prior from the language model,
-    /// Pr(t|e,s) proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). A session under way
-    /// ends, and what was said in it is not learned from: [`finish`](Self::finish) it before.
+    /// Hears a command in the start state of a session: the tasks possible here get their prior from the language model, Pr(t|e,s)
+    /// proportional to the sum over l of Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). A session under way ends
+    /// unlearned: [`finish`](Self::finish) it first to learn from it.
     ///
     /// # Errors
-    /// [`AgentError`]; no session is then under way (but for [`AgentError::NotNow`], which changes nothing), and what was learned is
+    /// [`AgentError`]; no session is then under way (except for [`AgentError::NotNow`], which changes nothing), and all that was learned is
     /// kept.
     pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.begin_hearing(domain, state, command)?;
@@ -27,7 +27,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Begins to hear a command, as [`hear`](Self::hear) does, but in parts: call [`hear_on`](Self::hear_on) until it is done.
+    /// Begins to hear a command in parts, otherwise as [`hear`](Self::hear) does: call [`hear_on`](Self::hear_on) until it is done.
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -36,12 +36,12 @@ impl<M: AgentMemory> Agent<M> {
         self.begin_to_understand()
     }
 
-    /// Goes on hearing the command, with at most about `budget` table cells of work (at least one machine command). The belief is the same
-    /// whatever the budget.
+    /// Continues to hear the command, with at most about `budget` table cells of work (at least one machine command). The belief does not
+    /// depend on the budget.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`] where no command was begun, [`AgentError::OtherDomain`] where it was begun in another domain, and
-    /// [`AgentError::Capacity`]; in the last case no session is under way any more.
+    /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain, and
+    /// [`AgentError::Capacity`]; in the last case the session ends.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         if let Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
@@ -56,11 +56,10 @@ impl<M: AgentMemory> Agent<M> {
         self.check_session(domain).map(|()| Progress::Done)
     }
 
-    /// Hears a command whose task prior is given: `prior(task, lifted)` for each task and the lifted task that it grounds, in any unit.
+    /// Hears a command with a given task prior: `prior(task, lifted)` for each task and the lifted task that it grounds, in any unit.
     ///
     /// # Errors
-    /// As [`hear`](Self::hear), [`AgentError::Prior`] where a prior is negative or not a number, and [`AgentError::NoPrior`] where all are
-    /// 0.
+    /// As [`hear`](Self::hear), [`AgentError::Prior`] if a prior is negative or not a number, and [`AgentError::NoPrior`] if all are 0.
     pub fn hear_with_prior<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -68,7 +67,7 @@ impl<M: AgentMemory> Agent<M> {
         command: &str,
         prior: impl Fn(&GroundedTask, &LiftedTask) -> f32,
     ) -> Result<(), AgentError> {
-        // The machine commands' likelihoods are still needed when the session is learned from.
+        // Learning from the session still needs the machine commands' likelihoods.
         self.hear(domain, state, command)?;
         let mut any = false;
         for position in 0..self.task_count {
@@ -83,19 +82,18 @@ impl<M: AgentMemory> Agent<M> {
         if any { Ok(()) } else { self.refuse_prior(AgentError::NoPrior) }
     }
 
-    /// Ends the session that was about to begin: a belief of no tasks is a belief all the same.
+    /// Ends the session that was about to begin. A belief without tasks always fits, so this restart cannot fail.
     fn refuse_prior(&mut self, error: AgentError) -> Result<(), AgentError> {
         (self.start, self.progressed) = (None, Progressed::Idle);
         self.belief_mut().restart(core::iter::empty(), 0.0)?;
         Err(error)
     }
 
-    /// Hears the same command again in the same initial state: the belief goes on. An ended session, learned from or forgotten, is taken up
-    /// again by this.
+    /// Hears the same command again in the same initial state: the belief is kept. An ended session, learned or forgotten, is resumed.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`]: with [`Phase::Idle`] where the last session did not start in this state, and with the phase while a command is
-    /// being heard or a session finished or learned from.
+    /// [`AgentError::NotNow`]: with [`Phase::Idle`] if the last session did not start in this state, and with the current phase while a
+    /// command is being heard, or a session finished or learned from.
     pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         if self.start != Some(domain.key(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NotNow(Phase::Idle));
@@ -151,7 +149,7 @@ impl<M: AgentMemory> Agent<M> {
         self.tasks().get(position).copied().unwrap_or(GroundedTask::UNUSED)
     }
 
-    /// Begins the belief with each task's Pr(l|s) Pr(t|s,l).
+    /// Begins the belief with each task's prior Pr(l|s) Pr(t|s,l).
     #[inline(never)]
     pub(crate) fn begin_to_understand(&mut self) -> Result<(), AgentError> {
         self.candidates = CandidateCount::NONE;
@@ -166,17 +164,17 @@ impl<M: AgentMemory> Agent<M> {
         Ok(restarted?)
     }
 
-    /// Gets ready to plan for the tasks, and to understand the command.
+    /// Prepares planning for the tasks, and understanding of the command.
     #[inline(never)]
     pub(crate) fn take_up<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.plan_for(domain, self.task_count)?;
-        // The tasks' own tokens come first, then those of the objects' facts, while there is room.
+        // The tasks' own tokens are interned first, then those of the objects' facts, as far as there is room.
         self.intern_own_tokens(domain)?;
         self.progressed = Progressed::Hearing(Position::of_task(0), Prior::Zero);
         Ok(())
     }
 
-    /// Goes on giving each task its Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
+    /// Continues to set each task's prior to Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
     fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         let mut left = budget.max(1);
         if matches!(self.progressed, Progressed::Opened) {
@@ -192,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
                 self.weigh_kinds(domain);
                 #[cfg(feature = "layer")]
                 self.weigh_parts(domain);
-                // A command that nothing explains says nothing.
+                // A command that no task explains is no evidence.
                 if any == Prior::Zero {
                     for position in 0..self.task_count {
                         let prior = Scaled::new(self.task(position).prior);
@@ -225,7 +223,7 @@ impl<M: AgentMemory> Agent<M> {
         scene
     }
 
-    /// The state that the session started from, `None` where none is under way in this domain.
+    /// The start state of the session, `None` if none is under way in this domain.
     pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
         self.start.filter(|_| self.domain == digest(domain)).map(|key| domain.keyed(key))
     }

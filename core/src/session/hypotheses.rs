@@ -1,4 +1,4 @@
-//! Which of several transcripts a person said: a recogniser of speech gives the sound, the scene gives what is possible there.
+//! Chooses one of several transcripts: a speech recogniser knows the sound, the scene restricts the possible tasks.
 
 use super::agent::Agent;
 use super::error::AgentError;
@@ -7,8 +7,8 @@ use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 
-/// The probability of one word among all that were never heard: a person's everyday words are some ten thousand. The language model alone
-/// says how probable it is that any of them comes.
+/// The probability of one word among all unheard words: everyday vocabulary has about ten thousand. The language model gives only the
+/// probability that any unheard word occurs.
 const ONE_UNHEARD: f32 = 1e-4;
 
 /// One entry of a speech recogniser's n-best list.
@@ -16,17 +16,17 @@ const ONE_UNHEARD: f32 = 1e-4;
 pub struct Hypothesis<'h> {
     /// The command.
     pub command: &'h str,
-    /// How probable the recogniser takes it to be, in any unit: a number of 0 or more.
+    /// The recogniser's probability, in any unit: a number of 0 or more.
     pub weight: f32,
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Hears the most probable of several transcripts of one command, and returns its position. Its probability is its weight times
-    /// Pr(e|s) = sum over tasks t of Pr(t|s) Pr(e|t), with each unheard word one of ten thousand. Of equals, the one of more weight is taken,
-    /// and of these the first. The session is as if it alone had been heard by [`hear`](Self::hear). A transcript that cannot be heard is
-    /// passed over if another can.
+    /// Hears the most probable of several transcripts of one command, and returns its position. Its probability is its weight times Pr(e|s)
+    /// = sum over tasks t of Pr(t|s) Pr(e|t), with each unheard word one of ten thousand. On a tie, the larger weight wins, then the first
+    /// transcript. The session is the same as if only this transcript had been heard by [`hear`](Self::hear). A transcript that cannot be
+    /// heard is skipped if another can.
     ///
-    /// It takes the time of hearing each transcript, and one of them twice.
+    /// It takes the time of hearing each transcript, and one of them a second time.
     ///
     /// ```
     /// use goodbot::session::Hypothesis;
@@ -55,8 +55,8 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// [`AgentError::Weight`] where a weight is negative or not a number, [`AgentError::EmptyCommand`] where there is no transcript, or all
-    /// weights are 0, and as [`hear`](Self::hear) where none can be heard. No session is then under way.
+    /// [`AgentError::Weight`] if a weight is negative or not a number, [`AgentError::EmptyCommand`] if there is no transcript, or all
+    /// weights are 0, and as [`hear`](Self::hear) if none can be heard. No session is then under way.
     pub fn hear_one_of<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -79,7 +79,7 @@ impl<M: AgentMemory> Agent<M> {
                         best = Some((position, weight, hypothesis.weight));
                     }
                 }
-                // The next transcript would fare no better.
+                // The next transcript would fail in the same way.
                 Err(found @ (AgentError::NotNow(_) | AgentError::NoTask)) => return Err(found),
                 Err(found) => error = found,
             }
@@ -94,7 +94,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(best)
     }
 
-    /// Hears a command, `again` in the same session: what is believed of the trainer has drifted already.
+    /// Hears a command; `again` in the same session, so that the belief about the trainer does not drift twice.
     fn hear_anew<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, again: bool) -> Result<(), AgentError> {
         if again {
             self.belief_mut().restart(core::iter::empty(), 0.0)?;
@@ -102,7 +102,7 @@ impl<M: AgentMemory> Agent<M> {
         self.hear(domain, state, command)
     }
 
-    /// Pr(e|s) of the command that was just heard; 0 where nothing explains it.
+    /// Pr(e|s) of the command that was just heard; 0 if no task explains it.
     fn explained(&self) -> Scaled {
         let belief = self.belief();
         let known = self.language().tables().words();

@@ -1,4 +1,4 @@
-//! The end of a session: each machine command takes its share of the posterior, and the language model learns from it.
+//! The end of a session: each machine command gets its share of the posterior, and the language model learns from it.
 
 use super::agent::Agent;
 use super::candidates::{Candidates, CandidatesRef};
@@ -15,7 +15,7 @@ use crate::symbols::Symbol;
 use crate::task::GroundedTask;
 use core::fmt;
 
-/// How many of the sessions that gave way are told by their positions.
+/// The most positions of sessions that gave way that are kept.
 const MOST_TOLD: usize = 7;
 
 /// The sessions that gave way to a new one.
@@ -29,36 +29,36 @@ pub struct GaveWay {
 }
 
 impl GaveWay {
-    /// None.
+    /// No session gave way.
     pub(super) const NONE: Self = Self { count: 0, full: None, told: [0; MOST_TOLD] };
 
-    /// How many.
+    /// The number of sessions that gave way.
     pub const fn count(&self) -> usize {
         self.count as usize
     }
 
-    /// Their positions in the training data before the new session came, in order; at most seven are told.
+    /// Their positions in the training data before the new session came, in order; at most seven are listed.
     pub fn positions(&self) -> &[u16] {
         self.told.get(..self.count().min(MOST_TOLD)).unwrap_or(&[])
     }
 
-    /// The table that was full, for the last of them; `None` where none gave way. Raise it to keep more.
+    /// The table that was full when the last of them gave way; `None` if none gave way. Raise its capacity to keep more.
     pub const fn full(&self) -> Option<Capacity> {
         self.full
     }
 
-    /// Takes note of a session that gave way.
+    /// Records a session that gave way.
     fn note(&mut self, room: Room) {
         if let Room::Made(session, full) = room {
             self.add(session, full);
         }
     }
 
-    /// Adds one, by its position now, because this table was full.
+    /// Adds a session by its current position, with the table that was full.
     fn add(&mut self, now: u16, full: Capacity) {
         self.full = Some(full);
         let told = self.count().min(MOST_TOLD);
-        // Those before it went already.
+        // The sessions removed before it have shifted its position.
         let before =
             self.positions().iter().fold(now, |position, &gone| if gone <= position { position.saturating_add(1) } else { position });
         let at = self.positions().partition_point(|&gone| gone < before);
@@ -83,7 +83,7 @@ impl fmt::Display for GaveWay {
     }
 }
 
-/// The machine commands that a session is learned as, with their shares of 1: those of more than `least` of all weight.
+/// The machine commands that a session is learned as, with their shares of 1: those with more than `least` of the total weight.
 fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[Symbol], f32)> + Clone {
     let whole = total(candidates.entries().iter().map(|entry| entry.weight));
     let share = move |weight: Scaled| Some(weight.over(whole)).filter(|&share| share > least);
@@ -103,7 +103,7 @@ pub struct Finished {
 
 impl<M: AgentMemory> Agent<M> {
     /// Ends the session and forgets all its evidence, also about the trainer. The same command can then be heard and walked through again,
-    /// for instance to take a step back.
+    /// for instance to go one step back.
     pub fn forget_evidence(&mut self) {
         self.forget();
         self.end_session();
@@ -111,10 +111,10 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Ends the session without learning from it. Its new words and machine tokens are forgotten only with the next command, so
-    /// [`hear_again`](Self::hear_again) can still take the session up again.
+    /// [`hear_again`](Self::hear_again) can still resume the session.
     pub fn forget(&mut self) {
         match self.progressed {
-            // Half heard, it is no session.
+            // A half-heard command is no session.
             Progressed::Opened | Progressed::Hearing(..) => self.end_session(),
             _ => self.complete_joining(),
         }
@@ -122,24 +122,24 @@ impl<M: AgentMemory> Agent<M> {
         self.forget_plan();
     }
 
-    /// Ends the session without learning from it and forgets its tasks, because the robot leaves the environment that they are about.
+    /// Ends the session without learning from it and forgets its tasks, because the robot leaves their environment.
     pub fn leave(&mut self) {
         self.end_session();
     }
 
-    /// Whether there is no whole model to save: the last session is among the training data, but its words and tokens not yet among those
-    /// that were learned, or a model is coming back.
+    /// Whether no complete model can be saved: the last session is in the training data, but its words and tokens do not count as learned
+    /// yet, or a model is being restored.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_))
     }
 
-    /// Gives a session that has joined the training data its words for good. What forgets new words would take them from it otherwise.
+    /// Marks the words of a session that has joined the training data as learned. Otherwise they would be forgotten with all new words.
     #[inline(never)]
     pub(super) fn complete_joining(&mut self) {
         #[cfg(feature = "learning")]
         if let Progressed::Tidying(step) = &mut self.progressed {
-            // Another session may have been unlearned meanwhile: a choice begins anew.
+            // Another session may have been unlearned meanwhile, so the choice starts again.
             *step = Step::Look;
         }
         #[cfg(feature = "learning")]
@@ -151,19 +151,19 @@ impl<M: AgentMemory> Agent<M> {
 
 #[cfg(feature = "learning")]
 impl<M: AgentMemory> Agent<M> {
-    /// Whether the session's tasks are negated. Their words are not those that were said, so nothing is learned.
+    /// Whether the session's tasks are negated. Their words are not those of the command, so nothing is learned.
     fn is_negated(&self) -> bool {
         self.tasks().iter().any(GroundedTask::is_negated)
     }
 
-    /// Ends the session and learns from it: each machine command with its share of the posterior joins the training data, and training on
-    /// all of them begins. Call [`learn`](Self::learn) until it is done. Where memory is full, other sessions give way, as
-    /// [`forgetting`](crate::language::forgetting) says; the result tells which.
+    /// Ends the session and learns from it: each machine command joins the training data with its share of the posterior, and training on
+    /// all data begins. Call [`learn`](Self::learn) until it is done. If memory is full, older sessions give way, as
+    /// [`forgetting`](crate::language::forgetting) describes; the result lists them.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or
-    /// [`AgentError::Capacity`] where the session could not be kept even alone: it is then forgotten and everything learned before is kept.
-    /// Where none of its words found room, in a vocabulary that was restored full, others give way so that the next command is heard whole.
+    /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::Capacity`] if the session does not fit even alone: it is then
+    /// forgotten, and all that was learned before is kept. If none of its words found room, because a vocabulary was restored full, other
+    /// sessions give way so that the next command is heard whole.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
         self.begin_finishing(domain)?;
         loop {
@@ -174,11 +174,11 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Ends the session and adds it to the training data, without training. The next [`finish`](Self::finish) or
-    /// [`begin_learning`](Self::begin_learning) trains on it too, so a row of sessions costs one training.
+    /// [`begin_learning`](Self::begin_learning) trains on it too, so several sessions cost one training.
     ///
     /// # Errors
-    /// As [`finish`](Self::finish); but no other session gives way: where there is no room, [`AgentError::Capacity`] says so, the session
-    /// goes on, and [`finish`](Self::finish) makes room for it.
+    /// As [`finish`](Self::finish); but no other session gives way: if there is no room, the result is [`AgentError::Capacity`], the
+    /// session goes on, and [`finish`](Self::finish) makes room for it.
     pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
         if self.is_negated() {
@@ -197,9 +197,9 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Takes one session out of what was learned, by its position from 0 on, the oldest first, with the words and machine tokens that no other
-    /// session has, and begins training on the rest: call [`learn`](Self::learn) until it is done. Gives `false` where there is no such
-    /// session. A session under way ends unlearned. What the session showed of the trainer, and what later sessions owe to it, stays.
+    /// Removes one session from the training data, by its position from 0 on, the oldest first, with the words and machine tokens that no
+    /// other session has, and begins training on the rest: call [`learn`](Self::learn) until it is done. Returns `false` if there is no
+    /// such session. A session under way ends unlearned. The belief about the trainer, and later sessions' weights, are not corrected.
     ///
     /// ```
     /// use goodbot::{Agent, Capacities, HeapMemory, Options, home};
@@ -212,7 +212,7 @@ impl<M: AgentMemory> Agent<M> {
         if usize::from(session) >= self.language().bitext().sessions() {
             return false;
         }
-        // First: its position is another one where sessions give way for one that is finished.
+        // Do this first: the position changes if sessions give way for one that is being finished.
         self.language_mut().remove_session(session);
         self.end_session();
         self.workspace_to_training();
@@ -227,7 +227,8 @@ impl<M: AgentMemory> Agent<M> {
         self.language_mut().begin_training();
     }
 
-    /// Begins to end the session, as [`finish`](Self::finish) does, but in parts: call [`finish_on`](Self::finish_on) until it is done.
+    /// Begins to end the session in parts, otherwise as [`finish`](Self::finish) does: call [`finish_on`](Self::finish_on) until it is
+    /// done.
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
@@ -238,8 +239,8 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Goes on ending the session, with at most about `budget` table cells of work (at least one machine command, or a look at one session
-    /// that may give way). The budget does not change the result. `None` means: call again.
+    /// Continues to end the session, with at most about `budget` table cells of work (at least one machine command, or a look at one
+    /// session that may give way). The budget does not change the result. `None` means: call again.
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
@@ -253,7 +254,7 @@ impl<M: AgentMemory> Agent<M> {
         let result = self.finish_part(domain, budget.max(1));
         if result.is_err() {
             match self.progressed {
-                // Nothing was kept yet: the session goes on.
+                // Nothing has joined the training data yet: the session goes on.
                 Progressed::Weighing(..) => self.progressed = Progressed::Ready,
                 _ => self.set_ended(),
             }
@@ -264,7 +265,7 @@ impl<M: AgentMemory> Agent<M> {
     fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
             match self.progressed {
-                // "Again" has no words for its task.
+                // The command "again" has no words for its task.
                 Progressed::Weighing(..) if self.is_negated() || self.sentence.is_empty() => {
                     self.forget();
                     return Ok(Some(Finished { gave_way: self.gave_way }));
@@ -298,13 +299,13 @@ impl<M: AgentMemory> Agent<M> {
         Ok(None)
     }
 
-    /// About the work of looking at a session, or of keeping one or making room for it, in table cells.
+    /// The approximate work of looking at a session, or of keeping one or making room for it, in table cells.
     fn cells_of(&self, room: Room) -> u32 {
         let data = self.language().bitext();
         (if room == Room::Sought { data.sessions() } else { data.pairs().len() }) as u32
     }
 
-    /// Lets the session's machine commands join the training data, by their weights, or goes on to let one other session give way.
+    /// Adds the session's machine commands to the training data by their weights, or continues to make one other session give way.
     #[inline(never)]
     fn keep(&mut self, mut step: Step) -> Result<Room, AgentError> {
         self.forget_plan();
@@ -332,7 +333,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Gives the vocabulary room again, or goes on to let one other session give way for that; then training begins.
+    /// Makes room in the vocabulary, or continues to make one other session give way for that; then training begins.
     #[inline(never)]
     fn tidy(&mut self, mut step: Step) -> Result<Room, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
@@ -350,8 +351,8 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Computes the current weight of each machine command in [`candidates`](Self::candidates), for [`finish`](Self::finish) and for
-    /// observers. Weights have no unit: each command is learned with its share of the sum. If no machine command explains the words, the
-    /// tasks' posterior counts alone, evenly over each task's constraints.
+    /// observers. Weights are unnormalised: each command is learned with its share of the sum. If no machine command explains the words,
+    /// only the tasks' posterior counts, shared evenly among each task's constraints.
     ///
     /// # Errors
     /// [`AgentError::Capacity`].
@@ -365,7 +366,7 @@ impl<M: AgentMemory> Agent<M> {
                 Err(error) => break Err(error),
             }
         };
-        // A session that is being finished has these weights now, and is not to add to them.
+        // A session that is being finished keeps these weights; weighing on would add them twice.
         if !matches!(progressed, Progressed::Weighing(..)) {
             self.progressed = progressed;
         }
@@ -405,7 +406,7 @@ impl<M: AgentMemory> Agent<M> {
             };
             let mut part = None;
             let done = self.for_each_candidate(domain, &mut scene, &mut position, left, |candidates, _, _, tokens, share| {
-                // Equal for all constraints of the task.
+                // Equal for all constraints of a task.
                 let evidence = *part.get_or_insert_with(|| evidence.scaled_by(share));
                 if let Some(entry) = candidates.read().find(tokens).and_then(|found| candidates.entry_mut(found)) {
                     let explained = if weights == Weights::Paper { entry.likelihood } else { Scaled::ONE };
@@ -421,13 +422,12 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Working)
     }
 
-    /// Goes on learning, with at most about `budget` table cells of work. The first call also sizes the tables, regardless of the
-    /// budget.
+    /// Continues to learn, with at most about `budget` table cells of work. The first call also sizes the tables, regardless of the budget.
     pub fn learn(&mut self, budget: u32) -> Progress {
         self.language_mut().train(budget)
     }
 
-    /// Learns to the end.
+    /// Learns until done.
     pub fn learn_fully(&mut self) {
         while self.learn(u32::MAX) == Progress::Working {}
     }

@@ -16,29 +16,29 @@ use crate::task::ground_unless;
 #[cfg(feature = "alloc")]
 use alloc::{collections::BTreeSet, string::String};
 
-/// How much a robot is to be taught before older lessons may give way.
+/// The lessons that a robot must be able to learn before older ones give way.
 ///
 /// ```
 /// use goodbot::session::Lessons;
-/// // Twenty commands of at most eight words, in which thirty different words occur, of 180 bytes together.
+/// Twenty commands of at most eight words, with thirty different words, of 180 bytes together.
 /// let lessons = Lessons { different_words: 30, word_bytes: 180, ..Lessons::new(20, 8) };
 /// assert_eq!((lessons.sessions, lessons.words), (20, 8));
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Lessons {
-    /// How many sessions.
+    /// The number of sessions.
     pub sessions: usize,
     /// The most words of one command, at most [`WORDS_PER_COMMAND`].
     pub words: usize,
-    /// How many different words the commands have together.
+    /// The number of different words in all commands together.
     pub different_words: usize,
     /// Bytes that those words take together.
     pub word_bytes: usize,
 }
 
 impl Lessons {
-    /// This many sessions, each with a command of at most `words` words. It assumes that no word occurs twice and that a word has 12 bytes on
-    /// average. Correct the other fields where you know better: they determine most of the memory.
+    /// This many sessions, each with a command of at most `words` words. It assumes that no word occurs twice and that a word has 12 bytes
+    /// on average. Correct the other fields if you know better: they determine most of the memory.
     pub const fn new(sessions: usize, words: usize) -> Self {
         let different_words = sessions.saturating_mul(words);
         Self { sessions, words, different_words, word_bytes: different_words.saturating_mul(12) }
@@ -49,7 +49,7 @@ impl Lessons {
         self.words.min(WORDS_PER_COMMAND)
     }
 
-    /// What these commands take, each of them a session of its own, as the role model hears them.
+    /// Counts these commands, each of them a session of its own, as the role model hears them.
     ///
     /// ```
     /// use goodbot::session::Lessons;
@@ -59,7 +59,7 @@ impl Lessons {
     /// ```
     ///
     /// # Errors
-    /// A [`CapacityError`] where a command or one of its words is too long.
+    /// A [`CapacityError`] if a command or one of its words is too long.
     #[cfg(feature = "alloc")]
     pub fn of<'c>(commands: impl IntoIterator<Item = &'c str>) -> Result<Self, CapacityError> {
         let (mut lessons, mut different) = (Self::new(0, 0), BTreeSet::<String>::new());
@@ -78,27 +78,27 @@ impl Lessons {
     }
 }
 
-/// The needs of the worlds looked at so far.
+/// The needs of the worlds surveyed so far.
 pub(super) struct Survey {
     pub(super) least: Capacities,
-    /// The contents of the descriptions.
+    /// The parts of the descriptions that size the parameters.
     pub(super) layout: Layout,
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Returns the least capacities with which this robot, with its tasks, options and strategies, is refused nothing and nothing gives way,
-    /// in sessions that start from any state of the domain.
+    /// Returns the least capacities with which this robot, with its tasks, options and strategies, refuses no session from any state of the
+    /// domain, and no session gives way.
     ///
-    /// Uses the agent's tables as scratch space, so call it on a host, in roomy memory. A session under way ends unlearned.
-    /// [`Lessons::of`] counts the commands. The result holds for any session of that many words: sessions of few likely tasks leave much of
-    /// `pairs`, `commands` and `command_tokens` free, as [`most_used`](Self::most_used) shows.
+    /// Uses the agent's tables as scratch space, so call it on a host, in roomy memory. A session under way ends unlearned. [`Lessons::of`]
+    /// counts the commands. The result suffices for all sessions of that many words: if few tasks are likely, much of `pairs`, `commands`
+    /// and `command_tokens` stays free, as [`most_used`](Self::most_used) shows.
     ///
-    /// - With `states`, every plan is exact. A [`PushGrid`](crate::oomdp::PushGrid) can do with fewer: its plans are then approximate
-    ///   where the goal is far.
+    /// - With `states`, every plan is exact. A [`PushGrid`](crate::oomdp::PushGrid) works with fewer: its plans are then approximate if the
+    ///   goal is far.
     /// - `hashed_states` and `goal_entries` are 0: no robot needs them. The goal entries save time: see
     ///   [`Capacities::goal_entries`].
-    /// - A robot that lives in several worlds of one kind asks [`least_capacities_of_all`](Self::least_capacities_of_all). For several kinds,
-    ///   it needs at most the sum of theirs ([`Capacities::plus`]), and at least the largest of each ([`Capacities::at_least`]).
+    /// - For several worlds of one kind, call [`least_capacities_of_all`](Self::least_capacities_of_all). For several kinds, the robot
+    ///   needs at most the sum of their capacities ([`Capacities::plus`]), and at least the largest of each ([`Capacities::at_least`]).
     ///
     /// ```
     /// use goodbot::{Agent, Capacities, HeapMemory, Options, home, session::Lessons};
@@ -119,14 +119,14 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// [`AgentError::Capacity`] where the agent's own memory is too small for one session, or where the states cannot be counted: such a
-    /// robot is searched through `hashed_states`, as many as you like.
+    /// [`AgentError::Capacity`] if the agent's own memory is too small for one session, or if the states cannot be counted: such a domain
+    /// is searched with `hashed_states`, as many as you like.
     pub fn least_capacities<D: Domain + ?Sized>(&mut self, domain: &D, lessons: &Lessons) -> Result<Capacities, AgentError> {
         self.least_capacities_of_all(core::iter::once(domain), lessons)
     }
 
-    /// Returns the least capacities with which this robot is refused nothing and nothing gives way, whichever of these worlds a session takes
-    /// place in. See [`least_capacities`](Self::least_capacities).
+    /// Returns the least capacities with which this robot refuses no session and no session gives way, in any of these worlds. See
+    /// [`least_capacities`](Self::least_capacities).
     ///
     /// ```
     /// use goodbot::home::{Area, Cell, HomeBuilder, Moves};

@@ -1,16 +1,16 @@
 //! The training session (paper, Algorithm 1): from a command to tasks, actions, feedback, and a language model that has learned.
 //!
-//! - `candidates`: the machine commands that this session's tasks can be expressed by, and how well each explains the command;
-//! - `machine_commands`: those machine commands, by language model;
+//! - `candidates`: the machine commands that can express this session's tasks, and how well each explains the command;
+//! - `machine_commands`: how these machine commands are made for each language model;
 //! - `agent`: the robot's mind: plans, decides, takes feedback;
-//! - `phase`: its phase, and the call that leads on;
+//! - `phase`: the agent's phase, and the call that comes next;
 //! - `done`: the last actions, which feedback may be about;
-//! - `hearing`: how it hears a command;
-//! - `hypotheses`: how it hears one from a speech recogniser's transcripts;
+//! - `hearing`: how the agent hears a command;
+//! - `hypotheses`: how it chooses among a speech recogniser's transcripts;
 //! - `learning`: how it ends a session and learns;
 //! - `least`: the least capacities for a domain and a number of lessons;
-//! - `ways`: how far the ways of its tasks have come;
-//! - `options`, `error`: how it learns, and why it may refuse.
+//! - `ways`: the progress of each task's way;
+//! - `options`, `error`: the options, and the reasons to refuse a call.
 
 pub(crate) mod agent;
 pub(crate) mod candidates;

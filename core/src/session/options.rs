@@ -6,12 +6,12 @@ use crate::language::{SettingError, Settings};
 /// How machine commands are weighted when a session ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weights {
-    /// By their own explanation of the command too (paper, Algorithm 1).
+    /// By their likelihood of the command too (paper, Algorithm 1).
     #[default]
     Paper,
-    /// By the tasks' posterior alone, evenly over each task's constraints (the authors' later program).
+    /// By the tasks' posterior alone, shared evenly among each task's constraints (the authors' later program).
     Belief,
-    /// By the trainer's evidence alone: the tasks' prior without any word times the likelihood of all evidence.
+    /// By the trainer's evidence alone: the task prior without words times the likelihood of all evidence.
     Evidence,
 }
 
@@ -22,20 +22,21 @@ pub struct Options {
     pub language: Settings,
     /// How machine commands are weighted.
     pub weights: Weights,
-    /// Weights up to this are dropped; less than 1.
+    /// Weights up to this threshold are dropped; less than 1.
     pub least_weight: f32,
-    /// The share by which what is believed of the trainer's strategies drifts back, at each new command, to what was believed before the
-    /// trainer was met: from 0 (the paper: never) to 1.
+    /// The share by which the belief about the trainer's strategies drifts back to its prior at each new command: from 0 (the paper: never)
+    /// to 1.
     pub drift: f32,
-    /// The evidence of the end of a session; [`Ending::NO_EVIDENCE`] in the paper.
+    /// How the end of a session counts as evidence; [`Ending::NO_EVIDENCE`] in the paper.
     pub ending: Ending,
-    /// Of the actions that lead on, do the last one once more, so that a late word counts for the right one. Where it does not lead on, take
-    /// the action whose feedback tells most of what is meant. The paper takes any, and so does an agent without the feature `asking`.
+    /// Choose actions for clear feedback: repeat the last action if it leads towards the goal, so that a late word counts for the right
+    /// one; otherwise take the action whose feedback has the highest expected information. The paper takes any, and so does an agent
+    /// without the feature `asking`.
     pub telling: bool,
 }
 
 impl Options {
-    /// The paper's.
+    /// The paper's options.
     pub const PAPER: Self = Self {
         language: Settings::PAPER,
         weights: Weights::Paper,
@@ -45,36 +46,38 @@ impl Options {
         telling: false,
     };
 
-    /// What to take where nothing is to be compared with the paper: its options, with the language model that understands people best,
-    /// [`Settings::DEFAULT`], fewer of its many small weights, and actions that tell more.
+    /// The options to use except for comparison with the paper: the paper's, with the language model that understands people best,
+    /// [`Settings::DEFAULT`], fewer small weights, and actions chosen for clear feedback.
     pub const DEFAULT: Self = Self { language: Settings::DEFAULT, least_weight: 1e-3, telling: true, ..Self::PAPER };
 
-    /// The paper's, with Model 2 for short commands in few words: [`Settings::SMOOTHED`].
+    /// The paper's options, with Model 2 for short commands with few words: [`Settings::SMOOTHED`].
     pub const SMOOTHED: Self = Self { language: Settings::SMOOTHED, ..Self::PAPER };
 
-    /// The same for a robot that people train: its belief of its trainer drifts a little. People follow [`population::STRATEGIES`]. The end
-    /// of a session is no evidence yet, because a robot may not know who ended it: see [`with_ends`](Self::with_ends).
+    /// The same options for a robot that people train: its belief about the trainer drifts a little. People follow
+    /// [`population::STRATEGIES`]. The end of a session is no evidence yet, because a robot may not know who ended it: see
+    /// [`with_ends`](Self::with_ends).
     pub const fn for_people(self) -> Self {
         Self { drift: population::DRIFT, ..self }
     }
 
-    /// The same for a robot that knows when its trainer ends a session, and reports it with
-    /// [`trainer_ended`](crate::Agent::trainer_ended). The end is evidence, as measured with recorded people ([`population::ENDING`]), and so
-    /// is each step after which the trainer goes on.
+    /// The same options for a robot that knows when its trainer ends a session, and reports it with
+    /// [`trainer_ended`](crate::Agent::trainer_ended). The end is evidence, with probabilities measured on recorded people
+    /// ([`population::ENDING`]), and so is each step after which the trainer goes on.
     pub const fn with_ends(self) -> Self {
         Self { ending: population::ENDING, ..self }
     }
 
-    /// Whether an agent can learn with them.
+    /// Checks that every option is in its range. A robot without the feature `learning` has no use for the end of a session, and does not
+    /// check it.
     ///
     /// # Errors
-    /// A [`SettingError`] that names the first that is out of range.
+    /// A [`SettingError`] that names the first option out of range.
     pub fn check(&self) -> Result<(), SettingError> {
         self.language.check()?;
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound((0.0..1.0).contains(&self.least_weight), SettingError::LeastWeight(self.least_weight))?;
         sound((0.0..=1.0).contains(&self.drift), SettingError::Drift(self.drift))?;
-        sound(self.ending.is_sound(), SettingError::Ending)
+        sound(!cfg!(feature = "learning") || self.ending.is_sound(), SettingError::Ending)
     }
 }
 

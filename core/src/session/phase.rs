@@ -6,7 +6,7 @@ use crate::language::forgetting::Step;
 use crate::probability::Scaled;
 use core::fmt;
 
-/// What an agent is doing. [`Agent::phase`] tells.
+/// The agent's current phase: see [`Agent::phase`].
 ///
 /// ```text
 /// Idle -- hear --> Hearing -> Ready -- finish --> Finishing -> Learning -- learn --> Ended
@@ -17,24 +17,24 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Phase {
-    /// It waits for a command: [`Agent::hear`].
+    /// Waiting for a command: [`Agent::hear`].
     Idle,
-    /// It hears a command in parts: [`Agent::hear_on`].
+    /// Hearing a command in parts: [`Agent::hear_on`].
     Hearing,
     /// A session is under way: [`Agent::plan`], [`Agent::decide`], [`Agent::feedback`], [`Agent::finish`].
     Ready,
-    /// The session ends in parts: [`Agent::finish_on`].
+    /// Ending the session in parts: [`Agent::finish_on`].
     Finishing,
-    /// The language model is trained in parts: [`Agent::learn`].
+    /// Training the language model in parts: [`Agent::learn`].
     Learning,
-    /// The session has ended: [`Agent::hear`], or [`Agent::hear_again`] to take it up again.
+    /// The session has ended: [`Agent::hear`], or [`Agent::hear_again`] to resume it.
     Ended,
-    /// A model comes back in parts, and the robot has learned nothing until it is all there: `Agent::restore_on`.
+    /// Restoring a model in parts; until it is complete, the robot has learned nothing: `Agent::restore_on`.
     Restoring,
 }
 
 impl fmt::Display for Phase {
-    /// Names the phase and the call that leads on.
+    /// Names the phase and the call that comes next.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Idle => "no session is under way; give a command first",
@@ -48,28 +48,28 @@ impl fmt::Display for Phase {
     }
 }
 
-/// The phase, with how far its work has come. Learning is the language model's own work.
+/// The phase with its progress. The language model keeps the progress of learning.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Progressed {
     Idle,
-    /// The tasks that are possible are known.
+    /// The possible tasks are known.
     Opened,
-    /// The tasks get their priors, from this machine command on.
+    /// The tasks get their priors; the next machine command is at this position.
     Hearing(Position, Prior),
     Ready,
-    /// The machine commands get their weights, from this one on.
+    /// The machine commands get their weights; the next one is at this position.
     Weighing(Position, Weights),
-    /// The session joins the training data; others give way.
+    /// The session joins the training data; older ones give way.
     Keeping(Step),
-    /// The vocabulary gets room again; others give way for that too.
+    /// The vocabulary is freed of unused entries; older sessions give way for that too.
     Tidying(Step),
     Ended,
-    /// A model comes back. The number says which, and how far it has come.
+    /// A model is being restored. The number identifies the model and its progress.
     #[cfg(feature = "snapshot")]
     Restoring(u32),
 }
 
-/// A machine command among those of all tasks, and the sum over those of its task before it.
+/// The position of a machine command among those of all tasks, and the sum over the earlier ones of its task.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Position {
     pub(super) task: usize,
@@ -84,7 +84,7 @@ impl Position {
     }
 }
 
-/// Whether some task so far has a prior of more than 0.
+/// Whether any task so far has a prior above 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Prior {
     Zero,
@@ -115,7 +115,7 @@ impl<M> Agent<M> {
         }
     }
 
-    /// The session is over; it can be taken up again where one was begun.
+    /// Ends the session; it can be resumed if it has a start state.
     pub(super) const fn set_ended(&mut self) {
         self.progressed = if self.start.is_some() { Progressed::Ended } else { Progressed::Idle };
     }

@@ -1,4 +1,4 @@
-//! How far the ways of a session's tasks have come.
+//! The progress of each task's way.
 
 use super::agent::Agent;
 use crate::memory::AgentMemory;
@@ -6,7 +6,7 @@ use crate::oomdp::Domain;
 use crate::task::{LiftedTask, Way};
 
 impl<M: AgentMemory> Agent<M> {
-    /// The robot has come to a state: every task's way goes on.
+    /// Advances every task's way: the robot has reached this state.
     pub(super) fn follow_ways<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
         if !self.lifted.iter().any(LiftedTask::has_way) {
             return;
@@ -18,7 +18,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// The session begins again from its first state.
+    /// Resets every task's way: the session begins again from its first state.
     pub(super) fn begin_ways(&mut self) {
         for task in self.memory.lend().session.tasks.iter_mut().take(self.task_count) {
             task.way = task.way.at_start();

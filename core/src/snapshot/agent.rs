@@ -1,4 +1,4 @@
-//! Saving and restoring the whole robot's mind.
+//! Saving and restoring everything that a robot has learned.
 
 use super::error::{RestoreError, SaveError};
 use super::restoring::{Restoring, Stage};
@@ -13,9 +13,9 @@ use crate::session::phase::Progressed;
 use alloc::{vec, vec::Vec};
 
 impl<M: AgentMemory> Agent<M> {
-    /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with what is
-    /// believed of them now. Gives the length. A session under way is not saved; a training under way begins anew when restored. While a session
-    /// joins the training data in parts ([`finish_on`](Self::finish_on)) there may be nothing whole to save: finish it first.
+    /// Saves all that was learned to the front of the buffer: the training data, the options, and the trainer strategies with their present
+    /// probabilities. Returns the length. A session under way is not saved; a training under way starts again when restored. While a
+    /// session joins the training data in parts ([`finish_on`](Self::finish_on)) there may be no complete model to save: finish it first.
     ///
     /// # Errors
     /// [`SaveError`]; the buffer may then hold anything.
@@ -23,9 +23,9 @@ impl<M: AgentMemory> Agent<M> {
         self.saving()?.write(buffer)
     }
 
-    /// Saves as [`save`](Self::save) does, but in parts: with at most about `budget` bytes each (at least one record, or a check of eight bytes
-    /// for each). The buffer is the same in all parts, and so are the bytes in the end. Gives the length when all is saved; `None` means: call
-    /// again. The robot may plan, act and be told words meanwhile.
+    /// Saves in parts, otherwise as [`save`](Self::save) does. Each part does at most about `budget` units of work: a unit is one byte
+    /// written or eight bytes checked, and a part writes at least one record. Pass the same buffer to all parts. The bytes do not depend on
+    /// the budget. Returns the length when all is saved; `None` means: call again. The robot may plan, act and take feedback meanwhile.
     ///
     /// ```
     /// use goodbot::{Agent, Options, home, snapshot::Saving};
@@ -44,13 +44,13 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// [`SaveError`], as for [`save`](Self::save), and [`SaveError::Changed`] where a session was learned from meanwhile: begin again.
+    /// [`SaveError`], as for [`save`](Self::save), and [`SaveError::Changed`] if a session was learned from meanwhile: start again.
     pub fn save_on(&self, saving: &mut Saving, buffer: &mut [u8], budget: u32) -> Result<Option<usize>, SaveError> {
         self.saving()?.write_on(saving, buffer, budget)
     }
 
-    /// Saves as [`save`](Self::save) does, into the memory that planning and training have in turn, so that no buffer is needed: what was
-    /// planned is forgotten. That memory has 8 bytes for each of [`workspace_words`](crate::Capacities::workspace_words).
+    /// Saves as [`save`](Self::save) does, into the memory that planning and training share, so that no buffer is needed: the plan is
+    /// forgotten. That memory has 8 bytes for each of [`workspace_words`](crate::Capacities::workspace_words).
     ///
     /// ```
     /// use goodbot::{Agent, Options, home};
@@ -64,7 +64,7 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// [`SaveError`]: where the model takes more than that memory has, and [`SaveError::StillLearning`] while training needs it.
+    /// [`SaveError`]: if the model is larger than that memory, and [`SaveError::StillLearning`] while training needs it.
     pub fn save_in_place(&mut self) -> Result<&[u8], SaveError> {
         if self.language().is_training() || self.is_between_models() {
             return Err(SaveError::StillLearning);
@@ -83,7 +83,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(buffer.get(..length).unwrap_or(&[]))
     }
 
-    /// Bytes that [`save`](Self::save) would write now.
+    /// The number of bytes that [`save`](Self::save) would write now.
     ///
     /// # Errors
     /// [`SaveError::Unsound`] and [`SaveError::StillLearning`].
@@ -91,7 +91,7 @@ impl<M: AgentMemory> Agent<M> {
         self.saving()?.bytes()
     }
 
-    /// A model file on the heap, with what [`save`](Self::save) writes.
+    /// A model file on the heap, with the bytes that [`save`](Self::save) writes.
     ///
     /// ```
     /// use goodbot::{Agent, Capacities, HeapMemory, Options, home};
@@ -112,23 +112,23 @@ impl<M: AgentMemory> Agent<M> {
         Ok(file)
     }
 
-    /// Replaces everything learned here by a model file, and begins training on it: call
-    /// [`learn`](Self::learn) until it is done. Everything is checked before anything is changed. A session under way ends unlearned.
-    /// A model with the [layer](crate::language::layer) is a role model in memory without room for it, and with a core without the layer:
-    /// saved again, it is one.
+    /// Replaces all that was learned here by a model file, and begins training on it: call [`learn`](Self::learn) until it is done. The
+    /// whole file is checked before anything is changed. A session under way ends unlearned. If the memory has no room for the
+    /// [layer](crate::language::layer), or the core was built without it, a model with the layer becomes a role model, and is saved again
+    /// as one.
     ///
     /// # Errors
-    /// [`RestoreError`]; the agent is then as before.
+    /// [`RestoreError`]; the agent is then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut restoring = Restoring::of(bytes);
         while self.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}
         Ok(())
     }
 
-    /// Restores a model as [`restore`](Self::restore) does, but in parts: with at most about `budget` entries each (at least one record; eight
-    /// bytes for each while the file is checked). The robot is the same in the end. Until the model was checked, the robot is as before, and
-    /// may do anything. Then it has learned nothing until it has the whole model; its phase is
-    /// [`Restoring`](crate::session::Phase::Restoring), and [`leave`](Self::leave) gives the rest up.
+    /// Restores a model in parts, otherwise as [`restore`](Self::restore) does. Each part does at most about `budget` units of work: a unit
+    /// is one entry of a record, or eight bytes while the file is checked, and a part reads at least one record. The result does not depend
+    /// on the budget. While the file is checked, the robot is unchanged and may do anything. After that it has learned nothing until the
+    /// model is complete; its phase is [`Restoring`](crate::session::Phase::Restoring), and [`leave`](Self::leave) abandons the rest.
     ///
     /// ```
     /// use goodbot::planning::Progress;
@@ -146,8 +146,8 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// As [`restore`](Self::restore), and [`RestoreError::Interrupted`] where something else began before the whole model was there: the robot
-    /// has learned nothing of it.
+    /// As [`restore`](Self::restore), and [`RestoreError::Interrupted`] if something else began before the model was complete: the robot
+    /// then has learned nothing of it.
     pub fn restore_on(&mut self, restoring: &mut Restoring<'_>, budget: u32) -> Result<Progress, RestoreError> {
         let mut left = budget.max(1);
         while restoring.stage != Stage::Done {
@@ -169,7 +169,7 @@ impl<M: AgentMemory> Agent<M> {
                 self.progressed = Progressed::Idle;
                 #[cfg(feature = "layer")]
                 {
-                    // Memory without room for the layer makes it a role model.
+                    // In memory without room for the layer it is a role model.
                     self.options.language.layer = self.language().settings().layer;
                 }
             }
@@ -177,7 +177,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Progress::Done)
     }
 
-    /// Whether this model may come back here.
+    /// Checks that this agent's vocabulary and room for strategies fit the model.
     #[inline(never)]
     fn check_strategies(&self, restoring: &Restoring<'_>) -> Result<(), RestoreError> {
         let contents = restoring.checking.contents()?;
@@ -202,7 +202,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Whether the model that has come so far is the one that comes back now.
+    /// Whether the agent is still in the midst of this restoring.
     fn is_restoring(&self, mark: u32) -> bool {
         matches!(self.progressed, Progressed::Restoring(now) if now == mark)
     }

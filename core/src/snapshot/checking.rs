@@ -64,19 +64,19 @@ pub(super) struct Tally {
     pub token_bytes: usize,
     pub command_tokens: usize,
     pub sentence_words: usize,
-    /// The role model's parameters, but for how many words and tokens there are.
+    /// The layout of the role model's parameters, except for the numbers of words and tokens.
     pub layout: Layout,
 }
 
-/// How far a file is checked.
+/// The next part of the file to check.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     /// The first bytes.
     Header,
-    /// The check of all bytes, up to here.
+    /// The checksum of all bytes, read up to this one.
     Bytes(usize),
     Head,
-    /// The records of a section that are left.
+    /// A section, and the number of its unread records.
     Section(usize, u32),
     Done,
 }
@@ -88,14 +88,14 @@ pub(super) struct Checking<'a> {
     stage: Stage,
     running: Running,
     version: u16,
-    /// What is not read yet.
+    /// The unread bytes.
     rest: &'a [u8],
     places: [Place; SECTION_COUNT],
     letters: usize,
     by_roles: bool,
     /// The sum of the strategies' probabilities.
     believed: f32,
-    /// How many pairs the sessions have, and how many tasks.
+    /// The number of pairs that the sessions state; then, for the layer, the number of tasks.
     pairs_wanted: u32,
     pub tally: Tally,
 }
@@ -124,7 +124,7 @@ impl<'a> Checking<'a> {
         Ok(())
     }
 
-    /// Goes on, with about as much work as there is `left`: at least one record.
+    /// Continues, with about `left` units of work: at least one record.
     pub fn on(&mut self, left: &mut u32) -> Result<Progress, RestoreError> {
         loop {
             let work = match self.stage {
@@ -181,11 +181,11 @@ impl<'a> Checking<'a> {
         Ok(())
     }
 
-    /// Begins a section. Older files end before the later ones.
+    /// Begins a section. Older files lack the last sections.
     fn begin(&mut self, section: usize) -> Result<(), RestoreError> {
         let is_layered = self.version == LAYERED_VERSION;
         let Some(&part) = SECTIONS.get(section).filter(|_| section <= RESTS || is_layered) else {
-            // Without the layer, what a model has for it is not looked at.
+            // A core without the layer ignores its sections.
             let is_left_over = (cfg!(feature = "layer") || !is_layered) && !self.rest.is_empty();
             let last = if is_layered { Part::Possible } else { Part::Rests };
             self.stage = Stage::Done;
@@ -213,7 +213,7 @@ impl<'a> Checking<'a> {
         self.places.get(section).copied().unwrap_or(Place::NONE)
     }
 
-    /// Whether a section, all of its records seen, agrees with those before it.
+    /// Checks that a section agrees with the earlier ones, once all its records are read.
     fn end(&self, section: usize) -> Result<(), RestoreError> {
         let count = self.count(section);
         let agrees = |with: usize| count == 0 || count == self.count(with);
@@ -233,7 +233,7 @@ impl<'a> Checking<'a> {
         if is_sound { Ok(()) } else { Err(RestoreError::Inconsistent(part)) }
     }
 
-    /// Checks one record. Gives how many entries it has.
+    /// Checks one record. Returns the number of its entries.
     fn record(&mut self, section: usize) -> Result<usize, RestoreError> {
         let part = SECTIONS.get(section).copied().unwrap_or(Part::Rests);
         self.sound_record(section).ok_or(RestoreError::Inconsistent(part))
@@ -251,7 +251,7 @@ impl<'a> Checking<'a> {
             WORDS => {
                 let text: &str = take(rest)?;
                 self.tally.word_bytes = self.tally.word_bytes.saturating_add(text.len());
-                // A word longer than the model keeps would not be found again when it is heard.
+                // A word with more letters than the model keeps would never match a heard word.
                 (text.len() <= NAME_BYTES && word_form(text, self.letters) == text).then_some(text.len())
             }
             TOKENS => {
@@ -312,17 +312,17 @@ impl<'a> Checking<'a> {
         Some(record.len())
     }
 
-    /// A number that identifies the file.
+    /// A number that identifies the file: its checksum.
     pub fn mark(&self) -> u32 {
         self.running.value()
     }
 
-    /// The records of a section that was checked.
+    /// The records of a checked section.
     pub fn section<T: Deserialize<'a>>(&self, section: usize) -> Section<'a, T> {
         Section::at(self.bytes, self.place(section))
     }
 
-    /// What the checked file holds.
+    /// The contents of the checked file.
     pub fn contents(&self) -> Result<Contents<'a>, RestoreError> {
         let wrong = RestoreError::Inconsistent(Part::Head);
         let mut rest = self.bytes.get(HEADER_BYTES..).ok_or(wrong)?;
@@ -358,7 +358,7 @@ impl<'a> Checking<'a> {
     }
 }
 
-/// The format of a file whose first bytes and whose length are right, and the model without what a host wrote after it.
+/// Checks the first bytes and the length. Returns the format, and the model without the record that a host may have written after it.
 fn version(bytes: &[u8]) -> Result<(u16, &[u8]), RestoreError> {
     let mut rest = bytes.strip_prefix(&MAGIC).ok_or(RestoreError::NotAModel)?;
     let truncated = RestoreError::Length { stated: LEAST_BYTES as u32, given: bytes.len() };

@@ -1,4 +1,4 @@
-//! A model file that was checked, to look into without restoring it.
+//! A checked model file, to inspect without restoring it.
 
 use super::checking::{Checking, Tally};
 use super::error::RestoreError;
@@ -12,7 +12,7 @@ use crate::symbols::Symbol;
 use core::marker::PhantomData;
 use serde::Deserialize;
 
-/// A sequence of records of one kind, read as it is walked through.
+/// A sequence of records of one kind, read while iterating.
 #[derive(Debug)]
 pub struct Section<'a, T> {
     count: u32,
@@ -28,7 +28,7 @@ impl<T> Clone for Section<'_, T> {
 
 impl<T> Copy for Section<'_, T> {}
 
-/// Where the records of a section are in a file.
+/// The place of a section's records in a file.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub count: u32,
@@ -53,12 +53,12 @@ impl<'a, T> Section<'a, T> {
 }
 
 impl<'a, T: Deserialize<'a>> Section<'a, T> {
-    /// How many records.
+    /// The number of records.
     pub fn len(&self) -> usize {
         self.count as usize
     }
 
-    /// Whether there is none.
+    /// Whether there are no records.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }
@@ -70,7 +70,7 @@ impl<'a, T: Deserialize<'a>> Section<'a, T> {
     }
 }
 
-/// The start of every few records of a section, so that any record is found by reading few.
+/// The starts of records at regular distances in a section, so that few records are read to find any one.
 pub(super) struct Index<'a, T> {
     marks: [&'a [u8]; MARKS],
     stride: usize,
@@ -95,7 +95,7 @@ impl<'a, T: Deserialize<'a>> Section<'a, T> {
 }
 
 impl<'a, T: Deserialize<'a>> Index<'a, T> {
-    /// The record at a position that the section has.
+    /// The record at a position within the section.
     pub(super) fn get(&self, position: usize) -> Option<T> {
         let mut rest = *self.marks.get(position.checked_div(self.stride)?)?;
         for _ in 0..position.checked_rem(self.stride)? {
@@ -105,14 +105,14 @@ impl<'a, T: Deserialize<'a>> Index<'a, T> {
     }
 }
 
-/// Reads one value off the front.
+/// Reads one value from the front.
 pub(super) fn take<'a, T: Deserialize<'a>>(rest: &mut &'a [u8]) -> Option<T> {
     let (value, after) = postcard::take_from_bytes(rest).ok()?;
     *rest = after;
     Some(value)
 }
 
-/// A model file that was checked: whole, undamaged, and every number in it in its range.
+/// A checked model file: complete, undamaged, and with every number in its range.
 ///
 /// ```
 /// use goodbot::{Agent, Options, home, snapshot::Contents};
@@ -128,11 +128,11 @@ pub(super) fn take<'a, T: Deserialize<'a>>(rest: &mut &'a [u8]) -> Option<T> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Contents<'a> {
-    /// The digest of the domain's vocabulary; 0 where the model was saved without a domain.
+    /// The digest of the domain's vocabulary; 0 if the model was saved without a domain.
     pub vocabulary: u32,
-    /// How large the tables were that it was saved from; 0 for those of a home or of one session.
+    /// The table sizes of the memory that it was saved from; 0 for the tables of a home or of one session.
     pub sizes: Capacities,
-    /// How the robot learns.
+    /// The options.
     pub options: Options,
     /// The trainer strategies and their probabilities.
     pub strategies: Section<'a, StrategyRecord>,
@@ -146,20 +146,20 @@ pub struct Contents<'a> {
     pub sessions: Section<'a, SessionRecord>,
     /// The pairs of all sessions, session by session.
     pub pairs: Section<'a, PairRecord>,
-    /// Whether the command of each session was heard more than once in the robot's life. Files of before this was kept have none.
+    /// Whether the command of each session was heard more than once in the robot's life. Older files have none.
     pub heard_again: Section<'a, bool>,
-    /// How late each strategy's words come, and its probability before the trainer was met. Files of before this was kept have none: no
-    /// word is late, and the trainer is met now.
+    /// The lags of each strategy, and its probability before the trainer was met. Older files have none: no word is then late, and the
+    /// present probability is the prior.
     pub trainers: Section<'a, TrainerRecord>,
     /// How each strategy judges rests. Older files have none: rests are then judged like moves.
     pub rests: Section<'a, RestsRecord>,
     /// The descriptions of all tasks of the sessions, for the [layer](crate::language::layer).
     #[cfg(feature = "layer")]
     pub possible_commands: Section<'a, CommandRecord>,
-    /// How many tasks each session has, of the first sessions.
+    /// The number of tasks of each session; the last sessions may be missing.
     #[cfg(feature = "layer")]
     pub possible_counts: Section<'a, u32>,
-    /// The tasks of all sessions, session by session, with the prior of each.
+    /// The tasks of all sessions, session by session, each with its prior.
     #[cfg(feature = "layer")]
     pub possible: Section<'a, PairRecord>,
     pub(super) tally: Tally,
@@ -169,7 +169,7 @@ impl<'a> Contents<'a> {
     /// Reads and checks a model file.
     ///
     /// # Errors
-    /// [`RestoreError`] where it is not one, or is damaged.
+    /// [`RestoreError`] if it is no model file, or is damaged.
     pub fn read(bytes: &'a [u8]) -> Result<Self, RestoreError> {
         let mut checking = Checking::of(bytes);
         checking.all()?;
@@ -178,7 +178,7 @@ impl<'a> Contents<'a> {
 }
 
 impl Contents<'_> {
-    /// The strategies with their probabilities now, each with its probability before the trainer was met.
+    /// The strategies with their present probabilities, each with its probability before the trainer was met.
     pub(crate) fn believed(&self) -> impl Iterator<Item = ((Strategy, f32), f32)> {
         let (mut trainers, mut rests) = (self.trainers.iter(), self.rests.iter());
         self.strategies.iter().filter_map(move |record| {
@@ -191,7 +191,7 @@ impl Contents<'_> {
         })
     }
 
-    /// The least capacities of memory that has room for all of it.
+    /// The least capacities that have room for all of it.
     pub fn needs(&self) -> Capacities {
         let (alignments, length_pairs) = match self.options.language.model {
             Model::Roles => (self.tally.layout.with(self.words.len(), self.tokens.len()).cells(), 0),
@@ -215,7 +215,7 @@ impl Contents<'_> {
         }
     }
 
-    /// Cells of Model 2's alignment tables together, and how many tables there are.
+    /// The cells of Model 2's alignment tables together, and the number of tables.
     fn alignment_tables(&self) -> (usize, usize) {
         let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());
         let mut lengths = SeenLengths::new();
@@ -234,13 +234,13 @@ impl Contents<'_> {
 pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
     let mut symbols = heapless::Vec::new();
     for &token in record {
-        // As many as the record has, so they fit.
+        // There are no more tokens than the record has, so they fit.
         let _ = symbols.push(Symbol(token));
     }
     symbols
 }
 
-/// The options: a record in a byte string of its own. Fields that later versions append to it are 0 where a file does not have them.
+/// The options: a record in a byte string of its own. Later versions append fields, which are 0 if a file does not have them.
 pub(super) fn options(rest: &mut &[u8]) -> Option<Options> {
     let bytes: &[u8] = take(rest)?;
     let mut filled = [0; OPTIONS_BYTES];

@@ -15,14 +15,14 @@ pub enum SaveError {
         /// Bytes of the buffer.
         given: usize,
     },
-    /// A setting or a weight is one that could not be restored: not a number, negative, or beyond any use.
+    /// A setting or a weight could not be restored: it is not a number, negative, or too large.
     Unsound,
-    /// The last session is still being learned from: it has not wholly joined the training data, or training needs the memory that the model
-    /// would be written to. Or a model is coming back and is not all there.
+    /// The last session is still being learned from: it has not fully joined the training data, or training needs the memory that the model
+    /// would be written to. Or a model is being restored and is not complete.
     StillLearning,
-    /// The model was saved in parts, and what was learned has changed since the first.
+    /// The model was saved in parts, and the training data have changed since the first part.
     Changed,
-    /// Model 2 has no parameters of the role model to be saved alone.
+    /// Model 2 has no role model's parameters to save.
     NoRoles,
 }
 
@@ -40,40 +40,40 @@ impl fmt::Display for SaveError {
 
 impl core::error::Error for SaveError {}
 
-/// Why a model could not be restored. The robot is unchanged, but for [`Interrupted`](Self::Interrupted).
+/// Why a model could not be restored. The robot is unchanged, except for [`Interrupted`](Self::Interrupted).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RestoreError {
-    /// The bytes do not begin as a model does.
+    /// The bytes do not begin as a model file does.
     NotAModel,
-    /// A format that this version does not know.
+    /// A format that this version cannot read.
     Version {
         /// The format's number.
         found: u16,
     },
-    /// The bytes are fewer or more than the model says.
+    /// There are fewer or more bytes than the model states.
     Length {
-        /// Bytes that the model says.
+        /// The stated number of bytes.
         stated: u32,
-        /// Bytes that were given.
+        /// The given number of bytes.
         given: usize,
     },
-    /// The check at the end is wrong: the bytes were damaged.
+    /// The check at the end does not match: the bytes were damaged.
     Damaged,
-    /// The check is right, but a part says what cannot be.
+    /// The check matches, but a part has impossible values.
     Inconsistent(Part),
-    /// It was learned in a domain of another vocabulary.
+    /// It was learned in a domain with another vocabulary.
     OtherDomain,
-    /// Its words or machine commands are formed in another way than here, so the two cannot be joined.
+    /// Its words or machine commands are formed differently from those here, so the two models cannot be joined.
     OtherForms,
     /// It does not fit into this memory.
     Capacity(CapacityError),
     /// The bytes do not begin as a file of parameters does.
     NoParameters,
-    /// The parameters are of tasks with a way, which this library was built without.
+    /// The parameters are for tasks with a way, and this library was built without ways.
     Ways,
-    /// Something else began before the whole model was there. What was learned before is forgotten by then.
+    /// Something else began before the model was complete. The earlier training data are forgotten by then.
     Interrupted,
 }
 
@@ -84,7 +84,7 @@ pub enum RestoreError {
 pub enum Part {
     /// The digest of the domain's vocabulary, or the sizes.
     Head,
-    /// How it learns.
+    /// The options.
     Options,
     /// The trainer strategies.
     Strategies,
@@ -102,7 +102,7 @@ pub enum Part {
     HeardAgain,
     /// The tasks that sessions could have meant.
     Possible,
-    /// How late the trainer strategies' words come, and how probable the strategies were before the trainer was met.
+    /// The lags of the trainer strategies, and their probabilities before the trainer was met.
     Trainers,
     /// How each trainer strategy judges rests.
     Rests,

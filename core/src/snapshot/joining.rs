@@ -1,4 +1,4 @@
-//! Joining what two robots learned.
+//! Joining the training data of two robots.
 
 use super::contents::{Contents, Index};
 use super::error::RestoreError;
@@ -15,13 +15,13 @@ use crate::task::role::is_marker;
 use heapless::Vec;
 
 impl<M: AgentMemory> Agent<M> {
-    /// Adds the sessions of a model file after those learned here, words and machine tokens matched by their text, and begins training: call
-    /// [`learn`](Self::learn) until it is done. A session that both have, the same in words, machine commands and weights to the last bit,
-    /// comes from a common past and is kept once; one that a model has several times is kept as often. The options and what is believed of
-    /// the trainers stay those of here. A session under way ends unlearned. Gives how many sessions were added.
+    /// Adds the sessions of a model file to those learned here, matching words and machine tokens by their text, and begins training: call
+    /// [`learn`](Self::learn) until it is done. A session with the same words, machine commands and weights, to the last bit, comes from a
+    /// common past and is not added again; repetitions are matched one by one. The options and the belief about the trainer stay unchanged.
+    /// A session under way ends unlearned. Returns the number of added sessions.
     ///
     /// # Errors
-    /// [`RestoreError`]; what was learned is then as before.
+    /// [`RestoreError`]; the training data are then unchanged.
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
         let contents = Contents::read(bytes)?;
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
@@ -35,7 +35,7 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 impl LanguageRef<'_> {
-    /// Whole words can be cut to the letters that count here; cut words cannot be restored, nor facts reordered.
+    /// Whole words can be shortened to the letters that count here; shortened words cannot be restored, nor facts reordered.
     pub(super) fn check_forms(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         let (here, there) = (self.settings(), &contents.options.language);
         let letters = |letters: u8| if letters == 0 { u8::MAX } else { letters };
@@ -64,7 +64,7 @@ impl LanguageMut<'_> {
             }
             self.words_mut().truncate(words);
             self.tokens_mut().truncate(tokens);
-            // This is what it was before, so it fits.
+            // These are the previous data, so they fit.
             let _ = self.data_replaced();
         }
         self.begin_training();
@@ -105,7 +105,7 @@ impl LanguageMut<'_> {
         Ok(added)
     }
 
-    /// Whether a session is the one of a file, pair by pair.
+    /// Whether a session equals a session of a file, pair by pair.
     fn has_session(&self, own: u16, session: &SessionRecord, pairs: impl Iterator<Item = PairRecord>, texts: &Texts<'_>) -> bool {
         let (language, bitext) = (self.read(), self.read().bitext());
         let words = session.words.iter().map(|&word| language.word_like(texts.words.get(usize::from(word)).unwrap_or(""), 0));
@@ -130,7 +130,7 @@ impl LanguageMut<'_> {
     ) -> Result<(), CapacityError> {
         let mut sentence: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
         for &word in &session.words {
-            // As many as the record has, so they fit.
+            // There are no more words than the record has, so they fit.
             let _ = sentence.push(self.take_word(texts.words.get(usize::from(word)).unwrap_or(""), 0)?);
         }
         self.bitext_mut().add_session(&sentence)?;
@@ -141,7 +141,7 @@ impl LanguageMut<'_> {
         Ok(())
     }
 
-    /// The machine command of a file in the symbols of here.
+    /// A machine command of a file, in the symbols of this model.
     fn symbols_here(&mut self, record: &CommandRecord, texts: &Texts<'_>) -> Result<Vec<Symbol, TOKENS_PER_COMMAND>, CapacityError> {
         let mut command = Vec::new();
         for &token in record {
@@ -155,7 +155,7 @@ impl LanguageMut<'_> {
     }
 }
 
-/// A role's marker: it is the same in all models.
+/// A role's marker, which is the same in all models.
 pub(super) fn marker(token: u16) -> Option<Symbol> {
     Some(Symbol(token)).filter(|&symbol| is_marker(symbol))
 }
@@ -167,7 +167,7 @@ struct Texts<'a> {
     commands: Index<'a, CommandRecord>,
 }
 
-/// How often a model file has the session at `position` before it.
+/// How often the session at `position` of a model file occurs before it.
 fn times_before(contents: &Contents<'_>, position: usize) -> usize {
     let mut sessions = contents.sessions.iter();
     let mut pairs = contents.pairs.iter();

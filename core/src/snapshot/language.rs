@@ -25,7 +25,7 @@ impl<M: AgentMemory> LanguageModel<M> {
         self.read().save(buffer)
     }
 
-    /// A model file on the heap, with what [`save`](Self::save) writes.
+    /// A model file on the heap, with the bytes that [`save`](Self::save) writes.
     ///
     /// # Errors
     /// [`SaveError`], as for [`save`](Self::save).
@@ -37,11 +37,11 @@ impl<M: AgentMemory> LanguageModel<M> {
         Ok(file)
     }
 
-    /// Takes the training data and the settings of a model file, in place of its own, and begins training: call
-    /// [`train`](LanguageMut::train) until it is done.
+    /// Replaces the training data and the settings by those of a model file, and begins training: call [`train`](LanguageMut::train) until
+    /// it is done.
     ///
     /// # Errors
-    /// [`RestoreError`]; the model is then as before.
+    /// [`RestoreError`]; the model is then unchanged.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut restoring = Restoring::of(bytes);
         while restoring.stage != Stage::Done {
@@ -54,7 +54,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// Adds the sessions of a model file after its own, and begins training. See [`Agent::join`](crate::Agent::join).
     ///
     /// # Errors
-    /// [`RestoreError`]; the training data are then as before.
+    /// [`RestoreError`]; the training data are then unchanged.
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
         let contents = Contents::read(bytes)?;
         self.read().check_forms(&contents)?;
@@ -71,13 +71,13 @@ impl<'t> LanguageRef<'t> {
         self.saving(|model| model.write(buffer))
     }
 
-    /// Does something with what a file of this model alone has.
+    /// Calls `run` with the contents of a file of this language model alone.
     fn saving<R>(self, run: impl FnOnce(&Model<'_>) -> R) -> R {
         let options = Options { language: *self.settings(), ..Options::PAPER };
         run(&Model { vocabulary: 0, options: &options, language: self, strategies: None })
     }
 
-    /// Whether the tasks of a model's sessions fit here, where there is any room for such.
+    /// Checks that the tasks of a model's sessions fit here, if this memory has the layer.
     #[cfg(feature = "layer")]
     fn check_room_for_possible(self, contents: &Contents<'_>) -> Result<(), RestoreError> {
         let mut rooms = Capacities::NONE;
@@ -104,7 +104,7 @@ impl<'t> LanguageRef<'t> {
 }
 
 impl LanguageMut<'_> {
-    /// Takes over the tasks of all sessions, where there is room for them: memory without any is that of a layer that is silent.
+    /// Takes over the tasks of all sessions, if this memory has the layer. Without them, a layer has no effect.
     #[cfg(feature = "layer")]
     fn take_over_possible(&mut self, contents: &Contents<'_>) {
         let Some(possible) = self.possible_mut() else { return };
@@ -120,17 +120,17 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets everything, for the training data and the settings of a model that was found to fit.
+    /// Forgets everything, and takes the settings of a model that was found to fit.
     pub(super) fn forget_for(&mut self, contents: &Contents<'_>) {
         let settings = contents.options.language;
         #[cfg(feature = "layer")]
         let settings = Settings { layer: settings.layer && self.possible_mut().is_some(), ..settings };
         self.clear(settings);
-        // There is nothing to train on.
+        // There is no training data yet.
         self.begin_training();
     }
 
-    /// Marks all training data as there, and begins training.
+    /// Completes the training data, and begins training.
     pub(super) fn complete(&mut self, checking: &Checking<'_>) -> Result<(), RestoreError> {
         #[cfg(feature = "layer")]
         self.take_over_possible(&checking.contents()?);

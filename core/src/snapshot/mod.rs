@@ -1,15 +1,15 @@
 //! A model as bytes, the same for firmware, browser, command line and C.
 //!
-//! [`Agent::save`](crate::Agent::save) writes all that the robot has learned, [`Agent::restore`](crate::Agent::restore) takes it back and
-//! begins training on it: the restored robot then has the same parameters, to the last bit, as one that was never switched off. The
-//! parameters themselves are not in the file; the training data are, so that learning goes on as if it had never stopped.
-//! `docs/format.md` says what each byte means.
+//! [`Agent::save`](crate::Agent::save) writes all that the robot has learned. [`Agent::restore`](crate::Agent::restore) reads it back and
+//! begins training on it: the restored robot then has the same parameters, to the last bit, as one that was never switched off. The file
+//! holds the training data instead of the parameters, so learning continues as if it had never stopped. `docs/format.md` describes every
+//! byte.
 //!
-//! - `checking`: the check of a file, record by record;
-//! - `restoring`, `saving`: a model comes back, or is written, in parts;
-//! - `contents`: a model file that was checked, to look into without restoring it;
-//! - `record`: the records that it is made of;
-//! - `parameters`: what was learned as parameters alone, for a robot that only obeys;
+//! - `checking`: checks a file record by record;
+//! - `restoring`, `saving`: read or write a model in parts;
+//! - `contents`: a checked model file, to inspect without restoring it;
+//! - `record`: the records of a file;
+//! - `parameters`: the parameters alone, for a robot that only obeys;
 //! - `error`: why a model could not be saved or restored.
 
 #[cfg(feature = "learning")]

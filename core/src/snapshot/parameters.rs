@@ -1,6 +1,6 @@
-//! What a robot learned, as parameters alone, for one that only obeys: it neither trains nor keeps sessions.
+//! The learned parameters alone, for a robot that only obeys: it neither trains nor keeps sessions.
 //!
-//! Such a file has the role model's words, machine tokens and parameters, to the bit. `docs/format.md` says what each byte means.
+//! Such a file has the role model's words, machine tokens and parameters, to the bit. `docs/format.md` describes every byte.
 
 #[cfg(feature = "learning")]
 use super::error::SaveError;
@@ -18,18 +18,18 @@ use crate::session::Agent;
 use crate::symbols::Symbol;
 use crate::task::role::{Marker, RoleKind};
 
-/// What every file of parameters begins with. Its last letter is the format's number.
+/// The first bytes of every file of parameters. The last letter is the number of the format.
 pub const PARAMETERS_MAGIC: [u8; 8] = *b"gbparam1";
 
 const CELL_BYTES: usize = size_of::<f32>();
 
 impl<M: AgentMemory> Agent<M> {
     /// Saves the role model's parameters to the front of the buffer, for a robot that only obeys: see
-    /// [`restore_parameters`](Self::restore_parameters). Gives the length. The sessions that they were learned from, the options and the
-    /// trainers are not saved.
+    /// [`restore_parameters`](Self::restore_parameters). Returns the length. The training data, the options and the trainer strategies are
+    /// not saved.
     ///
     /// # Errors
-    /// [`SaveError`]; the buffer may then hold anything. [`SaveError::Buffer`] tells the length.
+    /// [`SaveError`]; the buffer may then hold anything. [`SaveError::Buffer`] states the length.
     #[cfg(feature = "learning")]
     pub fn save_parameters(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
         if self.is_between_models() {
@@ -38,9 +38,10 @@ impl<M: AgentMemory> Agent<M> {
         self.language().save_parameters(self.vocabulary(), buffer)
     }
 
-    /// Replaces everything learned here by the parameters of a file that [`save_parameters`](Self::save_parameters) wrote, in any robot with
-    /// the same vocabulary: from now on both understand alike, to the bit, where they know of one trainer. Nothing is trained. The file has no
-    /// sessions, so a lesson here does not add to what it says: it takes its place. A session under way ends unlearned.
+    /// Replaces all that was learned here by the parameters of a file that [`save_parameters`](Self::save_parameters) wrote, in any robot
+    /// with the same vocabulary. With the same trainer strategies, both robots then understand commands alike, to the bit. Nothing is
+    /// trained. The file has no sessions: a lesson learned here replaces its parameters instead of adding to them. A session under way ends
+    /// unlearned.
     ///
     /// ```
     /// use goodbot::{Agent, Options, home};
@@ -55,7 +56,7 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// [`RestoreError`]; the agent is then as before.
+    /// [`RestoreError`]; the agent is then unchanged.
     pub fn restore_parameters(&mut self, bytes: &[u8]) -> Result<(), RestoreError> {
         let found = Parameters::read(bytes)?;
         if found.vocabulary != 0 && found.vocabulary != self.vocabulary() {
@@ -70,7 +71,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// The digest of the vocabulary that the lifted tasks are written in; 0 for an agent without tasks.
+    /// The digest of the lifted tasks' vocabulary; 0 for an agent without tasks.
     pub fn vocabulary(&self) -> u32 {
         self.lifted().first().map_or(0, |task| task.vocabulary())
     }
@@ -81,7 +82,7 @@ impl LanguageRef<'_> {
     /// Saves the parameters as [`Agent::save_parameters`] does, for robots with a vocabulary of this digest.
     ///
     /// # Errors
-    /// [`SaveError`]; the buffer may then hold anything. [`SaveError::Buffer`] tells the length.
+    /// [`SaveError`]; the buffer may then hold anything. [`SaveError::Buffer`] states the length.
     pub fn save_parameters(self, vocabulary: u32, buffer: &mut [u8]) -> Result<usize, SaveError> {
         if self.is_training() {
             return Err(SaveError::StillLearning);
@@ -103,7 +104,7 @@ impl LanguageRef<'_> {
     }
 }
 
-/// Writes all but the check.
+/// Writes everything except the check.
 #[cfg(feature = "learning")]
 fn write(out: &mut Out<'_>, vocabulary: u32, language: LanguageRef<'_>) {
     let (tables, layout) = (language.tables(), language.tables().layout());
@@ -129,17 +130,17 @@ fn write(out: &mut Out<'_>, vocabulary: u32, language: LanguageRef<'_>) {
     cells.for_each(|cell| out.bytes(&cell.to_le_bytes()));
 }
 
-/// How many numbers follow the texts. A model that has learned nothing has none.
+/// The number of cells after the texts. A model that has learned nothing has none.
 fn cells(layout: &Layout) -> usize {
     if layout.words() == 0 { 0 } else { layout.translations().saturating_add(layout.trellis()) }
 }
 
-/// A file that was checked.
+/// A checked file of parameters.
 struct Parameters<'a> {
     vocabulary: u32,
     word_letters: u8,
     layout: Layout,
-    /// Texts, each after its length.
+    /// Texts, each preceded by its length.
     words: &'a [u8],
     tokens: &'a [u8],
     cells: &'a [u8],
@@ -155,7 +156,7 @@ impl<'a> Parameters<'a> {
             return Err(RestoreError::Damaged);
         }
         let found = Self::of(rest).ok_or(RestoreError::Inconsistent(Part::Parameters))?;
-        // With ways, more parameters are told apart.
+        // With ways there are more kinds of role.
         if found.layout.roles().iter().any(|role| role.kind().index() >= RoleKind::COUNT) {
             return Err(RestoreError::Ways);
         }
@@ -175,7 +176,7 @@ impl<'a> Parameters<'a> {
         let roles = symbols.clone().skip(of_forms).filter_map(Marker::of).map(|marker| marker.role);
         let forms = symbols.take(of_forms).filter(|form| form.0 < tokens);
         let layout = Layout::of_others(words.into(), tokens.into(), sessions, forms, roles);
-        // None was left out: none is unknown, came twice or was too many.
+        // None is missing: none was unknown, repeated or too many.
         let is_whole = [layout.forms().len(), layout.roles().len()] == counts && sessions.is_finite();
         let [words, tokens] = [texts(&mut rest, words)?, texts(&mut rest, tokens)?];
         is_whole.then_some(Self { vocabulary, word_letters, layout, words, tokens, cells: rest })
@@ -186,7 +187,7 @@ impl<'a> Parameters<'a> {
         cells.iter().map(|cell| f32::from_le_bytes(*cell))
     }
 
-    /// Whether the tables have room for it. A command that is read in parts keeps its state after the parameters.
+    /// Checks that the tables have room. A command that is read in parts keeps its state after the parameters.
     fn check_room(&self, language: LanguageRef<'_>) -> Result<(), CapacityError> {
         let layout = &self.layout;
         let ((words, word_bytes), (tokens, token_bytes)) = (language.words().room(), language.tokens().room());
@@ -221,7 +222,7 @@ fn text<'a>(rest: &mut &'a [u8]) -> Option<&'a str> {
     core::str::from_utf8(found).ok()
 }
 
-/// So many texts, each one that can be kept.
+/// Reads `count` texts, each short enough to be kept.
 fn texts<'a>(rest: &mut &'a [u8], count: u16) -> Option<&'a [u8]> {
     let all = *rest;
     for _ in 0..count {

@@ -1,5 +1,5 @@
-//! The tasks that a model file has for the [layer](crate::language::layer), on their way into another model. There are thousands in a world, so
-//! each description and each token of the file is found once.
+//! The tasks that a model file has for the [layer](crate::language::layer), while they join another model. A world has thousands of them,
+//! so each description and each token of the file is looked up once.
 
 use super::contents::{Contents, symbols, take};
 use super::joining::marker;
@@ -10,14 +10,14 @@ use crate::symbols::Symbol;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// The tasks of a file from one session on.
+/// The tasks of a file, from one session on.
 pub(super) struct Possible<'a> {
-    /// Where the next task begins.
+    /// The unread tasks.
     rest: &'a [u8],
-    /// Where each description begins.
+    /// The bytes from each description on.
     descriptions: Vec<&'a [u8]>,
     tokens: Vec<&'a str>,
-    /// What each token is here, of those that were met.
+    /// The symbol here of each token met so far.
     here: Vec<Option<Symbol>>,
 }
 
@@ -33,14 +33,14 @@ impl<'a> Possible<'a> {
         Self { rest: contents.possible.bytes(), descriptions, tokens: contents.tokens.iter().collect(), here }
     }
 
-    /// Skips the next tasks.
+    /// Skips the next `tasks` tasks.
     pub fn pass(&mut self, tasks: usize) {
         for _ in 0..tasks {
             let _: Option<PairRecord> = take(&mut self.rest);
         }
     }
 
-    /// Adds the next tasks, for the last session there.
+    /// Adds the next `tasks` tasks to the last session there.
     ///
     /// # Errors
     /// A [`CapacityError`].
@@ -62,7 +62,7 @@ impl<'a> Possible<'a> {
         language.add_possible(added.iter().map(|(description, prior)| (description.as_slice(), *prior)))
     }
 
-    /// The symbol here of a token of the file.
+    /// The symbol here for a token of the file.
     fn symbol_here(&mut self, language: &mut LanguageMut<'_>, token: Symbol) -> Result<Symbol, CapacityError> {
         let known = marker(token.0).or_else(|| self.here.get(token.index()).copied().flatten());
         if let Some(known) = known {

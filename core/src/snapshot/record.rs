@@ -12,24 +12,24 @@ use crate::session::{Options, Weights};
 use crate::task::TokenOrder;
 use serde::{Deserialize, Serialize};
 
-/// What every model file begins with.
+/// The first bytes of every model file.
 pub const MAGIC: [u8; 8] = *b"goodbot\0";
-/// How a host's record after a model begins. The record names the kinds of task that the model was learned for. A robot is made with its
-/// kinds, so it skips the record; anything else after a model is refused.
+/// The first bytes of a host's record after a model. It names the kinds of task that the model was learned for. A robot is created with its
+/// kinds of task, so it skips the record; anything else after a model is refused.
 pub const KINDS_MAGIC: [u8; 8] = *b"gbkinds\0";
 /// The format of a model without the [layer](crate::language::layer).
 pub const VERSION: u16 = 2;
-/// The format of a model with the [layer](crate::language::layer): after the other format's records it has the tasks that each session could
-/// have meant. Programs without the layer read it as the other format.
+/// The format of a model with the [layer](crate::language::layer): after the records of [`VERSION`] it has the tasks that each session
+/// could have meant. Programs without the layer ignore these.
 pub const LAYERED_VERSION: u16 = 3;
 /// The oldest format that this version reads.
 pub const OLDEST_VERSION: u16 = 1;
 /// Bytes of the header: the magic, the version (u16) and the length of the whole file (u32).
 pub const HEADER_BYTES: usize = 14;
-/// The shortest file that has a header, a length and a check.
+/// The shortest file that has a header and a check.
 pub const LEAST_BYTES: usize = HEADER_BYTES + CHECK_BYTES;
 
-/// The tables of learned data. A file tells their sizes in this order.
+/// The tables of training data and parameters. A file states their sizes in this order.
 pub const SAVED: [Capacity; 13] = [
     Capacity::Strategies,
     Capacity::Words,
@@ -59,7 +59,7 @@ impl Sizes {
         self.0.into_iter()
     }
 
-    /// The capacities; those of tables that a file does not tell are 0.
+    /// The capacities; 0 for tables whose size a file does not state.
     pub(crate) fn capacities(self) -> Capacities {
         let mut capacities = Capacities::NONE;
         for (capacity, size) in SAVED.into_iter().zip(self.0) {
@@ -69,10 +69,10 @@ impl Sizes {
     }
 }
 
-/// Room for the options' record.
+/// Room for the options record.
 pub(crate) const OPTIONS_BYTES: usize = 80;
 
-/// How the robot learns: [`Options`], field by field. New fields are appended, and their 0 means the behaviour before there was a choice.
+/// The [`Options`], field by field. New fields are appended; 0 means the behaviour before the field existed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct OptionsRecord {
     pub smoothing: f32,
@@ -89,8 +89,8 @@ pub(crate) struct OptionsRecord {
     pub ends_at_goal: f32,
     pub ends_elsewhere: f32,
     pub telling: bool,
-    /// After a rest and after a later one at the goal, and how many times as often after praise and after blame. All 0 where the end is as
-    /// probable at every moment.
+    /// At the goal: the probability of an end after a rest and after a later one, and its factors after praise and after blame. All 0 if
+    /// the end is equally probable at every moment.
     pub at_goal: [f32; 4],
     /// The same elsewhere.
     pub elsewhere: [f32; 4],
@@ -148,13 +148,13 @@ impl OptionsRecord {
         Options { language, weights, least_weight, drift, ending, telling }
     }
 
-    /// Whether every number is one to learn with.
+    /// Whether every number is in its range.
     pub(crate) fn is_sound(&self) -> bool {
         self.options().check().is_ok()
     }
 }
 
-/// The numbers of a hazard but for the first.
+/// The numbers of a hazard except the first.
 fn numbers(Hazard { rested, resting, praised, scolded, .. }: Hazard) -> [f32; 4] {
     [rested, resting, praised, scolded]
 }
@@ -168,25 +168,25 @@ fn hazard(moved: f32, other: [f32; 4]) -> Hazard {
 /// A trainer strategy and its probability.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StrategyRecord {
-    /// Silence after a correct action.
+    /// The probability of silence after a correct action.
     pub mu_plus: f32,
-    /// Silence after an incorrect action.
+    /// The probability of silence after an incorrect action.
     pub mu_minus: f32,
-    /// One taken for the other.
+    /// The probability that the trainer takes a correct action for an incorrect one, or the reverse.
     pub epsilon: f32,
     /// The probability of the strategy.
     pub probability: f32,
 }
 
 impl StrategyRecord {
-    /// The strategy; nothing where a number is no probability.
+    /// The strategy and its probability; `None` if a number is no probability.
     pub fn strategy(&self) -> Option<(Strategy, f32)> {
         let strategy = Strategy::new(self.mu_plus, self.mu_minus, self.epsilon).ok()?;
         (0.0..=1.0).contains(&self.probability).then_some((strategy, self.probability))
     }
 }
 
-/// How late a strategy's words come, and its probability before the trainer was met.
+/// A strategy's lags, and its probability before the trainer was met.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainerRecord {
     /// The probability that a word is about the last action, and about each of the two before it.
@@ -202,32 +202,32 @@ impl TrainerRecord {
     }
 }
 
-/// How a strategy's trainer judges rests: see [`Strategy::with_rests`].
+/// How a strategy judges rests: see [`Strategy::with_rests`].
 pub type RestsRecord = [f32; RESTS];
 
-/// A machine command: its tokens, by position.
+/// A machine command: the positions of its tokens.
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
 
-/// A session: the words of its English command, by position, and how many pairs it has.
+/// A session: the positions of its English words, and the number of its pairs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SessionRecord {
     /// The words.
     pub words: heapless::Vec<u16, WORDS_PER_COMMAND>,
-    /// How many pairs.
+    /// The number of pairs.
     pub pairs: u32,
 }
 
-/// A machine command that a session's English command may mean, and how much that counts.
+/// A machine command that a session's English command may mean, and its weight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PairRecord {
-    /// The machine command, by position.
+    /// The position of the machine command.
     pub command: u16,
-    /// How much it counts.
+    /// Its weight.
     pub weight: f32,
 }
 
-/// Bytes that a model saved from memory of these capacities takes at most: how large a buffer or a storage slot must be. [`usize::MAX`]
-/// where that is beyond all memory.
+/// The most bytes of a model saved from memory of these capacities: the size of a buffer or a storage slot. [`usize::MAX`] if the number is
+/// larger.
 pub const fn most_bytes(capacities: &Capacities) -> usize {
     // A length or number takes 5 bytes at most, a position 3, an f32 4.
     let fixed = LEAST_BYTES + 5 + 5 * SAVED.len() + (5 + OPTIONS_BYTES) + 9 * 5;

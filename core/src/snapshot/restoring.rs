@@ -1,4 +1,4 @@
-//! A model comes back, record by record and in parts.
+//! Restoring a model in parts, record by record.
 
 use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, SESSIONS, TOKENS, WORDS};
 use super::contents::{Section, symbols, take};
@@ -12,39 +12,39 @@ use crate::planning::Progress;
 use crate::symbols::Symbol;
 use heapless::Vec;
 
-/// A model that comes back in parts: [`Agent::restore_on`](crate::Agent::restore_on).
+/// A model that is being restored in parts: [`Agent::restore_on`](crate::Agent::restore_on).
 #[derive(Clone, Debug)]
 pub struct Restoring<'a> {
     pub(super) checking: Checking<'a>,
     pub(super) stage: Stage,
-    /// The records of this stage that are not read yet.
+    /// The unread records of this stage.
     rest: &'a [u8],
-    /// The pairs that are not read yet, and how many of them are the last session's.
+    /// The unread pairs, and how many of them belong to the last session.
     pairs: &'a [u8],
     of_session: u32,
     unlearned: Unlearned,
-    /// The state of this restoring, to tell it from another at the same time.
+    /// Identifies this restoring and its progress, to detect another one.
     pub(super) mark: u32,
 }
 
-/// What is done next.
+/// The next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
     Check,
-    /// Whether the robot's memory has room.
+    /// Checks that the robot's memory has room.
     Room,
-    /// Whether a text is another one than each before it.
+    /// Checks that a text differs from each earlier one.
     DistinctWord(u32),
     DistinctToken(u32),
-    /// The robot forgets what it knew.
+    /// Makes the robot forget everything.
     Begin,
-    /// A record is taken over, by its position.
+    /// Takes over the record at this position.
     Word(u32),
     Token(u32),
     Command(u32),
     Session(u32),
     HeardAgain(u32),
-    /// What was taken over is now what it learned.
+    /// Marks the records taken over as learned.
     Commit,
     Done,
 }
@@ -63,12 +63,12 @@ impl<'a> Restoring<'a> {
         }
     }
 
-    /// Whether records are taken over: the robot has forgotten what it had learned, and does not know these yet.
+    /// Whether records are being taken over: the robot has forgotten its earlier training data, and these are not learned yet.
     pub(super) const fn is_taking(&self) -> bool {
         !matches!(self.stage, Stage::Check | Stage::Room | Stage::DistinctWord(_) | Stage::DistinctToken(_) | Stage::Begin | Stage::Done)
     }
 
-    /// Goes on with the stage, for a language model in its tables, with about as much work as there is `left`: at least one record.
+    /// Continues the stage, for a language model in its tables, with about `left` units of work: at least one record.
     pub(super) fn step(
         &mut self,
         language: &mut LanguageState,
@@ -105,7 +105,7 @@ impl<'a> Restoring<'a> {
         Ok(())
     }
 
-    /// Apart from the other stages, as what follows is: what a file has in it takes a few hundred bytes of the stack.
+    /// A separate function, like the next one: the file's contents take a few hundred bytes of stack.
     #[inline(never)]
     fn check_room(&self, language: LanguageRef<'_>) -> Result<(), RestoreError> {
         language.check_room(&self.checking.contents()?)
@@ -117,7 +117,7 @@ impl<'a> Restoring<'a> {
         Ok(())
     }
 
-    /// Goes on to see that no text comes twice. Gives the work.
+    /// Continues to check that no text occurs twice. Returns the work.
     fn distinct(&mut self) -> Result<u32, RestoreError> {
         let (section, at, part) = match self.stage {
             Stage::DistinctWord(at) => (WORDS, at, Part::Words),
@@ -142,7 +142,7 @@ impl<'a> Restoring<'a> {
         Ok(next)
     }
 
-    /// Begins to take over, from tables that hold nothing.
+    /// Begins to take records over, into empty tables.
     fn begin(&mut self, language: &LanguageState) {
         self.unlearned = Unlearned::after(language);
         self.stage = Stage::Word(0);
@@ -151,20 +151,20 @@ impl<'a> Restoring<'a> {
         self.of_session = 0;
     }
 
-    /// Takes over some records, with about as much work as there is `left`. They are not learned until all are there.
+    /// Takes over some records, with about `left` units of work. They count as learned only when all are there.
     #[inline(never)]
     fn take(&mut self, language: &mut LanguageState, tables: LanguageTables<'_>, workspace: &mut [u64], left: &mut u32) {
         language.exchange(&mut self.unlearned);
         let mut model = language.with(tables, workspace);
         while *left > 0 && self.is_taking() && self.stage != Stage::Commit {
-            // What was checked is there.
+            // The file was checked, so every record can be read.
             let work = self.record(&mut model).unwrap_or(0);
             *left = left.saturating_sub((work as u32).saturating_add(1));
         }
         language.exchange(&mut self.unlearned);
     }
 
-    /// The stage of the next record, or the one after the last.
+    /// Sets the stage of the next record, or the one after the last. Returns whether there is a record.
     fn next<T: serde::Deserialize<'a>>(&mut self, at: u32, section: usize, next: fn(u32) -> Stage, after: (Stage, usize)) -> bool {
         if (at as usize) < self.checking.section::<T>(section).len() {
             self.stage = next(at.saturating_add(1));
@@ -174,8 +174,8 @@ impl<'a> Restoring<'a> {
         false
     }
 
-    /// Takes over one record; gives how many entries it has. Nothing here fails: the room for all was counted, and the parameters by the
-    /// model that has them.
+    /// Takes over one record; returns the number of its entries. Nothing here fails: `check_room` has found room for all records and
+    /// parameters.
     fn record(&mut self, language: &mut LanguageMut<'_>) -> Option<usize> {
         match self.stage {
             Stage::Word(at) => {
@@ -183,7 +183,7 @@ impl<'a> Restoring<'a> {
                     return Some(0);
                 }
                 let _ = language.words_mut().intern(take(&mut self.rest)?);
-                // A text is looked for among those before it.
+                // `intern` compares a text with all earlier ones.
                 Some(at as usize)
             }
             Stage::Token(at) => {
@@ -212,7 +212,7 @@ impl<'a> Restoring<'a> {
                     return Some(0);
                 }
                 let session: SessionRecord = take(&mut self.rest)?;
-                // `collect` could panic, for all the linker knows.
+                // `collect` would link code that can panic.
                 let mut words: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
                 for &word in &session.words {
                     let _ = words.push(Symbol(word));

@@ -1,4 +1,4 @@
-//! Writing a model, record by record and in parts, without memory of its own.
+//! Writing a model in parts, record by record, without memory of its own.
 
 use super::checking::BYTES_PER_CELL;
 use super::error::SaveError;
@@ -19,18 +19,18 @@ use crate::symbols::Symbol;
 #[derive(Clone, Debug)]
 pub struct Saving {
     stage: Stage,
-    /// Bytes that were written, or would have been where there was room.
+    /// Bytes written so far, including those that did not fit into the buffer.
     length: usize,
     running: Running,
     changes: u32,
 }
 
-/// What is written next.
+/// The next section to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     Head,
     Strategies,
-    /// A record of a list, by its position. A list begins with how many it has.
+    /// The position of the next record of a list. A list begins with its length.
     Words(usize),
     Tokens(usize),
     Commands(usize),
@@ -44,7 +44,7 @@ enum Stage {
     PossibleCounts(usize),
     #[cfg(feature = "layer")]
     Possible(usize),
-    /// The bytes are checked, from this one on.
+    /// The checksum of the bytes, from this one on.
     Check(usize),
 }
 
@@ -61,7 +61,7 @@ impl Default for Saving {
     }
 }
 
-/// What is saved.
+/// The data to save.
 pub(super) struct Model<'a> {
     pub vocabulary: u32,
     pub options: &'a Options,
@@ -69,7 +69,7 @@ pub(super) struct Model<'a> {
     pub strategies: Option<BeliefRef<'a>>,
 }
 
-/// The room for a model; what has no room is only counted.
+/// The output buffer; bytes that do not fit are only counted.
 pub(super) struct Out<'b> {
     pub buffer: &'b mut [u8],
     pub length: usize,
@@ -79,13 +79,13 @@ impl Out<'_> {
     pub fn bytes(&mut self, bytes: &[u8]) {
         let end = self.length.saturating_add(bytes.len());
         if let Some(room) = self.buffer.get_mut(self.length..end) {
-            // As long as each other: a copy that checks it could panic.
+            // Both have this length. `copy_from_slice` would check it and could panic.
             room.iter_mut().zip(bytes).for_each(|(slot, &byte)| *slot = byte);
         }
         self.length = end;
     }
 
-    /// A number or a count: seven bits a byte, the lowest first.
+    /// Writes a number or a count: seven bits per byte, the lowest first.
     fn number(&mut self, number: u32) {
         let mut left = number;
         while left > 0x7f {
@@ -116,7 +116,7 @@ impl Out<'_> {
     }
 
     /// # Errors
-    /// [`SaveError::Unsound`] where the weight could not be restored.
+    /// [`SaveError::Unsound`] if the weight could not be restored.
     fn pair(&mut self, pair: &Pair) -> Result<(), SaveError> {
         if !is_weight(pair.weight) {
             return Err(SaveError::Unsound);
@@ -136,7 +136,7 @@ impl Model<'_> {
         }
     }
 
-    /// Writes the whole file to the front of the buffer. Gives its length.
+    /// Writes the whole file to the front of the buffer. Returns its length.
     pub fn write(&self, buffer: &mut [u8]) -> Result<usize, SaveError> {
         let mut saving = Saving::new();
         loop {
@@ -146,7 +146,7 @@ impl Model<'_> {
         }
     }
 
-    /// Goes on writing, with about as much work as the budget says: at least one record.
+    /// Continues writing, with about `budget` units of work: at least one record.
     pub fn write_on(&self, saving: &mut Saving, buffer: &mut [u8], budget: u32) -> Result<Option<usize>, SaveError> {
         let changes = self.changes();
         if saving.stage == Stage::Head {
@@ -180,7 +180,7 @@ impl Model<'_> {
         Ok(None)
     }
 
-    /// Another number whenever what is saved has changed, but for what is believed of the trainer.
+    /// A number that changes with the saved data, except for the belief about the trainer.
     fn changes(&self) -> u32 {
         let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
         let numbers = known.iter().flat_map(|(strategy, _)| {
@@ -190,7 +190,7 @@ impl Model<'_> {
         numbers.fold(self.language.bitext().changes(), |sum, number| sum.rotate_left(5).wrapping_add(number.to_bits()))
     }
 
-    /// The header, now that the length is known.
+    /// Writes the header, now that the length is known.
     fn write_header(&self, saving: &Saving, buffer: &mut [u8]) -> Result<(), SaveError> {
         let needed = saving.length.saturating_add(CHECK_BYTES);
         if needed > buffer.len() {
@@ -204,7 +204,7 @@ impl Model<'_> {
         Ok(())
     }
 
-    /// The check, now that all bytes are.
+    /// Writes the checksum, now that all other bytes are written.
     fn complete(saving: &mut Saving, buffer: &mut [u8]) -> Result<usize, SaveError> {
         let given = buffer.len();
         let mut out = Out { buffer, length: saving.length };
@@ -214,7 +214,7 @@ impl Model<'_> {
         if needed > given { Err(SaveError::Buffer { needed, given }) } else { Ok(needed) }
     }
 
-    /// Writes one record. Gives the stage after it.
+    /// Writes one record. Returns the next stage.
     fn write_record(&self, stage: Stage, out: &mut Out<'_>) -> Result<Stage, SaveError> {
         let (language, bitext) = (self.language, self.language.bitext());
         /// The stage of the next record of a list, or the one after the list; `$write` writes the record.
@@ -296,7 +296,7 @@ impl Model<'_> {
         }
         let mut bytes = [0; OPTIONS_BYTES];
         let options = postcard::to_slice(&options, &mut bytes).map_err(|_| SaveError::Unsound)?;
-        // The header is written when the length is known.
+        // The header is written last, when the length is known.
         out.bytes(&[0; HEADER_BYTES]);
         out.number(self.vocabulary);
         let strategies = self.strategies.map_or(0, BeliefRef::most_strategies);
@@ -306,7 +306,7 @@ impl Model<'_> {
         Ok(())
     }
 
-    /// What is believed of the trainer changes with each word of theirs, so all of it is written at once.
+    /// Each word of the trainer changes this belief, so all of it is written at once.
     fn write_strategies(&self, out: &mut Out<'_>) {
         let has_evidence = self.strategies.is_some_and(BeliefRef::has_evidence);
         let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
@@ -317,7 +317,7 @@ impl Model<'_> {
         }
     }
 
-    /// How late the strategies' words come and what is expected of them, then what they say to rests.
+    /// Writes each strategy's lags and its probability before the trainer was met, then its responses to rests.
     fn write_trainers(&self, out: &mut Out<'_>) {
         let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
         out.count(known.len());
@@ -331,7 +331,7 @@ impl Model<'_> {
         }
     }
 
-    /// The tasks of all sessions, where the model has the layer and memory for it. Without that memory it is a role model.
+    /// The tasks of all sessions, if the model has the layer and memory for it. Without that memory it is saved as a role model.
     #[cfg(feature = "layer")]
     fn possible(&self) -> Option<BitextRef<'_>> {
         self.language.possible().filter(|_| self.options.language.layer)

@@ -10,18 +10,18 @@ use core::fmt;
 pub enum StorageError<E> {
     /// The flash refused to read, write or erase.
     Flash(E),
-    /// The slots do not lie on whole erase blocks within the flash, or the flash reads or writes more than 256 bytes at once.
+    /// The slots do not lie on whole erase blocks within the flash, or the flash's unit of reading or writing is larger than 256 bytes.
     Geometry,
     /// The model, or the buffer to load it into, does not fit.
     Size {
-        /// Bytes that are needed.
+        /// Bytes needed.
         needed: usize,
-        /// Bytes that there are.
+        /// Bytes available.
         given: usize,
     },
     /// The bytes to store are not a model.
     NotAModel(RestoreError),
-    /// The flash gave back other bytes than were written. The older model is still there.
+    /// The flash returned other bytes than were written. The older model is still there.
     NotKept,
 }
 

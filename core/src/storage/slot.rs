@@ -1,9 +1,9 @@
-//! The header of a slot: which model is the newer one, how long it is, and whether the header is whole.
+//! The header of a slot: which model is newer, how long it is, and a check.
 
 use crate::checksum::CHECK;
 
-/// Bytes of a slot's header, before it is rounded up to what the flash writes at once: a mark, the sequence number, the model's length and
-/// a CRC-32 of these three.
+/// Bytes of a slot's header, before rounding up to the flash's write size: a mark, the sequence number, the model's length and a CRC-32 of
+/// these three.
 pub const SLOT_HEADER_BYTES: usize = 16;
 
 const MARK: [u8; 4] = *b"slot";
@@ -11,7 +11,7 @@ const MARK: [u8; 4] = *b"slot";
 /// A slot's header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct SlotHeader {
-    /// Counts the models that were stored.
+    /// The number of models stored before.
     pub sequence: u32,
     /// Bytes of the model.
     pub length: u32,
@@ -30,14 +30,14 @@ impl SlotHeader {
         bytes
     }
 
-    /// The header with these bytes, if they are one.
+    /// Reads a header; `None` if the bytes are not one.
     pub fn read(bytes: &[u8; SLOT_HEADER_BYTES]) -> Option<Self> {
         let [m0, m1, m2, m3, s0, s1, s2, s3, l0, l1, l2, l3, ..] = *bytes;
         let header = Self { sequence: u32::from_le_bytes([s0, s1, s2, s3]), length: u32::from_le_bytes([l0, l1, l2, l3]) };
         ([m0, m1, m2, m3] == MARK && header.bytes() == *bytes).then_some(header)
     }
 
-    /// Whether this one was stored after the other, though the count may have run over.
+    /// Whether this one was stored after the other; the sequence number may have wrapped around.
     pub fn is_newer_than(self, other: Self) -> bool {
         let ahead = self.sequence.wrapping_sub(other.sequence);
         ahead != 0 && ahead < 1 << 31

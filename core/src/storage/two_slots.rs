@@ -6,7 +6,7 @@ use crate::checksum::{CHECK, CHECK_BYTES};
 use crate::snapshot::Contents;
 use embedded_storage::nor_flash::NorFlash;
 
-/// The most that a flash may read or write at once.
+/// The largest unit of reading or writing of a flash.
 const MOST_UNIT: usize = 256;
 
 /// Two slots in flash. After the first store, one of them always holds a complete model.
@@ -32,8 +32,8 @@ pub struct TwoSlots<F> {
     slot_bytes: u32,
 }
 
-/// [`TwoSlots`] over a flash that is waited for: `embedded-storage-async`, as in embassy. Both keep their models in the same form, and one finds
-/// what the other stored. A store that is given up in the middle leaves what a power cut leaves: the model of before.
+/// [`TwoSlots`] over asynchronous flash: `embedded-storage-async`, as in embassy. Both use the same format, and each loads models that the
+/// other stored. A store that is cancelled halfway has the effect of a power cut: the previous model stays.
 ///
 /// ```no_run
 /// # async fn example<F: embedded_storage_async::nor_flash::NorFlash>(flash: F, agent: &mut goodbot::Agent<impl goodbot::memory::AgentMemory>) -> Option<()> {
@@ -57,12 +57,12 @@ pub struct TwoSlotsAsync<F> {
     slot_bytes: u32,
 }
 
-/// What both do: `async` and `await` are there or not.
+/// The code of both, with or without `async` and `await`.
 macro_rules! two_slots {
     ($Slots:ident, $NorFlash:path, [$($async:tt)?], [$($await:tt)*]) => {
         impl<F: $NorFlash> $Slots<F> {
-            /// Two slots of `slot_bytes` each, one after the other from `start`. Nothing is written yet. A slot needs
-            /// [`most_bytes`](crate::snapshot::most_bytes) of the robot's capacities and the header.
+            /// Two slots of `slot_bytes` each, one after the other from `start`. Nothing is written yet. A slot needs room for the header
+            /// and for [`most_bytes`](crate::snapshot::most_bytes) of the robot's capacities.
             ///
             /// # Errors
             /// [`StorageError::Geometry`].
@@ -79,17 +79,17 @@ macro_rules! two_slots {
                 }
             }
 
-            /// Gives the flash back.
+            /// Returns the flash.
             pub fn into_flash(self) -> F {
                 self.flash
             }
 
-            /// Bytes that a model in a slot may have.
+            /// The most bytes of a model in a slot.
             pub fn room(&self) -> usize {
                 (self.slot_bytes as usize).saturating_sub(Self::header_bytes())
             }
 
-            /// The header's bytes, rounded up so that the model begins where the flash can read and write.
+            /// The header's bytes, rounded up so that the flash can read and write the model at its start.
             fn header_bytes() -> usize {
                 let unit = F::WRITE_SIZE.max(F::READ_SIZE);
                 SLOT_HEADER_BYTES.next_multiple_of(F::WRITE_SIZE.max(1)).next_multiple_of(unit.max(1))
@@ -103,8 +103,8 @@ macro_rules! two_slots {
                 self.slot_start(slot).saturating_add(Self::header_bytes() as u32)
             }
 
-            /// Where in the flash the newest complete model begins, and how many bytes it has; nothing where none was ever stored. Where the
-            /// processor reads its flash as memory, the model can be restored from there without a buffer.
+            /// The address of the newest complete model in the flash, and its length; `None` if none was ever stored. If the processor maps
+            /// its flash into memory, the model can be restored from there without a buffer.
             ///
             /// # Errors
             /// [`StorageError::Flash`].
@@ -113,10 +113,10 @@ macro_rules! two_slots {
                 Ok(newest.map(|(slot, header)| (self.model_start(slot), header.length as usize)))
             }
 
-            /// Loads the newest complete model to the front of the buffer. Gives its length, and nothing where none was ever stored.
+            /// Loads the newest complete model to the front of the buffer. Returns its length; `None` if none was ever stored.
             ///
             /// # Errors
-            /// [`StorageError::Flash`], or [`StorageError::Size`] where the buffer is too small.
+            /// [`StorageError::Flash`], or [`StorageError::Size`] if the buffer is too small.
             pub $($async)? fn load(&mut self, buffer: &mut [u8]) -> Result<Option<usize>, StorageError<F::Error>> {
                 let Some((slot, header)) = self.newest()$($await)*? else { return Ok(None) };
                 let (needed, given) = (header.length as usize, buffer.len());
@@ -125,7 +125,7 @@ macro_rules! two_slots {
                 self.read_model(slot, header.length, |bytes| {
                     let end = written.saturating_add(bytes.len());
                     if let Some(part) = room.get_mut(written..end) {
-                        // As long as each other: a copy that checks it could panic.
+                        // Both have this length. `copy_from_slice` would check it and could panic.
                     part.iter_mut().zip(bytes).for_each(|(slot, byte)| *slot = *byte);
                     }
                     written = end;
@@ -133,10 +133,10 @@ macro_rules! two_slots {
                 Ok(Some(needed))
             }
 
-            /// Stores a model over the older slot. Until this has come to its end, the newest model is the one of before.
+            /// Stores a model over the older slot. Until this is complete, the previous model is the newest.
             ///
             /// # Errors
-            /// [`StorageError`]; the newest model is then still the one of before, unless the flash failed after the last byte was written.
+            /// [`StorageError`]; the previous model is then still the newest, unless the flash failed after the last byte was written.
             pub $($async)? fn store(&mut self, model: &[u8]) -> Result<(), StorageError<F::Error>> {
                 Contents::read(model).map_err(StorageError::NotAModel)?;
                 let too_large = StorageError::Size { needed: model.len(), given: self.room() };
@@ -152,12 +152,12 @@ macro_rules! two_slots {
                 let used = Self::header_bytes().saturating_add(model.len()).next_multiple_of(F::ERASE_SIZE.max(1));
                 self.flash.erase(from, from.saturating_add(used as u32))$($await)*.map_err(StorageError::Flash)?;
                 self.write(from.saturating_add(Self::header_bytes() as u32), model)$($await)*?;
-                // From the last byte of this on, the new model is the newest.
+                // With the last byte of the header, the new model becomes the newest.
                 self.write(from, &header.bytes())$($await)*?;
                 if self.complete(slot)$($await)*? == Some(header) { Ok(()) } else { Err(StorageError::NotKept) }
             }
 
-            /// Writes, the last unit filled up with what erased flash holds.
+            /// Writes the bytes, padding the last unit with the value of erased flash.
             $($async)? fn write(&mut self, at: u32, bytes: &[u8]) -> Result<(), StorageError<F::Error>> {
                 let unit = F::WRITE_SIZE.max(1);
                 let whole = bytes.len().saturating_sub(bytes.len().checked_rem(unit).unwrap_or(0));
@@ -186,7 +186,7 @@ macro_rules! two_slots {
                 })
             }
 
-            /// The header of a slot whose model is whole by its own check.
+            /// The header of a slot if its model's own check matches.
             $($async)? fn complete(&mut self, slot: usize) -> Result<Option<SlotHeader>, StorageError<F::Error>> {
                 let mut bytes = [0; SLOT_HEADER_BYTES];
                 let mut filled = 0_usize;
@@ -216,7 +216,7 @@ macro_rules! two_slots {
                 self.read(self.model_start(slot), length as usize, take)$($await)*
             }
 
-            /// Gives `length` bytes from `at` on, part by part, as the flash can read them.
+            /// Passes `length` bytes from `at` on to `take`, in parts that the flash can read.
             $($async)? fn read(&mut self, mut at: u32, length: usize, mut take: impl FnMut(&[u8])) -> Result<(), StorageError<F::Error>> {
                 let mut chunk = [0; MOST_UNIT];
                 let unit = F::READ_SIZE.max(1);

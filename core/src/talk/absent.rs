@@ -6,8 +6,8 @@ use crate::task::description::groups;
 use crate::task::machine_command::Tokens;
 use crate::task::role::RoleKind;
 
-/// The description of a task about a thing that is not here: in the place of what has this role, all values of its sorts that it does not have
-/// and one that nobody has named. `None` where nothing has this role.
+/// The description of a task about a thing that is not here. The object in this role gets all values of its sorts that lessons spoke of,
+/// for a goal only those that no place here has, and one value that nobody has named. `None` if no object has this role.
 pub(super) fn with_ghost(
     description: &[Symbol],
     kind: RoleKind,
@@ -30,7 +30,7 @@ pub(super) fn with_ghost(
         }
         found = true;
         ghost.push(marker).ok()?;
-        // The values of this sort that lessons spoke of; for a place, those that no place here has.
+        // The values of this sort in lessons; for a place, those that no place here has.
         let is_here = |value: Symbol| {
             kind == RoleKind::Goal
                 && groups(description).any(|other| {

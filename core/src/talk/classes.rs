@@ -1,4 +1,4 @@
-//! Closed classes of words: what speaks about a command rather than in it. A table that is a shell's, apart from what is learned.
+//! Closed classes of words, which speak about a command rather than in it. A table supplies them; they are not learned.
 
 use crate::language::{for_each_piece, is_slip};
 use core::fmt;
@@ -10,9 +10,9 @@ use core::fmt;
 pub enum Class {
     /// "not", "never", "except".
     Negation,
-    /// "leave", "out", "away". One that is a polite word as well, such as "away", is of this class before "from" alone.
+    /// "leave", "out", "away". A word that is polite as well, such as "away", is of this class only before "from".
     Out,
-    /// "of", "from": behind a word such as "out".
+    /// "of", "from": after a word such as "out".
     From,
     /// "but", "anywhere", "only".
     But,
@@ -30,7 +30,7 @@ pub enum Class {
     Again,
     /// "and", "then".
     Connective,
-    /// "or", "any": leaves a choice to the robot.
+    /// "or", "any": lets the robot choose.
     Or,
     /// "all", "both", "everything".
     All,
@@ -42,11 +42,11 @@ pub enum Class {
     Asking,
     /// "please", "could you", "I want".
     Polite,
-    /// "it": the thing of the task before.
+    /// "it": the thing of the last task.
     It,
-    /// "there": the place that was named last.
+    /// "there": the place named last.
     There,
-    /// "back": the place of before the last task.
+    /// "back": the place before the last task.
     Back,
     /// "other", "another".
     Other,
@@ -54,24 +54,25 @@ pub enum Class {
     Same,
     /// "undo".
     Undo,
-    /// "I", "she", "my": a word behind it tells what somebody does, and asks for nothing.
+    /// "I", "she", "my": the words after it describe somebody's action, and ask for nothing.
     Speaker,
-    /// "you": who is told, so that "I want you to go" asks for something.
+    /// "you": the one addressed, so that "I want you to go" asks for something.
     You,
-    /// "if". A connective that is of this class as well, such as "before", begins what is done last.
+    /// "if". A connective that is of this class as well, such as "before", introduces the command that is done last.
     If,
-    /// "to", "into", "towards": a way leads where the words behind it say. Commands have such words themselves.
+    /// "to", "into", "towards": a direction, named by the words after it. Commands contain such words too.
     Toward,
-    /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb. Else such a word is an article.
+    /// "le" in "apporte-le", "lo" in "llévalo": "it", joined to a verb. Elsewhere such a word is an article.
     Clitic,
-    /// "want": whoever says it tells what shall be, and not what to do.
+    /// "want": the speaker names a goal rather than an action.
     Wish,
-    /// "meant": whoever says it corrects the robot.
+    /// "meant": the speaker corrects the robot.
     Meant,
-    /// "aller": a word for what to do, and no slip for a word of another class, whatever it looks like. One that is of the class `out` as well,
-    /// such as "leave", leaves a thing in the place that is named. A negation beside one that is of the class `if`, such as "forget", asks for what follows.
+    /// "aller": an act word, and no slip for a word of another class, whatever its spelling. If it is of the class `out` as well, such as
+    /// "leave", it leaves a thing in the named place. If it is of the class `if` as well, such as "forget", and negated, it asks for the
+    /// action after it.
     Act,
-    /// "here", "stay": what is meant holds already, and its place needs no name.
+    /// "here", "stay": the goal holds already, and its place needs no name.
     Here,
 }
 
@@ -156,20 +157,20 @@ impl Class {
     }
 }
 
-/// The classes that a word is in, one bit each.
+/// The classes of a word, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Classes(u32);
 
 impl Classes {
-    /// In no class.
+    /// No class.
     pub const NONE: Self = Self(0);
 
-    /// Whether it is in a class.
+    /// Whether the word is in a class.
     pub const fn contains(self, class: Class) -> bool {
         self.0 & (1 << class as u32) != 0
     }
 
-    /// Whether it is in one of these.
+    /// Whether the word is in one of these classes.
     pub fn contains_any(self, classes: &[Class]) -> bool {
         classes.iter().any(|&class| self.contains(class))
     }
@@ -179,17 +180,17 @@ impl Classes {
         self.contains(Class::Act) && self.contains(Class::If)
     }
 
-    /// Whether what follows is done last, as behind "before".
+    /// Whether it introduces the command that is done last, such as "before".
     pub const fn is_before(self) -> bool {
         self.contains(Class::Connective) && self.contains(Class::If)
     }
 
-    /// In one class alone.
+    /// One class alone.
     pub const fn of(class: Class) -> Self {
         Self::NONE.with(class)
     }
 
-    /// The classes of words that speak about commands, without those of words that commands have themselves.
+    /// The classes without those of words that occur in commands themselves.
     pub const fn about_commands(self) -> Self {
         let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Act);
         Self(self.0 & !of_commands.0)
@@ -208,9 +209,9 @@ impl Classes {
     }
 }
 
-/// A table of closed classes: in each line a class, a colon, and its words. What follows a `#` is a comment. A word may be in several
-/// classes, and a class on several lines. No word is praise or a yes, and blame or a no as well. A line such as `language: en` begins the words
-/// of a language, which are heard if lessons were in it; `language:` alone begins words that are always heard.
+/// A table of closed classes: each line has a class, a colon, and its words. A `#` begins a comment. A word may be in several classes, and
+/// a class on several lines. No word may be in `praise` or `yes` and also in `blame` or `no`. A line such as `language: en` begins the
+/// words of a language, which count if lessons were in it; `language:` alone begins words that always count.
 ///
 /// ```
 /// use goodbot::talk::{Class, ClosedWords};
@@ -222,25 +223,25 @@ impl Classes {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClosedWords<'t> {
     text: &'t str,
-    /// The languages of the table that are not spoken, by their order: one bit each.
+    /// The languages of the table that are not spoken, in order: one bit each.
     silent: u32,
 }
 
-/// What begins the words of a language.
+/// The word that begins the words of a language.
 const LANGUAGE: &str = "language";
 
 impl<'t> ClosedWords<'t> {
     /// No words.
     pub const NONE: Self = Self { text: "", silent: 0 };
-    /// The words of English: 1.2 KB.
+    /// The words of English: 1.7 KB.
     pub const ENGLISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/english.txt"), silent: 0 };
-    /// The words of German: 1.4 KB.
+    /// The words of German: 1.9 KB.
     pub const GERMAN: ClosedWords<'static> = ClosedWords { text: include_str!("classes/german.txt"), silent: 0 };
-    /// The words of French: 1.1 KB.
+    /// The words of French: 1.4 KB.
     pub const FRENCH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/french.txt"), silent: 0 };
-    /// The words of Spanish: 1.1 KB.
+    /// The words of Spanish: 1.4 KB.
     pub const SPANISH: ClosedWords<'static> = ClosedWords { text: include_str!("classes/spanish.txt"), silent: 0 };
-    /// The words of Chinese, 1.3 KB.
+    /// The words of Chinese: 1.6 KB.
     pub const CHINESE: ClosedWords<'static> = ClosedWords { text: include_str!("classes/chinese.txt"), silent: 0 };
     /// The words of all five languages.
     pub const ALL: ClosedWords<'static> = ClosedWords {
@@ -254,10 +255,10 @@ impl<'t> ClosedWords<'t> {
         silent: 0,
     };
 
-    /// The table that a text holds.
+    /// Reads the table from a text.
     ///
     /// # Errors
-    /// A [`ClosedWordsError`] with the first line that is none of a table.
+    /// A [`ClosedWordsError`] for the first line that is wrong.
     pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
         for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);
@@ -274,7 +275,7 @@ impl<'t> ClosedWords<'t> {
                 return Err(ClosedWordsError::NoSuchClass { name: name.trim(), line });
             };
             for word in words.split_whitespace() {
-                // A word of a script without spaces is several signs.
+                // A word in a script without spaces has several signs.
                 let mut rest = Some(word);
                 let heard = for_each_piece(word, |piece| {
                     rest = rest.and_then(|rest| rest.strip_prefix(piece));
@@ -283,7 +284,7 @@ impl<'t> ClosedWords<'t> {
                 if heard.is_err() || rest != Some("") {
                     return Err(ClosedWordsError::NotAWord { word, line });
                 }
-                // A robot would be punished by its trainer's praise.
+                // Such a word would make the trainer's praise punish the robot.
                 let against = [Class::Blame, Class::No];
                 if matches!(class, Class::Praise | Class::Yes) && (Self { text, silent: 0 }).of(word).contains_any(&against) {
                     return Err(ClosedWordsError::Opposites { word, line });
@@ -297,7 +298,7 @@ impl<'t> ClosedWords<'t> {
         self.lines_of_languages().filter(move |(language, ..)| self.silent & language == 0).map(|(_, class, words)| (class, words))
     }
 
-    /// Each line with the bit of its language.
+    /// Each line, with the bit of its language.
     fn lines_of_languages(self) -> impl Iterator<Item = (u32, Class, core::str::SplitWhitespace<'t>)> {
         let (mut last, mut language) = (1_u32, 1_u32);
         lines(self.text).filter_map(move |line| {
@@ -312,8 +313,8 @@ impl<'t> ClosedWords<'t> {
         })
     }
 
-    /// The words of the languages that lessons were given in, as far as they tell: those of which they have more than half as many words as of
-    /// any other. Words before the first language, and after one without a name, are of all. "Sal" goes out in Spanish, and is nearly a French room.
+    /// The words of the languages that the lessons were probably in: those that have more than half as many known words as any other. Words
+    /// before the first language, and after an unnamed one, belong to all. "Sal" means to go out in Spanish, and resembles a French room.
     pub(super) fn spoken(self, knows: impl Fn(&str) -> bool) -> Self {
         let mut known = [0_u16; u32::BITS as usize];
         for (language, _, words) in self.lines_of_languages() {
@@ -325,7 +326,7 @@ impl<'t> ClosedWords<'t> {
         Self { silent: known.iter().enumerate().map(is_silent).fold(0, |all, bit| all | bit), ..self }
     }
 
-    /// The classes of a word, as [`for_each_piece`] gives it.
+    /// The classes of a word, as [`for_each_piece`] passes it.
     pub fn of(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
         for (class, mut words) in self.lines() {
@@ -336,7 +337,7 @@ impl<'t> ClosedWords<'t> {
         classes
     }
 
-    /// The longest word that some signs begin with, in how many signs, and its classes. Scripts without spaces are heard sign by sign.
+    /// The number of signs of the longest word at the front of these signs, and its classes. Scripts without spaces are heard sign by sign.
     pub(super) fn of_signs(self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
         let begins = |word: &str| word.chars().zip(signs).filter(|&(letter, &sign)| sign == Some(letter)).count() == word.chars().count();
         let (mut most, mut classes) = (1, Classes::NONE);
@@ -353,12 +354,12 @@ impl<'t> ClosedWords<'t> {
         (most > 1).then_some((most, classes))
     }
 
-    /// The classes of a word that is a slip for one that turns a command round, or parts it.
+    /// The classes of the cues (negation, out, all, connective) that this word is a slip for.
     pub(super) fn of_slip(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
         for (class, mut words) in self.lines() {
             let is_cue = matches!(class, Class::Negation | Class::Out | Class::All | Class::Connective);
-            // Slips of the first letter are rare.
+            // Slips in the first letter are rare.
             if is_cue && words.any(|other| word.chars().next() == other.chars().next() && is_slip(word, other)) {
                 classes = classes.with(class);
             }
@@ -366,12 +367,12 @@ impl<'t> ClosedWords<'t> {
         classes
     }
 
-    /// What is before each word of a class that a word ends with.
+    /// The front of a word that ends with a word of this class, for each such word.
     pub(super) fn ends(self, class: Class, word: &str) -> impl Iterator<Item = &str> {
         self.lines().filter(move |(other, _)| *other == class).flat_map(|(_, words)| words).filter_map(move |end| word.strip_suffix(end))
     }
 
-    /// How many words a class has.
+    /// The number of words of a class.
     pub fn count(self, class: Class) -> usize {
         self.lines().filter(|(other, _)| *other == class).map(|(_, words)| words.count()).sum()
     }
@@ -382,14 +383,14 @@ impl<'t> ClosedWords<'t> {
     }
 }
 
-/// The table as its file has it.
+/// The table as in its file.
 impl fmt::Display for ClosedWords<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.text)
     }
 }
 
-/// Searches for a letter by a closure: that for a letter itself could panic, for all the linker knows.
+/// Matches a letter by a closure: the search for a `char` would link code that can panic.
 const fn is(letter: char) -> impl Fn(char) -> bool + Copy {
     move |other| other == letter
 }
@@ -422,14 +423,14 @@ pub enum ClosedWordsError<'t> {
         /// The line, from 1.
         line: usize,
     },
-    /// A word is not written as commands are heard: in lower case, without punctuation.
+    /// A word is not in the form in which commands are heard: in lower case, without punctuation.
     NotAWord {
         /// The word.
         word: &'t str,
         /// Its line, from 1.
         line: usize,
     },
-    /// A word is praise or a yes, and blame or a no as well.
+    /// A word is praise or a yes, and also blame or a no.
     Opposites {
         /// The word.
         word: &'t str,

@@ -1,5 +1,5 @@
-//! What a conversation remembers: the last task, the thing that it moved, the place that it named, and where the thing and the robot were
-//! before. Words such as "it", "there" and "back" stand for these. They are facts about objects, as *leftmost* is.
+//! The memory of a conversation: the last task, the thing that it moved, the place that it named, and the earlier places of the thing and
+//! the robot. Words such as "it", "there" and "back" refer to these. They are facts about objects, as *leftmost* is.
 
 use super::recalled::Before;
 use crate::memory::AgentMemory;
@@ -8,13 +8,13 @@ use crate::session::Agent;
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
 
-/// The memory of a conversation: some bytes that do not grow. [`Agent::remember`] fills it after each task that was followed. It outlives
-/// sessions, and speaks of one home: in another it is empty.
+/// The memory of a conversation: a few bytes, whatever its length. [`Agent::remember`] updates it after each task that was followed. It
+/// outlives sessions, and is about one home: in another it is empty.
 ///
-/// A shell that takes a task back restores the copy that it made before: it is a value.
+/// It is a value: a shell that undoes a task restores an earlier copy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conversation {
-    /// The digest of the domain that it speaks of.
+    /// The digest of its domain.
     domain: u32,
     last: Option<GroundedTask>,
     thing: Option<ObjectId>,
@@ -29,7 +29,7 @@ impl Default for Conversation {
     }
 }
 
-/// What a word may stand for that needs the sentences before.
+/// A reference of words that need the earlier sentences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -42,7 +42,7 @@ pub enum Fact {
     WasThereBefore,
     /// The place where the robot was before the last task: "go back".
     RobotWasThereBefore,
-    /// What is most like the thing of the last task, and another: "the other one".
+    /// The thing most like the thing of the last task: "the other one".
     OtherOfItsKind,
 }
 
@@ -50,7 +50,7 @@ impl Fact {
     /// All facts, in order.
     pub const ALL: [Self; 5] = [Self::MovedLast, Self::NamedLast, Self::WasThereBefore, Self::RobotWasThereBefore, Self::OtherOfItsKind];
 
-    /// The value that words are learned for, as a [derived fact](Domain::tell_derived).
+    /// The value that words are learned for, in the manner of a [derived fact](Domain::tell_derived).
     pub const fn name(self) -> &'static str {
         match self {
             Self::MovedLast => "movedLast",
@@ -63,17 +63,17 @@ impl Fact {
 }
 
 impl Conversation {
-    /// Nothing was said yet.
+    /// An empty conversation.
     pub const NEW: Self = Self { domain: 0, last: None, thing: None, place: None, thing_was: None, robot_was: None };
 
-    /// The same, if it speaks of this domain, and an empty one otherwise.
+    /// The same conversation if it is about this domain, else an empty one.
     #[must_use]
     pub fn here<D: Domain + ?Sized>(self, domain: &D) -> Self {
         if self.is_empty() || self.domain == digest(domain) { self } else { Self::NEW }
     }
 
-    /// A conversation from a record: the task that was followed last, and the object that each fact holds of. What is most like the thing
-    /// follows from the thing.
+    /// A conversation from a record: the last task, and the object of each fact. The object of [`Fact::OtherOfItsKind`] follows from the
+    /// thing.
     #[must_use]
     pub fn recorded<D: Domain + ?Sized>(domain: &D, last: Option<GroundedTask>, object: impl Fn(Fact) -> Option<ObjectId>) -> Self {
         Self {
@@ -86,7 +86,7 @@ impl Conversation {
         }
     }
 
-    /// The object that a fact is kept for, as [`recorded`](Self::recorded) takes it.
+    /// The object kept for a fact, as [`recorded`](Self::recorded) takes it.
     pub const fn object(&self, fact: Fact) -> Option<ObjectId> {
         match fact {
             Fact::MovedLast => self.thing,
@@ -102,13 +102,13 @@ impl Conversation {
         self.last.is_none()
     }
 
-    /// The task that was followed last.
+    /// The last task.
     pub const fn last(&self) -> Option<&GroundedTask> {
         self.last.as_ref()
     }
 
-    /// The conversation after a task that was begun in a state, of the lifted tasks of an agent. What is done already is spoken of, and moves
-    /// nothing.
+    /// The conversation after a task that was begun in the state `before`; `lifted` are the agent's lifted tasks. If the task was done
+    /// already, the conversation names its objects, but nothing has moved.
     #[must_use]
     pub fn after<D: Domain + ?Sized>(self, domain: &D, lifted: &[LiftedTask], before: &D::State, task: &GroundedTask) -> Self {
         let Some(kind) = lifted.get(usize::from(task.lifted)) else { return self };
@@ -119,21 +119,21 @@ impl Conversation {
             after.place = Some(place);
             let Some(subject) = part.arguments.first().copied().filter(|&subject| is_thing(&world, subject)) else { continue };
             let was = where_was(domain, part.proposition, subject, before);
-            // What stays where it is was elsewhere before.
+            // A thing that stays in its place keeps its earlier place.
             let known = after.thing_was.filter(|_| after.thing == Some(subject));
             after.thing_was = was.filter(|&was| was != place || task.is_negated()).or(known);
             after.thing = Some(subject);
         }
         if !task.is_reached(kind, |part| domain.holds(part, before)) {
             let was = robots(domain, lifted).find_map(|(proposition, robot)| where_was(domain, proposition, robot, before));
-            // Who has pushed a thing through a door stands in it, in no place: where the thing was to be is near.
+            // A robot that has pushed a thing through a door stands in the door, in no place: the thing's goal is near.
             let near = || self.here(domain).place.filter(|&place| after.place != Some(place));
             after.robot_was = was.or_else(near);
         }
         after
     }
 
-    /// What words can point back at.
+    /// The memory that words can refer to.
     pub(super) const fn before(&self) -> Before<'_> {
         if self.is_empty() { Before::Nothing } else { Before::Known(self) }
     }
@@ -154,7 +154,7 @@ impl Conversation {
         domain.world().objects.iter().any(|(object, _)| self.holds(domain, fact, object))
     }
 
-    /// Tells the facts of an object.
+    /// Passes each fact of an object to `tell`.
     #[cfg(feature = "derived")]
     pub(crate) fn tell<D: Domain + ?Sized>(&self, domain: &D, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         if !self.is_empty() {
@@ -163,13 +163,13 @@ impl Conversation {
     }
 }
 
-/// The last argument of a proposition about something and its place.
+/// The place in a proposition about a subject and its place: the last argument.
 fn place_of<D: Domain + ?Sized>(domain: &D, part: &GroundProposition) -> Option<ObjectId> {
     let last = domain.world().schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
     part.arguments.get(last).copied()
 }
 
-/// Where something was: the place that a proposition held with.
+/// The place of a subject in this state, by this proposition.
 fn where_was<D: Domain + ?Sized>(domain: &D, proposition: PropositionId, subject: ObjectId, state: &D::State) -> Option<ObjectId> {
     let world = domain.world();
     let [_, class] = *world.schema.parameters(proposition) else { return None };
@@ -179,7 +179,7 @@ fn where_was<D: Domain + ?Sized>(domain: &D, proposition: PropositionId, subject
         .find(|&place| place != subject && domain.holds(&GroundProposition::new(proposition, &[subject, place]), state))
 }
 
-/// The robots, with the propositions that tell their place: what no words tell apart.
+/// The robots, with the propositions for their place: objects that no words tell apart.
 fn robots<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask]) -> impl Iterator<Item = (PropositionId, ObjectId)> {
     let world = domain.world();
     lifted.iter().flat_map(LiftedTask::propositions).filter_map(move |part| {
@@ -189,7 +189,7 @@ fn robots<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask]) -> impl Iterato
     })
 }
 
-/// Whether an object is another of a thing's kind: of its class, and no third has more values in common with it.
+/// Whether an object is the other one of a thing's kind: of its class, and at least as many values in common with it as any other.
 fn is_other<D: Domain + ?Sized>(domain: &D, thing: ObjectId, object: ObjectId) -> bool {
     let world = domain.world();
     let class = |object| world.objects.get(object).map(|object| object.class);
@@ -206,19 +206,19 @@ fn is_other<D: Domain + ?Sized>(domain: &D, thing: ObjectId, object: ObjectId) -
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// What is remembered of the conversation.
+    /// The memory of the conversation.
     pub const fn conversation(&self) -> &Conversation {
         &self.conversation
     }
 
-    /// Goes on with a conversation, as it was when it was copied, or with [`Conversation::NEW`].
+    /// Continues from an earlier copy of the conversation, or from [`Conversation::NEW`].
     pub const fn resume(&mut self, conversation: Conversation) {
         self.conversation = conversation;
     }
 
-    /// Remembers a task that was followed from a state on. [`listen`](Self::listen) then knows what "it", "there", "back", "the other one", "the
-    /// same" and "again" stand for, in the words of its table. With the feature `derived`, the descriptions of tasks tell the [facts](Fact), so that
-    /// other words are learned for them. An agent that is not told of tasks has no facts, and understands as it did without them.
+    /// Remembers a task that was followed from the state `before`. [`listen`](Self::listen) then resolves "it", "there", "back", "the other
+    /// one", "the same" and "again", as far as its table has these words. With the feature `derived`, the descriptions of tasks contain the
+    /// [facts](Fact), so that other words are learned for them. Without this call the agent has no facts, and understands as without them.
     ///
     /// ```
     /// use goodbot::talk::Fact;
@@ -252,8 +252,8 @@ mod tests {
     use std::string::String;
     use std::vec::Vec;
 
-    /// What an agent remembers after tasks, each with what it moves and where to. Three rooms in a row, red, blue and green, have a red chair, a
-    /// blue bag and a green chair in them, in this order. The robot begins in the red room.
+    /// The memory of an agent after these tasks; each comes with the object that it moves and its new cell. Three rooms in a row, red, blue
+    /// and green, have a red chair, a blue bag and a green chair in them, in this order. The robot begins in the red room.
     fn remembered(tasks: &[(&str, &str, Cell)]) -> Vec<String> {
         let mut memory = HeapMemory::new(&Capacities::STANDARD);
         let mut builder = HomeBuilder::new(&mut memory.home);

@@ -1,8 +1,9 @@
 //! Words that correct a robot on its way: "no, the blue one", "not the red one".
 //!
-//! They are evidence about the session under way. With L(t) the likelihood of the words that name something, as the role model reads them
-//! for a task t that needs no word of its own, and M the largest of these, the belief in t is multiplied by e + (1 - e) L(t) / M. For words
-//! behind a negation it is 1 - (1 - e) L(t) / M. Words that were never heard fit all tasks alike, and say nothing.
+//! They are evidence about the session under way. Let L(t) be the likelihood of the naming words under task t, which needs no act word, and
+//! M the largest one among tasks of the corrected task's kind. The belief in t is multiplied by k(t) (e + (1 - e) min(1, L(t) / M)), where
+//! k(t) is the probability of the change from the corrected task to t. For words after a negation the factor is 1 - (1 - e) L(t) / M, with
+//! M over all tasks. Words that were never heard fit all tasks alike, and say nothing.
 
 use super::classes::{Class, Classes, ClosedWords};
 use super::explained::Explained;
@@ -21,31 +22,32 @@ use crate::symbols::Symbol;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// How often the words of a correction name a thing that is not meant. Who corrects the robot sees what it does, and chooses the words for that.
+/// The probability that a correction names an object that is not meant. It is small: who corrects the robot sees it, and chooses words for
+/// it.
 const WRONG: f32 = 1e-4;
 
-/// How probable it is that the place is corrected where the thing may be, and that the act is corrected.
+/// The prior probabilities that a correction changes the place rather than the thing, and that it changes the act.
 const PLACE_CHANGED: f32 = 0.05;
 const ACT_CHANGED: f32 = 0.01;
 
-/// The share of the belief in the next task that is left to the task that is corrected.
+/// The most belief left to the corrected task, as a share of the belief in the next one.
 const LEFT: f32 = 0.05;
 
-/// What a correction was taken for, so that it can be recorded.
+/// The result of a correction, for a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corrected {
-    /// The task that the robot was turned from, by its position.
+    /// The corrected task, by its position.
     pub task: usize,
-    /// The probability with which the "no" to that task is wrong: the `eta` of [`answered`](Agent::answered).
+    /// The probability that the "no" to that task is wrong: the `eta` of [`answered`](Agent::answered).
     pub eta: f32,
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Whether a word says what to do, as "go" does: such words are a command rather than a correction. Known is what was learned; the words
-    /// of closed classes never are.
+    /// Whether some word is an act word, such as "go": such words are a command rather than a correction. Only learned words outside the
+    /// closed classes count.
     ///
     /// # Errors
-    /// As [`hear`](Self::hear), where the words are too many or too long.
+    /// As [`hear`](Self::hear), if there are too many words or one is too long.
     pub fn is_told_to_act(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
         let mut told = false;
         for_each_piece(words, |piece| {
@@ -55,21 +57,22 @@ impl<M: AgentMemory> Agent<M> {
         Ok(told)
     }
 
-    /// Whether a word was learned from some command.
+    /// Whether a word occurs in a learned command.
     pub fn knows_word(&self, word: &str) -> bool {
         self.known_word(word).is_some()
     }
 
-    /// The learned word that a piece of an utterance is.
+    /// The learned word that a piece of an utterance stands for.
     fn known_word(&self, piece: &str) -> Option<Symbol> {
         let (language, learned) = (self.language(), self.language().tables().words());
         let form = word_form(piece, self.options().language.letters_kept());
         language.word_like(piece, learned).or_else(|| language.words().find(form)).filter(|word| word.index() < learned)
     }
 
-    /// Takes in words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". They are an answer "no" to the task
-    /// that it follows, which is left with a twentieth of the belief in the next one at most, however sure the robot was; and the words
-    /// are [evidence](Self::corrected). `followed` is the task that the last step was for; where it is `None`, the one that the robot has decided for.
+    /// Updates the belief by words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". They count as
+    /// the answer "no" to the task that it follows, which keeps at most a twentieth of the belief in the next one, however sure the robot
+    /// was; and the words are [evidence](Self::corrected). `followed` is the task of the last step; `None` stands for the task that the
+    /// robot has decided on.
     ///
     /// # Errors
     /// As [`corrected`](Self::corrected).
@@ -92,11 +95,11 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Corrected { task, eta })
     }
 
-    /// Takes in words that correct the robot on its way, as evidence about the session under way, without the "no" to what it does, which is one of
-    /// `turned`. What the words do not name stays as it is there: another thing in the same place, sooner than the same thing elsewhere.
+    /// Updates the belief by words that correct the robot, without the "no" to its present task, which is one of `turned`. Anything that
+    /// the words do not name stays the same: another thing in the same place is more probable than the same thing elsewhere.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) where the words are too many or too long.
+    /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) if there are too many words or one is too long.
     pub fn corrected<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -112,7 +115,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut is_other = false;
         for_each_piece(words, |piece| {
             let classes = closed.of(piece).about_commands();
-            // "No" stands for itself; "not" turns round what is behind it.
+            // "No" is a word of its own; "not" negates the words after it.
             if classes.contains_any(&[Class::But, Class::Connective]) {
                 is_other = false;
             } else if classes.contains(Class::Negation) && !classes.contains(Class::No) {
@@ -126,7 +129,7 @@ impl<M: AgentMemory> Agent<M> {
         let mut evidence = Evidence::SaysNothing;
         for (words, is_meant) in [(meant, true), (other, false)] {
             let Some(fits) = self.fits(domain, &words, closed)? else { continue };
-            // The words are to fit what keeps the rest, though something else may fit better.
+            // The words are compared with tasks that keep the rest, even if another task fits better.
             let (mut kept, mut most): (Vec<f32, { TaskSet::MOST }>, f32) = (Vec::new(), WRONG);
             for (task, &fit) in fits.iter().enumerate() {
                 let share = if is_meant { self.kept(domain, task, turned) } else { 1.0 };
@@ -142,7 +145,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(evidence)
     }
 
-    /// How probable a task is where one of these is corrected, by what it has in common with that one.
+    /// The probability of the change from one of the corrected tasks to this task, by what they have in common.
     fn kept<D: Domain + ?Sized>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
         let Some(other) = turned.iter().next() else { return 1.0 };
         let (one, another) = (self.task(task), self.task(other));
@@ -153,7 +156,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// How well each task fits words that name something, against the one that fits best; `None` where all fit alike.
+    /// How well each task fits words that name something, relative to the best one; `None` if all fit alike.
     fn fits<D: Domain + ?Sized>(
         &mut self,
         domain: &D,

@@ -22,38 +22,38 @@ use crate::task::role::RoleKind;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// The factor of tasks of another kind than that of the command before, where no word tells the kind.
+/// The factor of tasks of another kind than the previous command's, if no word tells the kind.
 const OTHER_KIND: f32 = 0.05;
-/// The factor of tasks that words name something outside of, where there are others.
+/// The factor of tasks if words name an object outside of them, and other tasks have no such word.
 pub(super) const FOREIGN: f32 = 0.02;
-/// A sentence with more new words is not a command in another's words.
+/// A sentence with more new words is no paraphrase of a known command.
 const MOST_NEW: usize = 2;
 
 /// How well the tasks here explain some words.
 pub(super) struct Explained {
-    /// Pr(words) where one of the tasks is meant.
+    /// Pr(words) if one of the tasks is meant.
     pub here: Scaled,
-    /// Pr(words) where a thing is meant that is not here.
+    /// Pr(words) if a thing is meant that is not here.
     pub absent: Scaled,
     /// Pr(words | t) of each task, with its coverage.
     pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
-    /// Each task's share of the belief, in no unit.
+    /// Each task's share of the belief, unnormalised.
     pub weights: Vec<Scaled, { TaskSet::MOST }>,
-    /// The tasks of whose kind a word is a sign.
+    /// The tasks whose kind has a word as its sign.
     pub signed: TaskSet,
-    /// The tasks of which a word names the place, and no word anything that they are not about.
+    /// The tasks whose place is named, and outside of which no word names anything.
     pub fitting: TaskSet,
-    /// The tasks that no word names another thing than.
+    /// The tasks outside of which no word names a thing.
     pub own: TaskSet,
-    /// The tasks of which all is named.
+    /// The tasks with all of their parts named.
     pub whole: TaskSet,
-    /// Tasks with a word for their kind.
+    /// The tasks with a word for their kind.
     pub acted: TaskSet,
     /// Whether a word is a sign of a kind of task.
     pub acts: bool,
-    /// Whether a new word stands where commands have the word of their task.
+    /// Whether a new word stands in the place of a command's act word.
     pub has_new_verb: bool,
-    /// Whether other words point back.
+    /// Whether other words refer to earlier sentences.
     pub points_back: bool,
     /// The share of the tasks that hold already.
     pub done: f32,
@@ -90,7 +90,7 @@ impl Explained {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// How well the tasks explain these words, or those of them that other words point at.
+    /// How well the tasks explain these words; with `recalled`, only the tasks that other words refer to.
     pub(super) fn explain_words<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -113,8 +113,7 @@ impl<M: AgentMemory> Agent<M> {
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         let (mut named, has_new_verb) = name(language.read(), wording, words, &said);
         let acts = named.acts();
-        // "I want the bag in the red room" needs no word of a task.
-        // "Come back": nothing behind the verb tells which it is.
+        // "I want the bag in the red room" needs no act word. "Come back": nothing after the verb tells its kind of task.
         let points_with_verb = recalled.is_some() && matches!(new_verb(words), Some(None));
         let wishes = words.has(Class::Wish) && !words.iter().any(|word| word.is_new && !word.is_article);
         if view.has_act || wishes || points_with_verb {
@@ -168,7 +167,7 @@ impl<M: AgentMemory> Agent<M> {
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
             let share = if recalled.is_some() { share_among(tasks, task, is_meant) } else { 1.0 };
-            // "The bag where it is" is about no place of the robot.
+            // "The bag where it is" is not about the robot's place.
             let is_other_thing = recalled.is_some_and(|recalled| recalled.is_here()) && !explained.own.contains(position);
             let whole = if share > 0.0 && !is_other_thing { whole } else { Scaled::ZERO };
             let prior = share * task.prior;
@@ -179,7 +178,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
-        // "Put the basket in the green room" is about a basket sooner than about the green bag.
+        // "Put the basket in the green room" is about a basket rather than the green bag.
         let is_likely = |task: usize| explained.likelihoods.get(task).is_some_and(|likelihood| !likelihood.is_zero());
         if explained.own.iter().any(is_likely) {
             for (task, (weight, likelihood)) in explained.weights.iter_mut().zip(&mut explained.likelihoods).enumerate() {
@@ -202,7 +201,7 @@ impl<M: AgentMemory> Agent<M> {
             explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
         }
         let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
-        // Names of two things are of no one command.
+        // The names of two things belong to no single command.
         let here = factors.scaled_by(if explained.own.is_empty() { FOREIGN } else { 1.0 });
         (explained.here, explained.absent) = (explained.here.times(here), explained.absent.times(factors));
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
@@ -210,7 +209,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-/// What words name, and whether a new word stands where commands have the word of their task.
+/// The parts that words name, and whether a new word stands in the place of a command's act word.
 #[inline(never)]
 fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said: &[Said]) -> (Named, bool) {
     let is_plain = |word| is_plain(language, wording.closed, word);
@@ -225,7 +224,7 @@ fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said
     (named, kinds != 0)
 }
 
-/// How many new words may be names of things: those behind a known word, "the purple bag".
+/// The number of new words that may name things: those after a known word, "the purple bag".
 pub(super) fn new_names(words: Words<'_>) -> usize {
     let (mut is_behind, mut phrase) = (false, 0);
     let may_name = |word: &&Heard| {
@@ -237,7 +236,7 @@ pub(super) fn new_names(words: Words<'_>) -> usize {
     words.iter().filter(may_name).count()
 }
 
-/// By how much the prior of a task grows where only some tasks of its kind are meant; 0 for the others.
+/// The factor on a task's prior if only some tasks of its kind are meant; 0 for the others.
 fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&GroundedTask) -> bool) -> f32 {
     if !is_meant(task) {
         return 0.0;
@@ -247,7 +246,7 @@ fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&G
     if meant > 0.0 { all / meant } else { 0.0 }
 }
 
-/// The word behind a new word that may be a word for what to do: nothing but closed words stand before it, and the last is no "I".
+/// The word after a new word that may be an act word: only words of closed classes precede it, and the last of them is no "I".
 fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let first = words.iter().position(|word| word.classes == Classes::NONE)?;
     let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
@@ -257,7 +256,7 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
         && front().count() == MOST_NEW
         && front().all(|word| word.is_new && word.classes == Classes::NONE);
     let is_verb = is_verb && !is_told;
-    // "All bags": a thing.
+    // "All bags": the new word names a thing.
     let before = first.checked_sub(1).and_then(|before| words.get(before));
     let is_other = before.is_some_and(|word| word.classes.contains_any(&[Class::All, Class::Speaker]));
     let asks = words.part(0, first).has(Class::Asking);
@@ -270,12 +269,12 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     (is_verb && !is_other && !asks).then(|| way.or_else(|| known.get(0)))
 }
 
-/// Whether no word tells what to do, but at most where a way leads.
+/// Whether no word says what to do, except for words of direction.
 pub(super) fn is_verbless(words: Words<'_>) -> bool {
     !words.iter().any(|word| word.may_act() && !word.is_toward)
 }
 
-/// Whether nothing but closed words stand before a word that tells where a way leads.
+/// Whether a word of direction comes first, apart from words of closed classes.
 pub(super) fn begins_with_way(words: Words<'_>) -> bool {
     // "Everything to the red room" is about things.
     let others = [Class::Asking, Class::Speaker, Class::All, Class::It, Class::Other, Class::Same];
@@ -283,7 +282,7 @@ pub(super) fn begins_with_way(words: Words<'_>) -> bool {
         && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
 }
 
-/// Whether a word that tells where a way leads stands between names. "The chair next to the red room" is a thing.
+/// Whether a word of direction stands between names. "The chair next to the red room" is a thing.
 pub(super) fn names_thing_and_way(words: Words<'_>) -> bool {
     let mut words = words.iter();
     let mut is_named = false;
@@ -296,12 +295,12 @@ pub(super) fn names_thing_and_way(words: Words<'_>) -> bool {
     false
 }
 
-/// How many different kinds of task.
+/// The number of different kinds of task.
 fn count_kinds(forms: &[Symbol]) -> usize {
     forms.iter().enumerate().filter(|&(position, form)| !forms.iter().take(position).any(|before| before == form)).count()
 }
 
-/// The share of the lessons that a kind of task has.
+/// The share of a kind of task in the lessons.
 fn share_of_kind(bitext: BitextRef<'_>, token: Symbol) -> f32 {
     let of_kind = |wanted: Option<Symbol>| -> f32 {
         let pairs = bitext.pairs().iter().filter(|pair| wanted.is_none() || form(bitext.command(pair.command)) == wanted);

@@ -1,4 +1,4 @@
-//! The words of an utterance: how probable each is in a command and beside it.
+//! The words of an utterance, with their probabilities in a command and beside one.
 
 use super::classes::{Class, Classes, ClosedWords};
 use super::slips::{SLIP, is_plural, slip_for};
@@ -13,18 +13,18 @@ use crate::session::{Agent, AgentError};
 use crate::symbols::Symbol;
 use heapless::Vec;
 
-/// How probable a word that was never heard is where no task is meant, and beside a command.
+/// The probability of a new word if no task is meant, and beside a command.
 pub(super) const NEW: f32 = 0.5;
-/// How probable a polite word is beside a command, and another word of a closed class.
+/// The probability of a polite word beside a command, and of another word of a closed class.
 const POLITE: f32 = 0.6;
 const OTHER_CLOSED: f32 = 1e-3;
-/// How much less probable a word is that turns commands round, or parts them, where it does not, as long as no command had it.
+/// The factor of a cue, a word that negates, splits or generalises a command, read as an ordinary word, if no lesson had it.
 const TURNS: f32 = 0.01;
-/// Who is spoken to is named so many words from "but" on, at most, if it excepts nothing.
+/// After a "but" that excepts nothing, "you" follows within this many words.
 const SPOKEN_TO: usize = 2;
-/// How probable another word is that tells where a way leads than that of the lessons.
+/// The factor of a word of direction ("to") other than the lessons' own.
 const OTHER_WAY: f32 = 0.3;
-/// A negation so many words behind "if", at most, is of the condition.
+/// A negation within this many words after "if" belongs to the condition.
 const NEGATES_A_CONDITION: usize = 3;
 
 /// One word, with its classes.
@@ -32,47 +32,47 @@ const NEGATES_A_CONDITION: usize = 3;
 pub(super) struct Heard {
     pub said: Said,
     pub classes: Classes,
-    /// How probable it is where no task is meant.
+    /// Its probability if no task is meant.
     pub beside: f32,
-    /// How often it was said in commands.
+    /// Its number of occurrences in lessons.
     pub count: f32,
-    /// How much less probable it is in a command than its reading says: its spelling as a slip for the word that it is taken for, against that
-    /// of a word never heard; or a word that turns commands round or parts them, which no command had yet. 1 for any other word.
+    /// A factor on its probability in a command. For a mended word: its spelling as a slip, against that of a new word. For a word that
+    /// negates, splits or generalises commands and was in no lesson: [`TURNS`]. 1 for any other word.
     pub factor: f32,
-    /// Whether it was heard for the first time, and is in no class.
+    /// Whether it is heard for the first time, and in no class.
     pub is_new: bool,
     pub is_mended: bool,
-    /// Whether it tells where a way leads, as "to" does.
+    /// Whether it is a word of direction, such as "to".
     pub is_toward: bool,
     /// Whether it is "forget".
     is_forgetting: bool,
     /// Whether it is an article: "el".
     pub is_article: bool,
-    /// Whether it leaves a thing in its place, as "leave" does.
+    /// Whether it leaves a thing in its place, such as "leave".
     pub leaves: bool,
-    /// Whether it is one sign of a script without spaces.
+    /// Whether it is a single sign of a script without spaces.
     pub is_sign: bool,
-    /// The piece of the utterance that it is of, from 0.
+    /// The number of its piece in the utterance, from 0.
     pub piece: u8,
-    /// The phrase that it is of: how many marks such as commas are before it.
+    /// The number of its phrase: of marks such as commas before it.
     pub phrase: u8,
-    /// Whether it is of some task sooner than of the background.
+    /// Whether some task explains it better than the background does.
     pub is_of_task: bool,
     /// Whether it names a value.
     pub is_name: bool,
-    /// Whether it is most probably the plural of a name: "chairs".
+    /// Whether it is probably the plural of a name: "chairs".
     pub is_plural: bool,
 }
 
 /// The words of an utterance.
 pub(super) type Utterance = Vec<Heard, WORDS_PER_COMMAND>;
 
-/// Some of the words of an utterance, in their order: one bit each, so that a reading takes no room for words.
+/// Some of the words of an utterance, in order. One bit each, so that a reading needs no copy of the words.
 #[derive(Clone, Copy)]
 pub(super) struct Words<'w> {
     all: &'w [Heard],
     kept: u64,
-    /// The word that comes first. Those before it come last.
+    /// The word that comes first; the words before it come last.
     first: usize,
     /// Whether a question mark ends them.
     pub is_asked: bool,
@@ -81,7 +81,7 @@ pub(super) struct Words<'w> {
 const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
 
 impl<'w> Words<'w> {
-    /// No word.
+    /// No words.
     pub const NONE: Self = Self { all: &[], kept: 0, first: 0, is_asked: false };
 
     pub const fn new(all: &'w [Heard], is_asked: bool) -> Self {
@@ -115,7 +115,7 @@ impl<'w> Words<'w> {
         self.at(class).is_some()
     }
 
-    /// Those that are wanted; each is asked for once, in order.
+    /// The words for which `is_wanted` holds; it is called once for each, in order.
     pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
         self.keep(&mut is_wanted)
     }
@@ -129,7 +129,7 @@ impl<'w> Words<'w> {
         Self { kept, ..self }
     }
 
-    /// The same words, but those before a position come last.
+    /// The same words, with those before a position moved to the end.
     pub fn turned(self, position: usize) -> Self {
         let mut words = self.iter();
         let _ = words.nth(position);
@@ -141,7 +141,7 @@ impl<'w> Words<'w> {
         Self { kept: self.kept | other.kept, ..self }
     }
 
-    /// Those from a position up to another.
+    /// The words from one position up to another.
     pub fn part(self, begin: usize, end: usize) -> Self {
         let mut at = 0_usize;
         self.only(|_| {
@@ -151,13 +151,13 @@ impl<'w> Words<'w> {
     }
 }
 
-/// Goes through words. It is one function for all who look for words: adapters would be one each.
+/// Iterates over words. It is one type for all callers; iterator adapters would be compiled for each.
 #[derive(Clone)]
 pub(super) struct Iter<'w> {
     words: Words<'w>,
-    /// How many words of the utterance were passed, kept or not.
+    /// The number of words of the utterance passed, kept or not.
     passed: usize,
-    /// The place of the last word in the utterance.
+    /// The position of the last word in the utterance.
     at: usize,
 }
 
@@ -231,7 +231,7 @@ impl Heard {
         }
     }
 
-    /// "Hasta", which leads where the lessons' "a" does, as that word; `None` for a word that lessons had, or that leads nowhere.
+    /// Replaces a new word of direction ("hasta") by the lessons' own ("a"); `None` for a word of the lessons, or one without direction.
     pub fn as_usual_way(&self, language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Self> {
         let Self { piece, phrase, is_sign, is_toward, classes, factor, .. } = *self;
         let is_unknown = self.said.symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
@@ -239,19 +239,19 @@ impl Heard {
         Some(Self { piece, phrase, is_sign, is_toward, factor: OTHER_WAY, ..Self::new(language, way, classes) })
     }
 
-    /// "It" in a verb that it is joined to.
+    /// The word "it" joined to a verb.
     fn joined(language: LanguageRef<'_>) -> Self {
         Self::new(language, None, Classes::of(Class::It).with(Class::Pronoun))
     }
 
-    /// Nothing stands before it.
+    /// Marks the first word of an utterance: a connective there splits nothing.
     const fn begin(&mut self) {
         if self.classes.contains(Class::Connective) {
             self.factor = 1.0;
         }
     }
 
-    /// It says nothing against a command: "if you don't mind", "don't forget to".
+    /// Marks a word that says nothing against the command: "if you don't mind", "don't forget to".
     fn excuse(&mut self) {
         self.is_forgetting = false;
         if self.count == 0.0 {
@@ -259,19 +259,19 @@ impl Heard {
         }
     }
 
-    /// It stands among polite words alone.
+    /// Marks a connective among polite words as polite.
     const fn make_polite(&mut self) {
         if self.classes.contains(Class::Connective) && !self.classes.is_before() {
             (self.factor, self.said.chatter, self.classes) = (1.0, POLITE, Classes::of(Class::Polite));
         }
     }
 
-    /// Whether it was heard for the first time, and is in no class, whatever it was mended to.
+    /// Whether it is heard for the first time, and in no class, even if it was mended.
     pub fn is_strange(&self) -> bool {
         self.is_new || self.is_mended
     }
 
-    /// Whether it was heard for the first time, and is no slip for a known word.
+    /// Whether it is heard for the first time, and no slip for a known word.
     pub fn is_new_word(&self) -> bool {
         self.is_strange() && !self.is_slip()
     }
@@ -281,12 +281,12 @@ impl Heard {
         self.is_mended && self.factor > 1.0
     }
 
-    /// Whether it says nothing of a task, nor names a value.
+    /// Whether it neither belongs to a task nor names a value.
     pub const fn is_plain(&self) -> bool {
         !(self.is_new || self.is_of_task || self.is_name)
     }
 
-    /// Whether it may be the word of a task.
+    /// Whether it may be an act word.
     pub const fn may_act(&self) -> bool {
         self.is_new || self.is_of_task
     }
@@ -310,12 +310,12 @@ impl Heard {
     }
 }
 
-/// A word that was learned speaks for what was learned.
+/// The divisor of a reading's prior: 1 plus the largest count of its cues in lessons. Words that commands have are weak cues.
 pub(super) fn learned(words: Words<'_>, of: impl Fn(&Heard) -> bool) -> f32 {
     1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
 }
 
-/// How often a word was said in all lessons.
+/// The number of occurrences of a word in all lessons.
 pub(super) fn count(bitext: BitextRef<'_>, word: Symbol) -> usize {
     (0..bitext.sessions() as u16).map(|session| bitext.sentence(session).iter().filter(|&&other| other == word).count()).sum()
 }
@@ -334,9 +334,9 @@ impl<M: AgentMemory> Agent<M> {
         })?;
         let (mut of_word, mut position) = ((0, Classes::NONE), 0_usize);
         for_each_piece(utterance, |piece| {
-            // A command begins with the name of no thing: "range le panier" has no slip for "orange".
+            // The first word of a command names no thing: "range" in "range le panier" is no slip for "orange".
             let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE);
-            // But "chairs" is no slip.
+            // "Chairs" is a plural, not a slip.
             let is_no_name = |symbol: &Symbol| {
                 let known = language.words().text(*symbol);
                 !(is_name(language.tables(), Some(*symbol)) && is_slip(known, piece) && !piece.starts_with(known))
@@ -347,7 +347,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
             let mut heard = Heard::new(language, symbol, of_word.1);
-            // A German adjective ends as a plural does: "grünen".
+            // German adjectives have the endings of plurals: "grünen".
             let may_be_plural = heard.is_name && piece.ends_with(['s', 'x']);
             heard.is_plural = may_be_plural && symbol.is_some_and(|symbol| is_plural(piece, language.words().text(symbol)));
             let is_cue = heard.is_new && !of_word.1.contains(Class::Act) && slip_for(language, piece, SLIP).is_none();
@@ -370,9 +370,9 @@ impl<M: AgentMemory> Agent<M> {
             position = position.saturating_add(1);
             Ok(())
         })?;
-        // "Then go on" has nothing before it.
+        // In "then go on", no command comes before "then".
         words.iter_mut().take(1).for_each(Heard::begin);
-        // "Is the bag here" asks, though commands had "is" in another place.
+        // "Is the bag here" is a question, even if lessons have "is" elsewhere.
         let begins = |word: Symbol| {
             let bitext = language.bitext();
             (0..bitext.sessions() as u16).any(|session| bitext.sentence(session).first() == Some(&word))
@@ -384,16 +384,16 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-/// The word of the lessons that tells most often where a way leads.
+/// The most frequent word of direction in the lessons.
 fn usual_way(language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Symbol> {
     let learned = language.words().iter().take(language.tables().words());
     let leads = |word: &str| closed.of(word).contains(Class::Toward);
     learned.filter(|(_, word)| leads(word)).map(|(symbol, _)| symbol).max_by_key(|&symbol| count(language.bitext(), symbol))
 }
 
-/// Words that say nothing against a command, beside what they stand beside, and words for where things are already.
+/// Excuses words that negate, except or split nothing in their context, and marks words for the present place.
 fn excuse(words: &mut [Heard]) {
-    // "Be so kind and go" has no command before it.
+    // In "be so kind and go", no command comes before "and".
     let polite = [Class::Polite, Class::Greeting, Class::Connective];
     for word in words.iter_mut() {
         if !word.classes.contains_any(&polite) {
@@ -406,10 +406,10 @@ fn excuse(words: &mut [Heard]) {
     for at in (0..words.len()).rev() {
         let Some(word) = words.get_mut(at) else { continue };
         let is_of = |class| word.classes.contains(class);
-        // "Away" takes something out before "from" alone: "right away". "Sorry, but could you go" excepts nothing.
+        // "Away" is a cue only before "from", not in "right away". "But" in "sorry, but could you go" excepts nothing.
         let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
         let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
-        // "After that" leads on to the next command, "after taking" back to one before.
+        // "After that" introduces the next command, "after taking" an earlier one.
         let is_after = is_of(Class::Connective) && is_of(Class::Polite) && !is_polite;
         (is_from, is_polite) = (is_of(Class::From), is_of(Class::Polite) && !is_of(Class::You));
         is_out |= is_of(Class::Out) && !is_away && !word.leaves;
@@ -425,10 +425,11 @@ fn excuse(words: &mut [Heard]) {
         let Some(word) = words.get_mut(at) else { break };
         let is_of = |class| word.classes.contains(class);
         let (forgets, negates) = (word.is_forgetting, is_of(Class::Negation));
-        // "Where it is" is here, behind a word such as "stay" or "leave".
+        // After a word such as "stay" or "leave", "where it is" means here.
         stays |= word.leaves || is_of(Class::Here);
         is_where |= stays && is_of(Class::Asking);
-        // What "if you don't mind" says no to is no command, and once more "si ça ne te dérange pas". "If I don't" and "tomorrow don't" are none such.
+        // "If you don't mind" negates no command, nor does "si ça ne te dérange pas" with two negations. "If I don't" and "tomorrow don't"
+        // may.
         if is_of(Class::If) {
             (case, reach) = (at, behind.saturating_add(NEGATES_A_CONDITION));
         } else if is_of(Class::Speaker) || word.classes == Classes::NONE && !word.is_new {
@@ -436,12 +437,12 @@ fn excuse(words: &mut [Heard]) {
         }
         let is_polite = negates && case.saturating_add(1) < at && at < reach;
         if is_out && is_named {
-            // "Stay out of the red room" is about another place, but "get out of here" is not.
+            // "Stay out of the red room" is about another place than here, "get out of here" is not.
             word.classes = word.classes.without(Class::Here);
         } else if is_where && word.classes.contains_any(&[Class::Asking, Class::Pronoun, Class::You]) {
             word.classes = Classes::of(Class::Here);
         }
-        // Who says "don't forget to go" says to go.
+        // "Don't forget to go" asks to go.
         let asks = acts && (forgets && is_not || negates && is_forgetting);
         (is_forgetting, is_not) = (forgets, negates);
         let excused = match () {
@@ -454,21 +455,21 @@ fn excuse(words: &mut [Heard]) {
     }
 }
 
-/// How many marks that part phrases are before a piece of an utterance.
+/// The number of punctuation marks between phrases before a piece of an utterance.
 fn phrase(utterance: &str, piece: usize) -> u8 {
     let before = start_of_piece(utterance, piece).and_then(|start| utterance.get(..start)).unwrap_or("");
     let parts = |letter: &char| matches!(letter, ',' | '.' | ';' | ':' | '!' | '?' | '…' | '，' | '。' | '；' | '！' | '？' | '、');
     before.chars().filter(parts).count() as u8
 }
 
-/// Whether a piece of an utterance is joined to the one before by a hyphen.
+/// Whether a hyphen joins a piece of an utterance to the previous one.
 fn is_joined(utterance: &str, piece: usize) -> bool {
     start_of_piece(utterance, piece)
         .and_then(|start| utterance.get(..start))
         .is_some_and(|before| before.ends_with(['-', '\u{2010}', '\u{2011}']))
 }
 
-/// The verb that a word is with "it" behind it: "llévalo" is "lleva" and "lo". The accent is none of the verb.
+/// The verb in a word that ends in "it": "llévalo" is "lleva" and "lo". Accents do not count.
 fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: &str) -> Option<Symbol> {
     let plain = |letter: char| match letter {
         'á' => 'a',

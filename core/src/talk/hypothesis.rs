@@ -1,4 +1,4 @@
-//! What an utterance may be, and how probable each hypothesis is.
+//! The hypotheses about an utterance, and their probabilities.
 
 use super::classes::{Class, Classes};
 use super::explained::{Explained, FOREIGN, new_names};
@@ -13,7 +13,7 @@ use crate::session::{Agent, AgentError};
 use core::fmt;
 use heapless::Vec;
 
-/// How probable each hypothesis is before any word; a plain command has the rest.
+/// The prior of each hypothesis; a plain command has the rest.
 const NOTHING: f32 = 0.15;
 const ABSENT: f32 = 0.05;
 const ABOUT: f32 = 0.05;
@@ -21,37 +21,37 @@ pub(super) const NEGATED: f32 = 0.1;
 pub(super) const SEVERAL: f32 = 0.05;
 pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
-/// How probable the opposite of a command is where a new word may turn it round: as probable as the command.
+/// The prior of a command's opposite if a new word may negate it: as probable as the command.
 const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
-/// A table of fewer words that negate has not all of a language.
+/// A table with fewer negations does not have all of a language.
 const FEW: usize = 5;
-/// The weight of "again" where something was done before, in no unit.
+/// The weight of "again" after an earlier task, unnormalised.
 const AGAIN: f32 = 1.0;
-/// How probable a word is as a cue of a negation, of several commands or of all things.
+/// The probability of a word as a cue for a negation, several commands or all things.
 pub(super) const CUE: f32 = 0.15;
 
-/// What an utterance is taken for.
+/// A hypothesis about an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Hypothesis {
     /// A command for one task.
     Command,
-    /// None of what the robot can do.
+    /// Nothing that the robot can do.
     Nothing,
     /// A command about a thing that is not here.
     Absent,
-    /// Words about a thing, with no word of a task.
+    /// Words about a thing, without an act word.
     About,
-    /// A command the other way round: what shall not be.
+    /// A negated command: a state to avoid.
     Negated,
-    /// Perhaps the opposite of a command: a word was never heard, and no table says that it does not turn the command round.
+    /// Perhaps the opposite of a command: a word is new, and the table is too small to exclude a negation.
     Reversed,
     /// Several commands.
     Several,
     /// A command for all things of a class.
     All,
-    /// The task of before once more.
+    /// The last task once more.
     Again,
     /// Words of a closed class: praise, stop, a greeting ...
     Talk(Class),
@@ -75,7 +75,7 @@ impl fmt::Display for Hypothesis {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// The likeliest hypothesis, how probable it is, and how probable a plain command is.
+    /// The likeliest hypothesis, its probability, and the probability of a plain command.
     #[inline(never)]
     pub(super) fn hypotheses<D: Domain + ?Sized>(
         &mut self,
@@ -91,13 +91,13 @@ impl<M: AgentMemory> Agent<M> {
             Some((_, sum)) => *sum = sum.plus(weight),
             None => drop(hypotheses.push((hypothesis, weight))),
         };
-        // As probable as the command, and before it: who waits does no harm.
+        // As probable as the command, and listed before it: waiting does no harm.
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {
             add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
         }
-        // Names of two things are of two commands.
+        // The names of two things belong to two commands.
         let is_of_two = parting.is_some() && explained.own.is_empty() && new_names(words) == 0;
-        // Where all things of a place are taken to another, its name is no name of a thing.
+        // If all things of a place are taken to another, the name of the place names no thing.
         let of_all = all(words);
         let is_of_all = of_all.as_ref().is_some_and(|rest| !rest.from.is_empty());
         let of_one = if is_of_two || is_of_all { FOREIGN } else { 1.0 };
@@ -113,7 +113,7 @@ impl<M: AgentMemory> Agent<M> {
             add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }
         for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
-            // "Back" is a place where something was done before.
+            // After an earlier task, "back" is a place.
             let speaks = |word: &Heard| word.classes.contains(class) && !(place.is_known() && word.classes.contains(Class::Back));
             if !words.iter().any(speaks) {
                 continue;
@@ -147,7 +147,8 @@ impl<M: AgentMemory> Agent<M> {
                 best = (hypothesis, weight);
             }
         }
-        // Words that are all of closed classes are talk, and the likeliest class tells more than "nothing". No task changes with that name.
+        // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on
+        // it.
         if best.0 == Hypothesis::Nothing && words.iter().all(|word| word.classes != Classes::NONE) {
             let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !place.is_known());
             let mut most = Scaled::ZERO;

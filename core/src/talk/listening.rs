@@ -1,4 +1,4 @@
-//! Listening: what an utterance is taken for, and the session that it begins.
+//! Listening: the verdict on an utterance, and the session that it begins.
 
 use super::classes::ClosedWords;
 use super::explained::Explained;
@@ -21,51 +21,51 @@ use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
 use heapless::Vec;
 
-/// How probable it is that a command is said in other words: its place in front, "to the red room take the bag", or a correction in it.
+/// The prior of a reworded command: with its place in front, "to the red room take the bag", or with a correction in it.
 const TURNED: f32 = 0.2;
-/// How often a thing that is there already is meant, where all are to be brought.
+/// The probability that a thing already in place is meant when all are to be brought.
 const NOT_MEANT: f32 = 1e-4;
 
-/// What [`Agent::listen`] makes of an utterance.
+/// The result of [`Agent::listen`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Listened {
-    /// What comes of it.
+    /// The verdict on the utterance.
     pub verdict: Verdict,
-    /// What the utterance is most likely taken for.
+    /// The most likely hypothesis about the utterance.
     pub hypothesis: Hypothesis,
-    /// The most likely task of the session, by its position. Where the utterance says what shall not be, the session's tasks are
+    /// The most likely task of the session, by its position. If the utterance is negated, the session's tasks are
     /// [negated](crate::task::GroundedTask::is_negated).
     pub task: usize,
-    /// All tasks that are meant. They are several where the utterance is about all things of a kind: one for each thing that is not yet where
-    /// it is to be, or, where all are, one for each.
+    /// All tasks that are meant. There are several if the utterance is about all things of a kind: one for each thing that is not yet in
+    /// its place, or, if all are, one for each thing.
     pub tasks: TaskSet,
-    /// How probable it is that these tasks are meant, from 0 to 1.
+    /// The probability that these tasks are meant.
     pub probability: f32,
-    /// How probable it is that one of the session's tasks is meant, from 0 to 1.
+    /// The probability that one of the session's tasks is meant.
     pub command: f32,
-    /// How probable tasks must be to be sure of them; several commands together.
+    /// The least probability to be sure of tasks; for several commands, of all together.
     pub sure: f32,
-    /// Where the rest of the utterance begins, in bytes, if it has several commands. The session is about the first. The rest is for
+    /// The byte where the rest of the utterance begins, if it has several commands. The session is about the first. Pass the rest to
     /// [`Agent::listen_on`], in the state that the first leads to.
     pub rest: Option<usize>,
-    /// Where the words begin, in bytes, that were not read: those beyond [`WORDS_PER_COMMAND`](crate::capacity::WORDS_PER_COMMAND). The answer
-    /// is then never sure, unless the rest has them.
+    /// The byte where the unread words begin: those beyond [`WORDS_PER_COMMAND`](crate::capacity::WORDS_PER_COMMAND). The verdict is then
+    /// never sure, unless the rest has them.
     pub unread: Option<usize>,
 }
 
-/// Table cells of work, at most about, between two pauses of a robot that takes everything for a command.
+/// Table cells of work, at most about, between two pauses of a robot that takes everything as a command.
 const PART: u32 = 1_000;
 
-/// Whether a text ends with a question mark after one more letter.
+/// Whether a text ends with a question mark, one more letter on.
 const fn ends_with_question_mark(did: bool, letter: char) -> bool {
     matches!(letter, '?' | '？') || did && letter == ' '
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Hears an utterance that may be no command, in the state that the session starts from, and says what it takes it for. `words` are the
-    /// closed classes of the language that is spoken. The session's tasks are those that are possible here and, with a small share, those
-    /// that are done already. An untrained robot takes everything for a command, and so does one of Model 2.
+    /// Hears an utterance that may be no command, in the start state of a session, and returns a verdict on it. `words` are the closed
+    /// classes of the spoken language. The session's tasks are those that are possible here and, with a small share, those that are done
+    /// already. An untrained robot takes everything as a command, and so does Model 2.
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -79,9 +79,9 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_in_parts(domain, state, utterance, words, false, &|| true)
     }
 
-    /// As [`listen`](Self::listen), or, where `is_rest`, as [`listen_on`](Self::listen_on), with a pause before each part of the work: before each
-    /// task that is compared with the words. `pause` is where a controller does its other work, feeds its watchdog, or looks at the clock. The
-    /// result is the same to the bit. Where `pause` gives `false`, the robot stops listening.
+    /// As [`listen`](Self::listen), or, if `is_rest`, as [`listen_on`](Self::listen_on), with a call of `pause` before each task is
+    /// compared with the words. There a controller does its other work, feeds its watchdog, or checks the time. The result is the same to
+    /// the bit. If `pause` returns `false`, the robot stops listening.
     ///
     /// # Errors
     /// As [`hear`](Self::hear), and [`AgentError::Stopped`]: no session is then under way.
@@ -98,7 +98,7 @@ impl<M: AgentMemory> Agent<M> {
         if !is_rest {
             return self.listen_to(domain, state, utterance, words, Place { before: conversation.before(), ..Place::WHOLE }, pause);
         }
-        // Words of this part may point at the part before.
+        // Words of this part may refer to the previous part.
         let (part, start) = (self.most_likely().map(|task| self.task(task)), self.started_from(domain));
         let kind = part.map(|part| part.lifted);
         if let Some((part, start)) = part.zip(start) {
@@ -107,8 +107,8 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before() }, pause)
     }
 
-    /// Hears the rest of an utterance of several commands, from [`Listened::rest`] on, in the state that the part before leads to. A command
-    /// may leave out a word that the part before has: "and then to the red room".
+    /// Hears the rest of an utterance with several commands, from [`Listened::rest`] on, in the state that the previous part leads to. A
+    /// command may leave out a word of the previous part: "and then to the red room".
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -122,8 +122,8 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_in_parts(domain, state, rest, words, true, &|| true)
     }
 
-    /// As [`listen_on`](Self::listen_on), for who knows from a record which lifted task the part before was about, by its position. Words that
-    /// point back mean what was [remembered](Self::remember).
+    /// As [`listen_on`](Self::listen_on), with the previous part's lifted task from a record, by its position. References are to the
+    /// [remembered](Self::remember) conversation.
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
@@ -211,7 +211,7 @@ impl<M: AgentMemory> Agent<M> {
             if explained.here.scaled_by(prior).exceeds(here) {
                 words = other;
             } else {
-                // Once more, not kept: two explanations would take a controller's stack.
+                // Computed again rather than kept: two explanations would be too much for a controller's stack.
                 self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
             }
         }
@@ -233,7 +233,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
     }
 
-    /// The tasks of the session that hold where it starts: a robot that is told to do one rests.
+    /// The tasks of the session that hold in its start state: for these the robot rests.
     pub fn done<D: Domain + ?Sized>(&self, domain: &D) -> TaskSet {
         let Some(state) = self.started_from(domain) else { return TaskSet::EMPTY };
         let holds = |task: usize| {
@@ -244,7 +244,7 @@ impl<M: AgentMemory> Agent<M> {
         (0..self.tasks().len()).filter(|&task| holds(task)).fold(TaskSet::EMPTY, TaskSet::with)
     }
 
-    /// Where all things of a kind are meant, those that are there already are not meant any more.
+    /// If all things of a kind are meant, drops those that are in place already.
     ///
     /// # Errors
     /// [`AgentError::NotNow`].
@@ -257,7 +257,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Gives the tasks that hold already a share of `done`.
+    /// Gives the share `done` of the prior to the tasks that hold already.
     pub(super) fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
         if let Some(state) = self.started_from(domain) {
             let tasks = self.memory.lend().session.tasks.get_mut(..self.task_count).unwrap_or(&mut []);
@@ -265,10 +265,10 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Begins the session with what the words say of each task.
+    /// Begins the session with the words' likelihood under each task.
     fn believe<D: Domain + ?Sized>(&mut self, domain: &D, words: Words<'_>, all: &Explained) -> Result<(), AgentError> {
         self.share(domain, all.done);
-        // What is learned of the session are the words that were meant.
+        // The session is learned from the words that were meant.
         self.sentence.clear();
         for word in words.iter() {
             let _ = self.sentence.push(word.said.symbol);

@@ -1,21 +1,21 @@
-//! What people say beside commands: something that is done already, something that no task here is, the opposite of a command, several
-//! things at once, and words that are no command at all.
+//! Utterances beyond plain commands: tasks that are done already or impossible here, negated commands, several things at once, and words
+//! that are no command.
 //!
-//! An utterance is one of several hypotheses, each with a prior and a likelihood of all its words: a [command](Hypothesis::Command), whose
-//! tasks are those of [`hear`](crate::Agent::hear) and those that are done already; [none](Hypothesis::Nothing) of what the robot can do;
-//! and what [closed classes of words](Class) are a sign of. [`Agent::listen`](crate::Agent::listen) begins a session as `hear` does, with
-//! the belief that the words give a command, and says what it takes the utterance for.
+//! An utterance is one of several hypotheses, each with a prior and a likelihood of all its words: a [command](Hypothesis::Command), for
+//! the tasks of [`hear`](crate::Agent::hear) and those that are done already; [nothing](Hypothesis::Nothing) that the robot can do; or one
+//! with cues from the [closed classes of words](Class). [`Agent::listen`](crate::Agent::listen) begins a session as `hear` does, with the
+//! belief under the likeliest hypothesis, and returns a verdict on the utterance.
 //!
-//! In the order in which an utterance goes through them:
+//! The modules, in the order in which an utterance passes through them:
 //! - `classes`: closed classes of words, from a table;
-//! - `heard`: the words of the utterance; `slips`: the known words that new ones may be;
-//! - `conversation`: what was done and said before; `recalled`: words that stand for it, such as "it" and "there";
-//! - `wording`: how commands are worded, as far as lessons tell; `place`: whether words stand alone or behind a command;
+//! - `heard`: the words of the utterance; `slips`: known words that new ones may be slips for;
+//! - `conversation`: earlier tasks and places; `recalled`: words that refer to them, such as "it" and "there";
+//! - `wording`: how commands are worded in the lessons; `place`: whether words come after another command;
 //! - `explained`: how well the tasks here explain the words; `absent`: tasks about things that are not here;
-//! - `readings`: what shall not be, all things of a kind, and one command after another;
-//! - `hypothesis`: what the utterance may be; `verdict`: what it is taken for;
+//! - `readings`: negated commands, all things of a kind, and several commands;
+//! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them;
 //! - `listening`: the calls, and the session that they begin;
-//! - `voice`: what words ask for that are no command; `correction`: words to a robot on its way.
+//! - `voice`: the effect of words that are no command; `correction`: words to a robot on its way.
 
 mod absent;
 mod classes;

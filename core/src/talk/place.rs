@@ -1,36 +1,36 @@
-//! Where words stand in an utterance, and how they are then read.
+//! The place of words in an utterance, and how they are read there.
 
 use super::recalled::Before;
 
-/// The share of each kind of task that is for tasks that are done already.
+/// The share of each kind of task that goes to tasks that are done already.
 pub(super) const DONE: f32 = 0.08;
 
 /// How some words are read.
 #[derive(Clone, Copy)]
 pub(super) struct View<'c> {
-    /// The share of the tasks that hold already.
+    /// The share of the tasks that are done already.
     pub done: f32,
     /// Whether another word is the sign of a task.
     pub has_act: bool,
-    /// The kind of task that the command before was of: a command without a word of its own for that is most probably of the same.
+    /// The kind of the previous command's task: a command without an act word is most probably of the same kind.
     pub kind: Option<u8>,
-    /// What words can point back at.
+    /// What words can refer to.
     pub before: Before<'c>,
 }
 
 impl View<'_> {
-    /// As a command.
+    /// A plain command.
     pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None, before: Before::Nothing };
 }
 
-/// Where words stand in an utterance.
+/// The place of words in an utterance.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'c> {
-    /// Whether a command is before them. The task's own word may then be left out.
+    /// Whether they follow another command. Their act word may then be left out.
     pub is_rest: bool,
-    /// The kind of task that it was of.
+    /// The kind of that command's task.
     pub kind: Option<u8>,
-    /// What words can point back at.
+    /// What words can refer to.
     pub before: Before<'c>,
 }
 
@@ -42,17 +42,17 @@ impl<'c> Place<'c> {
         matches!(self.before, Before::Known(_))
     }
 
-    /// Behind another part of the same utterance.
+    /// After another part of the same utterance.
     pub const fn behind(self) -> Self {
         Self { is_rest: true, before: Before::Open, ..self }
     }
 
-    /// How what is read so is read here, whatever kind of task the command before was of.
+    /// Adapts a view to this place, without the kind of the previous command.
     pub const fn of_any_kind(self, view: View<'_>) -> View<'c> {
         Self { kind: None, ..self }.view(view)
     }
 
-    /// How what is read so is read here.
+    /// Adapts a view to this place.
     pub const fn view(self, view: View<'_>) -> View<'c> {
         View { done: view.done, has_act: view.has_act || self.is_rest, kind: self.kind, before: self.before }
     }

@@ -1,5 +1,4 @@
-//! The readings of an utterance that lead to tasks other than a plain command's: what shall not be, all things of a kind, and one command
-//! after another.
+//! Readings of an utterance that differ from one plain command: negated commands, all things of a kind, and several commands.
 
 use super::classes::{Class, Classes};
 use super::explained::{Explained, begins_with_way};
@@ -18,55 +17,55 @@ use crate::task::TaskSet;
 use crate::task::grounded::is_thing;
 use heapless::Vec;
 
-/// The share of tasks that hold already where nothing says whether a change is asked for.
+/// The share of tasks that hold already, if a change may be asked for or not.
 pub(super) const EITHER: f32 = 0.5;
-/// The same where a change is asked for, and the task is what shall not be.
+/// The same if a change is asked for, and the task's goal is to be undone.
 const CHANGE: f32 = 0.65;
-/// "All" things need no name: e^4.
+/// The factor for "all", whose things need no name: e^4.
 const UNNAMED: f32 = 54.598_15;
-/// The same for a plural, and how much sooner its word is one than a slip of the pen.
+/// The same for a plural, which is more probable than a slip.
 const PLURAL: f32 = 1_000.0;
-/// The most clauses of one command: "the bag and the chair".
+/// The most clauses of one command; "the bag and the chair" has two.
 const CLAUSES_PER_COMMAND: usize = 2;
-/// How probable it is that two commands share the place that the second names: "the bag and the chair to the red room".
+/// The prior of two commands that share the place in the second: "the bag and the chair to the red room".
 const SHARED: f32 = 0.3;
-/// The words of that place are said once, but each command is explained with them: so probable is one of them in a command that has the place.
+/// The probability of each word of a shared place. The place is said once but counts in both commands, so it is divided out once.
 const SAID_ONCE: f32 = 0.2;
-/// The words after "all" that may name what is meant.
+/// The number of words after "all" that may name the things.
 const NAME_OF_ALL: usize = 2;
-/// "To the" are so many words.
+/// The number of words of "to the".
 const ARTICLE: usize = 2;
 
-/// Some words without those that say how to read them.
+/// A reading of an utterance: its words without the cues.
 pub(super) struct Rest<'w> {
     pub words: Words<'w>,
-    /// The words that name what is excepted.
+    /// The words that name exceptions.
     pub except: Words<'w>,
-    /// The words that name the place where the things are.
+    /// The words that name the present place of the things.
     pub from: Words<'w>,
-    /// How probable this reading is before the other words.
+    /// The prior of this reading.
     pub prior: f32,
     pub view: View<'static>,
-    /// Whether it says clearly what is meant.
+    /// Whether the reading is certain, given its tasks.
     pub is_clear: bool,
-    /// Whether it needs no word of a task: "leave the red room".
+    /// Whether it needs no act word: "leave the red room".
     pub is_act: bool,
-    /// The same where it is about a thing. "Leave the chair in the red room" says the opposite of "out of the red room".
+    /// The same for a task about a thing. "Leave the chair in the red room" is the opposite of "out of the red room".
     pub is_act_for_things: bool,
     /// Whether it may say that a thing stays: "leave the chair in the red room".
     pub stays: bool,
-    /// Whether it says no to what says no: "don't leave the red room".
+    /// Whether it negates a negation: "don't leave the red room".
     pub is_double: bool,
 }
 
-/// The words without those of some classes, and how probable these are. Side by side they are one: "out of", "all things".
+/// The words without the cues of some classes, and the probability of these cues. Adjacent cues count once: "out of", "all things".
 fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
     let is_out = cues.contains(&Class::Out) && (words.has(Class::Out) || is_taken_from(words));
     let (mut probability, mut before) = (1.0, Before::Other);
     let rest = words.only(|word| {
         let is_cue = word.classes.contains_any(cues);
         let is_from = is_out && word.classes.contains(Class::From);
-        // An article in a case that no command had: "aus dem Zimmer".
+        // An article in a grammatical case that no lesson had: "aus dem Zimmer".
         let is_article = before == Before::From && word.is_strange();
         if is_cue {
             probability *= if before == Before::Cue { 1.0 } else { CUE };
@@ -84,14 +83,14 @@ fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
     Some((rest, probability)).filter(|(rest, _)| rest.len() < words.len() && !rest.is_empty())
 }
 
-/// Whether a new verb takes something from where it is: "clear the chairs from the red room".
+/// Whether a new verb takes something away from a place: "clear the chairs from the red room".
 fn is_taken_from(words: Words<'_>) -> bool {
     let is_verb = words.iter().find(|word| word.classes == Classes::NONE).is_some_and(|word| word.is_new);
     let behind = words.at(Class::From).map_or(Words::NONE, |from| words.part(from, words.len()));
     is_verb && !words.iter().any(|word| word.is_toward) && behind.iter().any(|word| word.is_name)
 }
 
-/// What a word stands behind.
+/// The kind of the previous word.
 #[derive(Clone, Copy, PartialEq)]
 enum Before {
     Cue,
@@ -99,9 +98,9 @@ enum Before {
     Other,
 }
 
-/// The words read as what shall not be, if there is a sign of that.
+/// The words read as a negated command, if there is a cue for one.
 pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
-    // "All chairs out of the blue room into the red room": these are to be there.
+    // "All chairs out of the blue room into the red room" states a goal.
     if !words.has(Class::Negation) && !from_place(words).1.is_empty() {
         return None;
     }
@@ -112,24 +111,22 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     probability *= if is_of_all { UNNAMED } else { 1.0 };
     let prior = NEGATED * probability / learned(words, |word| word.classes.contains_any(&cues));
     let (is_out, is_not) = (words.has(Class::Out) || is_taken_from(words), words.has(Class::Negation));
-    // Who says "leave" speaks of a place where something is, and needs no other word for a task.
+    // "Leave" implies a present place, and needs no other act word.
     let view = if is_out { View { done: CHANGE, has_act: true, ..View::PLAIN } } else { View { done: EITHER, ..View::PLAIN } };
-    // "Do not leave" is the opposite of the opposite, and so is "not anywhere but"; "anywhere but not" is none.
-    // "Why don't you go" is no command.
-    // "If it's not too much trouble" is none either.
-    // "Anywhere" asks nothing: "n'importe où".
+    // "Do not leave" is a double negation, and so is "not anywhere but"; "anywhere but not" is none. "Why don't you go" is no command. "If
+    // it's not too much trouble" is none either. "Anywhere" is no question word: "n'importe où".
     let is_told = words.get(0).is_some_and(|word| word.classes.contains(Class::You));
     let is_question = !words.has(Class::But) && !is_told && is_question(words);
     let is_not_but = words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but);
-    // "Go to the red room ... no": nothing is behind it that it could turn round.
+    // In "go to the red room ... no", nothing that could be negated follows.
     let is_before_name = |not: usize| words.iter().skip(not).any(|word| word.is_name);
     let turns = !is_not || is_out || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
     let is_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.iter().any(Heard::may_act);
-    // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for it.
-    // "Has to come out" has another "to".
+    // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for the room. The "to" of "has to come
+    // out" is another one.
     let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
-    // "Don't move the bag, it has to stay here" says the same twice.
+    // "Don't move the bag, it has to stay here" says the same thing twice.
     let is_clear = !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
     let is_double = is_not && is_out;
@@ -145,12 +142,12 @@ fn is_all_out(words: Words<'_>) -> bool {
         && from_place(words).1.is_empty()
 }
 
-/// Whether several things may be meant that shall not be in a place: "the chairs".
+/// Whether several things may be meant that must leave a place: "the chairs".
 pub(super) fn is_of_several(words: Words<'_>) -> bool {
     is_all_out(words) || words.iter().any(|word| word.is_plural)
 }
 
-/// The words read as a command about all things of a kind, if there is a sign of that: "all chairs", "the chairs".
+/// The words read as a command about all things of a kind, if there is a cue for that: "all chairs", "the chairs".
 pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     if is_all_out(words) {
         return None;
@@ -189,15 +186,15 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     })
 }
 
-/// The words without those for the place where all things are, and these: "everything in the blue room" to another. Both places have a word that is
-/// no name: "room".
+/// Splits the words for the present place of all things from the others: "everything in the blue room" to another. Both places then share a
+/// word that is no name: "room".
 fn from_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
     let sign = words.iter().position(|word| word.classes.contains(Class::All) || word.is_plural).unwrap_or(words.len());
     let way = words.iter().enumerate().filter_map(|(at, word)| word.is_toward.then_some(at)).last().unwrap_or(0);
     let leads = |(at, word): (usize, &Heard)| at > sign && (word.is_toward || word.classes.contains(Class::From));
     let Some(begin) = words.iter().enumerate().position(leads).filter(|&begin| begin < way) else { return (words, Words::NONE) };
     let (from, goal) = (words.part(begin, way), words.part(way, words.len()));
-    // "All of the chairs" are in no place, although "the" is of both.
+    // "All of the chairs" names no place, although "the" occurs in both parts.
     let is_same = |word: &Heard| !word.is_name && goal.iter().skip(ARTICLE).any(|other| other.said.symbol == word.said.symbol);
     let has = |is: &dyn Fn(&Heard) -> bool| from.iter().any(|word| word.classes == Classes::NONE && is(word));
     if has(&|word| word.is_name) && has(&is_same) {
@@ -207,7 +204,7 @@ fn from_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
     }
 }
 
-/// Whether all things are meant that stand behind these words: "take the". "Take one of the", "take two" and "take any" mean some.
+/// Whether a plural after these words means all things: "take the". "Take one of the", "take two" and "take any" mean some.
 fn has_one_article(words: Words<'_>) -> bool {
     let mut articles = 0_usize;
     let mut has_verb = false;
@@ -219,14 +216,14 @@ fn has_one_article(words: Words<'_>) -> bool {
     articles <= 1 && !words.has(Class::Or)
 }
 
-/// Whether a new word may turn a command round: "never", "out of". A slip for a known word does not, nor does the one new verb that a command
-/// may have.
+/// Whether a new word may negate a command: "never", "out of". A slip for a known word cannot, nor can the one new verb that a command may
+/// have.
 pub(super) fn may_turn(words: Words<'_>, has_new_verb: bool) -> bool {
     words.iter().filter(|word| word.is_new_word()).count() > usize::from(has_new_verb)
 }
 
-/// Whether a connective stands between words that may be commands of their own: who does a half of what is said does something else. "Be a
-/// darling and go" has one command.
+/// Whether a connective stands between words that may be two commands: to do only one of them would be wrong. "Be a darling and go" has one
+/// command.
 pub(super) fn has_more(words: Words<'_>) -> bool {
     let parts = |word: &Heard| word.classes.contains(Class::Connective) && word.count == 0.0;
     let before = words.iter().take_while(|word| !parts(word)).count();
@@ -235,7 +232,7 @@ pub(super) fn has_more(words: Words<'_>) -> bool {
     if is_command { behind.any(Heard::may_act) } else { behind.skip(1).skip_while(|word| !parts(word)).any(Heard::may_act) }
 }
 
-/// Where an utterance parts: the words of the first command, and where those behind them begin.
+/// A split of an utterance: the words of the first command, and the position of those after it.
 #[derive(Clone, Copy)]
 pub(super) struct Parting<'w> {
     pub first: Words<'w>,
@@ -243,7 +240,7 @@ pub(super) struct Parting<'w> {
     pub weight: Scaled,
 }
 
-/// The words of the place that a clause shares with the one behind it, if it has none of its own: "the bag and the chair to the red room".
+/// The words of the place that a clause shares with the next one, if it has none of its own: "the bag and the chair to the red room".
 fn shared_place<'w>(clause: Words<'w>, behind: Words<'w>) -> Option<Words<'w>> {
     let way = behind.iter().position(|word| word.is_toward)?;
     let names_thing = behind.iter().take(way).any(|word| word.is_name);
@@ -251,7 +248,7 @@ fn shared_place<'w>(clause: Words<'w>, behind: Words<'w>) -> Option<Words<'w>> {
         .then(|| behind.part(way, behind.len()))
 }
 
-/// The clauses of an utterance: what stands between connectives, or commas: "go to the red room, take the bag to the blue room".
+/// The clauses of an utterance, between connectives or commas: "go to the red room, take the bag to the blue room".
 fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     let mut clauses = Vec::new();
     let (mut begin, mut phrase) = (0, 0);
@@ -273,7 +270,7 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Where the words part into commands with the most probability, and how probable they then are.
+    /// The most probable split of the words into commands, with its probability.
     #[inline(never)]
     pub(super) fn part<'w, D: Domain + ?Sized>(
         &mut self,
@@ -284,7 +281,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Option<Parting<'w>>, AgentError> {
         let clauses = clauses(words);
         let mut parting = None;
-        // How probable the words are from each clause on; from behind the last, certain.
+        // The probability of the words from each clause on; 1 after the last.
         let mut ahead: Vec<Scaled, { WORDS_PER_COMMAND + 1 }> = Vec::new();
         let _ = ahead.resize(clauses.len().saturating_add(1), Scaled::ZERO);
         ahead.iter_mut().rev().take(1).for_each(|slot| *slot = Scaled::ONE);
@@ -316,7 +313,7 @@ impl<M: AgentMemory> Agent<M> {
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
                 let connective = next.map_or(Scaled::ONE, |next| match words.get(end).filter(|_| next > end && !is_shared) {
                     Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
-                    // A comma is no word, and "and" stands between most names of two things.
+                    // A comma is no word, and "and" mostly joins the names of two things.
                     None if !is_shared => Scaled::new(EITHER),
                     None => Scaled::new(SEVERAL),
                 });
@@ -331,7 +328,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(parting)
     }
 
-    /// How probable some words are as one command, of whatever reading. A rest may leave out the task's own word.
+    /// The probability of some words as one command, over all its readings. A later clause may leave out the act word.
     fn clause<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -340,7 +337,7 @@ impl<M: AgentMemory> Agent<M> {
         place: Place<'_>,
     ) -> Result<Scaled, AgentError> {
         let mut explained = Explained::NEW;
-        // Where the command before leads to is not known yet.
+        // The state that the previous command leads to is not known yet.
         self.explain_all(domain, clause, wording, place.of_any_kind(View { done: EITHER, ..View::PLAIN }), &mut explained)?;
         let mut sum = explained.here;
         for rest in [negated(clause), all(clause)].into_iter().flatten() {
@@ -351,7 +348,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(sum)
     }
 
-    /// The opposite of the likeliest task, with its probability. The session is then about what shall not be.
+    /// Negates all tasks. Returns the most likely one, with its probability. The session is then about states to avoid.
     pub(super) fn negate(&mut self, explained: &mut Explained) -> (usize, f32) {
         let session = self.memory.lend().session;
         for (task, weight) in session.tasks.iter_mut().take(self.task_count).zip(&mut explained.weights) {
@@ -363,7 +360,7 @@ impl<M: AgentMemory> Agent<M> {
         explained.best()
     }
 
-    /// Of a task about one thing and its place: the kind of task, and the place.
+    /// The kind of a task about one thing and its place, and this place.
     pub(super) fn place_of_thing<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
         let (world, task) = (domain.world(), self.task(task));
         let lifted = self.lifted.get(usize::from(task.lifted)).filter(|lifted| !lifted.has_way() && lifted.propositions().len() == 1)?;
@@ -373,7 +370,7 @@ impl<M: AgentMemory> Agent<M> {
         part.arguments.get(last).copied().filter(|_| is_thing).map(|place| (task.lifted, place))
     }
 
-    /// The tasks that bring all fitting things to one place, and how probable that place is.
+    /// The tasks that bring all fitting things to one place, and the probability of that place.
     pub(super) fn all_that_fit<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
         let place = |task: usize| self.place_of_thing(domain, task);
         let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
@@ -389,7 +386,7 @@ impl<M: AgentMemory> Agent<M> {
         let there = || (0..self.task_count).filter(|&task| place(task) == best);
         let weight = |task: usize| explained.weights.get(task).copied().unwrap_or(Scaled::ZERO);
         let fits = |&task: &usize| explained.fitting.contains(task);
-        // It is about things, unless other words say otherwise: "everything to the red room" has no word of a task.
+        // The command is about things, unless other words say otherwise: "everything to the red room" has no act word.
         let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
         let others = TaskSet::first(self.task_count).without(of_things);
         let [of_things, others] = [of_things, others].map(|tasks| total(tasks.iter().map(weight)));

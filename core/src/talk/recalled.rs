@@ -1,7 +1,7 @@
-//! Words that stand for what was said before: "it", "there", "back", "the other one", "the same with the bag", "again".
+//! Words that refer to earlier sentences: "it", "there", "back", "the other one", "the same with the bag", "again".
 //!
-//! Such words narrow the tasks to those that the conversation leaves possible. The other words are read as ever, and what the narrowing
-//! tells needs no name of its own.
+//! Such words restrict the tasks to those that fit the conversation. The other words are read as usual, and a thing or place that is
+//! referred to needs no name.
 
 use super::classes::Class;
 use super::conversation::{Conversation, Fact};
@@ -16,53 +16,52 @@ use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
 
-/// How probable it is that an utterance in a conversation points back, and each word by which it does.
+/// The probability that an utterance in a conversation has a reference, and of each word that makes it.
 const POINTS_BACK: f32 = 0.4;
 const CUE: f32 = 0.6;
-/// How much less probable a command is, as it was learned, without the words for a thing, for a place,
-/// or for what to do. "The same" counts twice.
+/// How much less probable a learned command is without the words for a thing, for a place, or for what to do. "The same" counts twice.
 const MISSING: f32 = 10.0;
-/// The share of a reading in which the place is not the one of before: "bring it back to the red room".
+/// The share of a reading in which the place is a new one: "bring it back to the red room".
 const ELSEWHERE: f32 = 0.3;
 
-/// What words that point back can point at.
+/// What words can refer to.
 #[derive(Clone, Copy)]
 pub(super) enum Before<'c> {
-    /// Nothing was said before.
+    /// No earlier task.
     Nothing,
-    /// Tasks that were done.
+    /// The conversation of earlier tasks.
     Known(&'c Conversation),
-    /// A part of the same utterance, which is not done yet.
+    /// A part of the same utterance that is not done yet.
     Open,
 }
 
-/// What is known of the place.
+/// How the words restrict the place.
 #[derive(Clone, Copy, PartialEq)]
 enum Place {
     /// It must be named.
     Free,
-    /// The one that was named last.
+    /// The place named last.
     Named,
-    /// Where the thing, or the robot, was before.
+    /// The earlier place of the thing, or of the robot.
     Was,
-    /// Where it is.
+    /// The present place.
     Here,
 }
 
-/// What is known of the thing.
+/// How the words restrict the thing.
 #[derive(Clone, Copy, PartialEq)]
 enum Thing {
     /// It must be named, or the task is about none.
     Free,
-    /// The one of the last task.
+    /// The thing of the last task.
     Last,
     /// Another of its kind.
     Other,
-    /// Any but the one of the last task, of the same kind of task.
+    /// Any but the thing of the last task, for the same kind of task.
     Named,
 }
 
-/// Which tasks fit the words that point back.
+/// The restriction on tasks by the words that refer.
 #[derive(Clone, Copy)]
 pub(super) struct Recalled<'c> {
     before: Before<'c>,
@@ -70,7 +69,7 @@ pub(super) struct Recalled<'c> {
     place: Place,
 }
 
-/// The classes of words that point back.
+/// The classes of words that refer to earlier sentences, or to the present place.
 const CUES: [Class; 6] = [Class::It, Class::There, Class::Back, Class::Other, Class::Same, Class::Here];
 
 impl Recalled<'_> {
@@ -84,12 +83,12 @@ impl Recalled<'_> {
         self.place != Place::Free
     }
 
-    /// Whether what is meant holds already.
+    /// Whether the meant goal holds already.
     pub fn is_here(&self) -> bool {
         self.place == Place::Here
     }
 
-    /// Whether a task is one that the words can point at: of one proposition about something and its place, without a way.
+    /// Whether a task fits the words that refer: it has one proposition, about a subject and its place, and no way.
     pub fn fits<D: Domain + ?Sized>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
         let world = domain.world();
         let kind = all.get(usize::from(task.lifted)).filter(|kind| !kind.has_way() && kind.propositions().len() == 1);
@@ -113,14 +112,14 @@ impl Recalled<'_> {
             Place::Was if is_about_thing => holds(Fact::MovedLast, subject) && holds(Fact::WasThereBefore, place),
             Place::Was => holds(Fact::RobotWasThereBefore, place),
         };
-        // "The other room" is another place than that of the last task.
+        // "The other room" differs from the place of the last task.
         is_the_thing && (is_the_place || self.thing == Thing::Other && !is_about_thing)
     }
 }
 
-/// The words without those that point back, with how probable it is that these do.
+/// The words without those that refer, and the probability of the reference.
 fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
-    // "Stay" points at what is here, and at nothing that was said.
+    // "Stay" refers to the present place, not to an earlier sentence.
     let is_here = words.has(Class::Here);
     let mut probability = if is_here { 1.0 } else { POINTS_BACK };
     // "The other one" needs no other word.
@@ -140,7 +139,7 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
     is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
 }
 
-/// What the words that point back may point at, each with its share.
+/// The possible references of the words, each with its share.
 fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
     let thing = if words.has(Class::Other) {
         Thing::Other
@@ -166,7 +165,7 @@ fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (R
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// How well the tasks here explain some words, where some of these may point back. The likeliest reading is taken.
+    /// How well the tasks here explain these words, some of which may refer to earlier sentences. The most probable reading is taken.
     pub(super) fn explain_all<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -181,7 +180,7 @@ impl<M: AgentMemory> Agent<M> {
         self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
     }
 
-    /// How well the tasks explain words some of which point back: the rest of them, with how probable that is.
+    /// How well the tasks explain words with a reference: the remaining words, with the prior of the reading.
     #[inline(never)]
     fn explain_recalled<D: Domain + ?Sized>(
         &mut self,
@@ -204,12 +203,12 @@ impl<M: AgentMemory> Agent<M> {
             let has_act = view.has_act || is_here || matches!(recalled.thing, Thing::Other | Thing::Named);
             let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
             self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
-            // Words are missing that a command would have.
+            // Words that a command would have are missing.
             let is_same = recalled.thing == Thing::Named;
             let missing = [recalled.has_thing(), recalled.has_place() && !(is_here && is_way), is_same, is_same];
             let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
             let prior = prior * share * missing;
-            // What is not here cannot stay.
+            // A thing that is not here cannot stay.
             let absent = if is_here { Scaled::ZERO } else { other.absent };
             (other.here, other.absent) = (other.here.scaled_by(prior), absent.scaled_by(prior));
             other.points_back = true;
@@ -220,7 +219,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// The position of the last task among those of the session, where words ask for it again and for nothing else.
+    /// The position of the last task in the session, if the words ask for it again and for nothing else.
     pub(super) fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
         let Before::Known(conversation) = before else { return None };
         let last = conversation.last()?;
@@ -231,12 +230,12 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 impl Explained {
-    /// The words that name what is meant. Those that point back stand for something else each time: nothing is learned of them.
+    /// The words that name objects. References change with each use, so nothing is learned of them.
     pub(super) fn naming<'w>(&self, words: Words<'w>) -> Words<'w> {
         if self.points_back { without(words).map_or(words, |(rest, _)| rest) } else { words }
     }
 
-    /// One task alone.
+    /// Keeps one task alone.
     pub(super) fn keep_only(&mut self, task: usize) {
         for (position, weight) in self.weights.iter_mut().enumerate() {
             *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };

@@ -1,4 +1,4 @@
-//! Another word for the one that lessons have beside the names of places: "chamber" for "room".
+//! A synonym of the noun that lessons put beside names: "chamber" for "room".
 
 use super::classes::Class;
 use super::heard::{Utterance, count};
@@ -6,16 +6,16 @@ use crate::language::LanguageRef;
 use crate::language::roles::talk::{is_name, is_of_task};
 use crate::symbols::Symbol;
 
-/// Of ten lessons so many have the word, and of ten of its mentions so many are beside a name.
+/// In tenths: the least number of mentions of the noun per lesson, and the least share of mentions beside a name.
 const MOST: usize = 8;
-/// How probable a word is that was never heard as another word for that one, against a word that means something else.
+/// The likelihood ratio of a new word as such a synonym, against a word of another meaning.
 pub(super) const RENAMED: f32 = 0.1;
 
-/// The word of the lessons that a new one stands for, if a name stands beside it on the same side, and the utterance has no such word.
+/// The lessons' noun that a new word may replace, if a name is beside it on the same side, and the utterance does not have the noun.
 pub(super) fn renamed(language: LanguageRef<'_>, words: &Utterance, at: usize) -> Option<Symbol> {
     let bitext = language.bitext();
     let sessions = bitext.sessions();
-    // "I want a new blue car" has no word for what to do.
+    // "I want a new blue car" has no act word.
     if words.iter().any(|word| word.classes.contains(Class::Wish)) {
         return None;
     }

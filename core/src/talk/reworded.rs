@@ -1,4 +1,4 @@
-//! The words of an utterance in another order, or without those that are taken back: a plainer way to say the same.
+//! Simpler wordings of an utterance: its words in another order, or without those that are taken back.
 
 use super::classes::{Class, Classes};
 use super::explained::{begins_with_way, is_verbless, names_thing_and_way};
@@ -10,7 +10,7 @@ const MOST_BEFORE_IT: usize = 3;
 /// The most new words of a phrase that calls somebody.
 const MOST_CALLED: usize = 2;
 
-/// A phrase with such a word says something about what shall be done.
+/// A phrase with such a word is about the command.
 const OF_SENTENCES: [Class; 14] = [
     Class::Negation,
     Class::Out,
@@ -28,11 +28,11 @@ const OF_SENTENCES: [Class; 14] = [
     Class::Meant,
 ];
 
-/// What such words say is of the command, however polite they are.
+/// Such words belong to the command, however polite they are.
 const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective, Class::Or, Class::Pronoun];
 
-/// The words from the verb on, and those before it behind them, if something is named in front: "take the bag to the red room". The words that
-/// turn or soften a command stay with its verb.
+/// The words from the verb on, followed by those before it, if something is named in front: "take the bag to the red room". Words that
+/// negate or soften a command stay with its verb.
 pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
     let has_way = begins_with_way(words);
     let (mut is_named, mut behind) = (false, 0);
@@ -54,8 +54,9 @@ pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
     None
 }
 
-/// The words without those that a correction takes back: "go to the red room, no, the green one" is "go to the room the green one", and "go to the
-/// green room, not the red one" is "go to the green room". A whole command behind "no" takes back all: "no, go to the green room".
+/// The words without those that a correction takes back. "Go to the red room, no, the green one" becomes "go to the room the green one",
+/// and "go to the green room, not the red one" becomes "go to the green room". A whole command after "no" replaces all: "no, go to the
+/// green room".
 pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     // "Not the blue chair, the red one to the green room".
     let is_denied = |word: &Heard| word.phrase == 0;
@@ -66,7 +67,7 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     if begins && names(denied) && names(other) && is_verbless(denied) && !denied.iter().any(|word| word.is_toward) {
         return Some(other);
     }
-    // The names before it, whether they tell where a way leads, and where they begin and end.
+    // The words for a direction before the names, and where these names begin and end.
     let (mut way, mut is_place, mut begin, mut end) = (None, false, 0, 0);
     let corrects = |(position, word): (usize, &Heard)| {
         let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant, Class::Blame]);
@@ -82,7 +83,7 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
         None
     };
     let (correction, is_no) = words.iter().enumerate().find_map(corrects)?;
-    // "Sorry", "I meant" are of the correction.
+    // "Sorry" and "I meant" belong to the correction.
     let of_command = |word: &Heard| word.count > 0.0 || !word.classes.contains_any(&[Class::Meant, Class::Speaker]);
     let behind = words.part(correction.saturating_add(1), words.len()).only(of_command);
     let is_verb = |word: &Heard| word.may_act() && !word.is_toward && !word.is_name;
@@ -107,13 +108,13 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     })
 }
 
-/// The words without the phrases that are about no task: "hey buddy, go to the red room, the floor is wet there".
+/// The words without the phrases about no task: "hey buddy, go to the red room, the floor is wet there".
 pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     let acts = |word: &Heard| word.is_of_task && !word.is_toward;
     let says = |word: &Heard| word.is_name || word.is_mended || acts(word) || word.classes.contains_any(&OF_SENTENCES);
     let first = words.iter().find(|word| word.is_name)?.phrase;
     let of = |phrase: u8| words.iter().filter(move |word| word.phrase == phrase);
-    // "If you have time, ..." names no case.
+    // "If you have time, ..." is no condition.
     let is_of_case =
         |word: &Heard| word.classes != Classes::NONE && (word.classes.contains(Class::If) || !word.classes.contains_any(&OF_SENTENCES));
     let is_polite = |phrase: u8| of(phrase).any(|word| word.classes.contains(Class::If)) && of(phrase).all(is_of_case);
@@ -128,7 +129,7 @@ pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     (rest.len() < words.len()).then_some(rest)
 }
 
-/// The words without the one that leaves a thing in its place: "leave the bag in the red room" is "the bag in the red room".
+/// The words without the verb that leaves a thing in its place: "leave the bag in the red room" becomes "the bag in the red room".
 pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
     let rest = words.only(|word| !word.leaves);
@@ -140,7 +141,7 @@ pub(super) fn stays_by_name(words: Words<'_>) -> bool {
     words.at(Class::Here).is_some_and(|here| words.part(0, here).iter().any(|word| word.is_name))
 }
 
-/// The words without those that are polite in the middle of a command: "geh doch mal bitte ins rote Zimmer".
+/// The words without polite words in the middle of a command: "geh doch mal bitte ins rote Zimmer".
 pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
     let verb = words.iter().position(|word| word.is_of_task).or_else(|| words.iter().position(|word| word.is_new))?;
     let named = |(position, word): (usize, &Heard)| word.is_name.then_some(position);
@@ -152,15 +153,15 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
         let is_polite = word.is_article || word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
         !(is_inside && is_polite && word.count == 0.0)
     });
-    // Who is polite asks for something.
+    // Polite words make a request, not a question.
     rest.is_asked = false;
     (rest.len() < words.len()).then_some(rest)
 }
 
-/// The words without those that take a thing up first: "pick up the bag and bring it to the red room" is "the bag bring to the red room".
+/// The words without those that first take a thing: "pick up the bag and bring it to the red room" becomes "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
     let (and, it) = (words.at(Class::Connective)?, words.at(Class::It)?);
-    // "Fetch the bag from the green room and put it ..." names the place where it is.
+    // "Fetch the bag from the green room and put it ..." names its present place.
     let from = words.at(Class::From).filter(|&from| from < and).unwrap_or(and);
     let (front, behind) = (words.part(0, from), words.part(it.saturating_add(1), words.len()));
     let is_near = and < it && it <= and.saturating_add(MOST_BEFORE_IT);
@@ -172,7 +173,7 @@ pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
     Some(front.only(|word| verb.is_empty() || !word.may_act()).with(verb).with(behind))
 }
 
-/// The words behind "go and" and "do me a favour and".
+/// The words after "go and" and "do me a favour and".
 pub(super) fn went(words: Words<'_>) -> Option<Words<'_>> {
     let and = words.at(Class::Connective)?;
     let (front, behind) = (words.part(0, and), words.part(and.saturating_add(1), words.len()));
@@ -184,8 +185,8 @@ pub(super) fn went(words: Words<'_>) -> Option<Words<'_>> {
     (and > 0 && front.iter().all(is_beside) && behind.iter().any(|word| word.is_name)).then_some(behind)
 }
 
-/// The words without those between a thing and its place that say that it must be there: "the bag has to go to the red room", "the bag must not
-/// end up in the red room".
+/// The words without those between a thing and its place that demand it: "the bag has to go to the red room", "the bag must not end up in
+/// the red room".
 pub(super) fn subject(words: Words<'_>) -> Option<Words<'_>> {
     let first = words.iter().position(|word| word.is_name)?;
     let last = words.iter().enumerate().filter_map(|(at, word)| word.is_name.then_some(at)).last()?;
@@ -204,7 +205,7 @@ pub(super) fn subject(words: Words<'_>) -> Option<Words<'_>> {
         .then(|| words.part(0, end).with(middle.only(keep)).with(words.part(way, words.len())))
 }
 
-/// The words without "both" where two things are named: "both the bag and the chair", "the bag and the chair both".
+/// The words without "both" if two things are named: "both the bag and the chair", "the bag and the chair both".
 pub(super) fn both(words: Words<'_>) -> Option<Words<'_>> {
     let and = words.at(Class::Connective)?;
     let all = words.at(Class::All)?;
@@ -215,7 +216,7 @@ pub(super) fn both(words: Words<'_>) -> Option<Words<'_>> {
     (is_between && !words.iter().any(|word| word.is_plural)).then(|| words.only(|word| !word.classes.contains(Class::All)))
 }
 
-/// What is done first and what is done last, if the last is said first: "before you go to the red room, take the bag to the blue room".
+/// The command done first and the one done last, if the last comes first: "before you go to the red room, take the bag to the blue room".
 pub(super) fn reversed(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
     let phrase = words.get(0)?.phrase;
     let last = words.only(|word| word.phrase == phrase);

@@ -1,4 +1,4 @@
-//! Slips of the pen: the known word that a new one may be.
+//! Slips of the pen: known words that new words may be slips for.
 
 use super::classes::{Classes, ClosedWords};
 use super::heard::Utterance;
@@ -9,21 +9,21 @@ use crate::language::spelling::is_slip_of_any_length;
 use crate::language::{LanguageRef, for_each_piece};
 use crate::symbols::Symbol;
 
-/// How often a word is mistyped, alone and beside another that is.
+/// The probability that a word is mistyped, alone and beside another mistyped word.
 pub(super) const SLIP: f32 = 0.02;
 const ANOTHER_SLIP: f32 = 0.15;
-/// How probable each letter of a word is that was never heard, and the word before its letters.
+/// The probability of each letter of a new word, and of a new word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
-/// The number of other endings that a word may have, and the least letters before them.
+/// The number of other endings that a word may have, and the fewest letters before them.
 const OTHER_ENDINGS: f32 = 25.0;
 const LEAST_BEFORE_ENDING: usize = 3;
-/// The most letters that a plural has more.
+/// The most letters that a plural adds.
 const LONGEST_ENDING: usize = 2;
-/// The most letters of the ending of a verb.
+/// The most letters of a verb's ending.
 const LONGEST_FORM: usize = 4;
 
-/// The known word that a word never heard is most probably a slip for, and how probable its spelling is then, against that of a new word.
+/// The most probable known word that a new word is a slip for, and the probability of its spelling then, against that of a new word.
 pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Option<(Symbol, f32)> {
     let letters = piece.chars().count();
     let spelling = (0..letters).fold(NEW_SPELLING, |product, _| product * LETTER);
@@ -35,7 +35,7 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
         if length < 2 || !(is_form || is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
-        // The number of slips of a word: an exchange, a letter left out, put in or taken for another. Or it has another ending: "roja", "rojo".
+        // The number of possible slips of a word: an exchange, a letter left out, inserted or replaced. Or another ending: "roja", "rojo".
         let slips = if is_form || has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {
@@ -45,21 +45,21 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
     best
 }
 
-/// Whether two words have all letters but the last in common.
+/// Whether two words differ in the last letter alone.
 fn has_other_ending(one: &str, other: &str) -> bool {
     let (mut one, mut other) = (one.chars(), other.chars());
     let (last, known) = (one.next_back(), other.next_back());
     last.is_some() && known.is_some() && one.as_str() == other.as_str() && one.count() >= LEAST_BEFORE_ENDING
 }
 
-/// Whether a word may be another form of a verb: "taking", "lleves". An accent is of another time: "llevé".
+/// Whether a word may be another form of a verb: "taking", "lleves". An accent marks another tense: "llevé".
 fn is_other_form(piece: &str, known: &str) -> bool {
     let alike = piece.bytes().zip(known.bytes()).take_while(|(one, other)| one == other).count();
     let ending = |word: &str| word.get(alike..).filter(|ending| ending.is_ascii()).map_or(usize::MAX, str::len);
     alike >= LEAST_BEFORE_ENDING && ending(known) <= 1 && ending(piece) <= LONGEST_FORM
 }
 
-/// Whether a word is the plural of another: chairs; as in German, Stühle, Stuhl. Gives the letters of its ending.
+/// The ending that makes a word the plural of another: chairs; as in German, Stühle, Stuhl. It may be empty; `None` if there is none.
 #[inline(never)]
 fn ending_of_plural<'p>(piece: &'p str, known: &str) -> Option<&'p str> {
     let plain = |letter: char| match letter {
@@ -79,7 +79,7 @@ pub(super) fn is_plural(piece: &str, known: &str) -> bool {
     ending_of_plural(piece, known).is_some_and(|ending| !ending.is_empty() && ending.bytes().all(is_of_plural))
 }
 
-/// Mends slips of the pen; gives whether there are any. Who types in haste does so for a sentence.
+/// Mends slips of the pen; returns whether there are any. Hasty typing affects a whole sentence.
 pub(super) fn mend(
     language: LanguageRef<'_>,
     closed: ClosedWords<'_>,
@@ -91,7 +91,7 @@ pub(super) fn mend(
     mended.clone_from(words);
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
-        // Nor is the first word a slip for the name of a thing here.
+        // The first word is no slip for the name of a thing.
         let first = words.iter().position(|word| word.classes == Classes::NONE);
         for_each_piece(utterance, |piece| {
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);

@@ -1,4 +1,4 @@
-//! What words are taken for: the likeliest hypothesis, its tasks, and whether anything stands against them.
+//! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
 use super::classes::{Class, Classes};
 use super::explained::{Explained, new_names};
@@ -14,29 +14,29 @@ use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
 
-/// Not sure if a done task of the same kind explains the words a fifth as well.
+/// A done task of the same kind makes the verdict unsure if it explains the words at least a fifth as well.
 const RIVAL: f32 = 5.0;
-/// The number of words, from "if" on, that name a case.
+/// The number of words after "if" that name a condition.
 const NAMES_A_CASE: usize = 4;
 
 /// Fewer new words before the verb are an exclamation.
 const LEAST_SUBJECT: usize = 2;
 
-/// What comes of an utterance.
+/// The verdict on an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Verdict {
     /// The most likely task is meant.
     Sure,
-    /// It is not sure which task is meant.
+    /// It is uncertain which task is meant.
     Unsure,
     /// The most likely task is meant, and is done already.
     Done,
-    /// None of what the robot can do here is meant.
+    /// No task that the robot can do here is meant.
     None,
 }
 
-/// What some words are taken for.
+/// The decision on some words.
 pub(super) struct Judged<'w> {
     pub hypothesis: Hypothesis,
     /// The words that name the tasks.
@@ -45,14 +45,14 @@ pub(super) struct Judged<'w> {
     pub tasks: TaskSet,
     pub probability: f32,
     pub command: f32,
-    /// Whether nothing but the probability stands against the tasks.
+    /// Whether only the probability could speak against the tasks.
     pub is_clear: bool,
-    /// Where the rest begins, in pieces of the utterance.
+    /// The piece of the utterance where the rest begins.
     pub rest: Option<usize>,
 }
 
 impl Judged<'_> {
-    /// The task of before once more. No word of the utterance is a word for it.
+    /// The last task once more. No word of the utterance is learned for it.
     fn again(task: usize, probability: f32) -> Self {
         let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
         Self { hypothesis, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
@@ -60,7 +60,7 @@ impl Judged<'_> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// What words are taken for, and the tasks that they then mean. What explains them is left in `explained`.
+    /// Decides on words, and on the tasks that they mean. Leaves the explanation of the words in `explained`.
     #[inline(never)]
     pub(super) fn judge<'w, D: Domain + ?Sized>(
         &mut self,
@@ -72,7 +72,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
         if let Some((first, last)) = reversed(words) {
-            // The rest is all once more, "before" and all: what is done first is done then.
+            // The rest is then the whole utterance again, with "before": by that time, the command to do first is done.
             words = if place.is_rest { last } else { first };
             self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
             if !place.is_rest {
@@ -95,8 +95,8 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Judged { hypothesis: best, probability, command, rest, ..part })
     }
 
-    /// The tasks that words mean that are no several commands. `taken` is what they are taken for, how probable that is, and how probable a
-    /// plain command is.
+    /// The tasks of words that are not several commands. `taken` is their hypothesis, its probability, and the probability of a plain
+    /// command.
     #[inline(never)]
     fn judge_one<'w, D: Domain + ?Sized>(
         &mut self,
@@ -113,7 +113,7 @@ impl<M: AgentMemory> Agent<M> {
             let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
             let (task, of_tasks) = explained.best();
             let is_of_thing = self.place_of_thing(domain, task).is_some();
-            // "Don't leave the red room" asks for what holds, "don't leave the bag in the red room" does not.
+            // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
             let holds = rest.is_double && !(is_of_thing && words.iter().any(|word| word.leaves));
             if !holds {
                 let _ = self.negate(explained);
@@ -164,7 +164,7 @@ impl<M: AgentMemory> Agent<M> {
         let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
         // A word that names nothing known may be the name of something else.
         let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
-        // "Paint the red room". Who names a thing and a place for it says enough: "haul that red chair to the red room".
+        // "Paint the red room" is about no known task. A named thing with a place is enough: "haul that red chair to the red room".
         let is_of_thing =
             explained.whole.contains(task) && self.place_of_thing(domain, task).is_some() || self.is_only_one(domain, explained, task);
         // "Switch on the lamp in the red room" has a new verb and a new name.
@@ -175,14 +175,14 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
-    /// What a task of one proposition is about.
+    /// The first object of a task of one proposition.
     fn thing(&self, task: usize) -> Option<ObjectId> {
         let task = self.task(task);
         let lifted = self.lifted().get(usize::from(task.lifted))?;
         task.propositions(lifted).next()?.arguments.first().copied()
     }
 
-    /// Whether a task about a thing and its place is the only one that fits the names of both.
+    /// Whether a task about a thing and its place is the only one that fits both names.
     fn is_only_one<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
         let place = self.place_of_thing(domain, task);
         let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
@@ -190,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
         fits(&task) && alike().count() > 1 && alike().filter(fits).count() == 1
     }
 
-    /// Whether a task that is done explains the words nearly as well as the one that is to be done.
+    /// Whether a done task of the same kind explains the words nearly as well as this one.
     fn has_rival<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
         let done = self.done(domain);
         let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
@@ -203,7 +203,7 @@ impl<M: AgentMemory> Agent<M> {
 
 /// Whether a new word stands between known ones.
 fn has_new_name(words: Words<'_>) -> bool {
-    // Whether a known word was before, and a new one behind it.
+    // Whether there was a known word, and a new one after it.
     let (mut has_known, mut has_new) = (false, false);
     words.iter().any(|word| {
         let is_known = word.count > 0.0;
@@ -213,17 +213,17 @@ fn has_new_name(words: Words<'_>) -> bool {
     })
 }
 
-/// Whether the first word of no closed class is new.
+/// Whether the first word outside all closed classes is new.
 fn begins_with_new_word(words: Words<'_>) -> bool {
     words.iter().find(|word| word.classes == Classes::NONE && !word.is_toward).is_some_and(|word| word.is_new)
 }
 
-/// Whether the words tell what somebody does: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" and "I want the
-/// bag there" ask for it, and a new word that begins a command is an exclamation.
+/// Whether the words report an action: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" and "I want
+/// the bag there" are requests, and a new word that begins a command is an exclamation.
 fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
-    // "Tomorrow Paul will take": so many new words in a row stand before the verb, and perhaps an article before them. Two signs are a word.
+    // "Tomorrow Paul will take": several new words, perhaps after an article, before the verb. Two signs make a word.
     let (mut at, mut subject) = (usize::from(words.get(0).is_some_and(|word| word.is_article)), 0_usize);
     while let Some(word) = words.get(at).filter(|word| word.is_new_word() && word.classes == Classes::NONE) {
         (at, subject) = (at.saturating_add(1), subject.saturating_add(if word.is_sign { 1 } else { 2 }));
@@ -243,13 +243,13 @@ fn tells(words: Words<'_>) -> bool {
         is_seen |= is_subject && word.is_new_word();
         speaks |= is_of(Class::Speaker);
         is_subject = is_of(Class::Speaker) || is_subject && is_of(Class::Negation);
-        // "I want to go" tells of oneself.
+        // "I want to go" reports about the speaker.
         let is_wished = before.is_some_and(|before| before.classes.contains(Class::Wish)) && !word.is_toward;
         is_speaker &= !is_wished;
         tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && !has_verb && word.is_of_task);
         let goes_on = is_of(Class::Polite) || is_of(Class::Asking);
         is_speaker = is_speaker && goes_on || is_of(Class::Speaker);
-        // "The dog", "dad is". Behind a verb it is a thing.
+        // "The dog", "dad is". After a verb it is a thing.
         let is_new = |word: &Heard| word.is_new_word() && word.classes == Classes::NONE;
         is_other = is_other && goes_on
             || before.is_some_and(|before| {
@@ -258,13 +258,13 @@ fn tells(words: Words<'_>) -> bool {
         has_verb |= word.is_of_task && !word.is_toward;
         before = Some(word);
     }
-    // "I like the red room" has no word of a task, and none for where a way leads.
+    // "I like the red room" has neither an act word nor a direction.
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
     if is_told { is_seen } else { tells || speaks && !asks }
 }
 
-/// Whether the words hold in a case alone that is not known, or later: "if it rains", "until I say so", "tomorrow". "If you like" says nothing, and
-/// whoever is glad if you go asks for it.
+/// Whether the words hold only under an unknown condition, or later: "if it rains", "until I say so", "tomorrow". "If you like" is no
+/// condition, and "I'd be glad if you went" is a request.
 fn has_condition(words: Words<'_>) -> bool {
     let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
     let Some(at) = words.iter().position(is_if) else { return false };
@@ -274,12 +274,12 @@ fn has_condition(words: Words<'_>) -> bool {
     !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
-/// Whether the words ask or tell something: they have a word for it that no command had, or a question mark and no polite word.
+/// Whether the words are a question or a report: they have a question word that no lesson had, or a question mark and no polite word.
 pub(super) fn is_question(words: Words<'_>) -> bool {
     let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains_any(&[Class::Polite, Class::Wish]);
     let is_polite = |word: &Heard| word.classes.contains(Class::Polite) && !word.classes.contains(Class::Speaker);
     let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
-    // "The bag was there", and a particle at the end: 吗.
+    // "The bag was there", and the particle at the end of a request: 吗.
     let mut known = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
     known.any(|word| word.count == 0.0 && asks(word)) || words.is_asked && !words.iter().any(is_polite)
 }

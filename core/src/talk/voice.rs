@@ -1,7 +1,7 @@
-//! What a person's words ask for while a session is under way, and between sessions: praise, blame, an answer, a correction, or a command.
+//! The effect of a person's words during a session and between sessions: praise, blame, an answer, a correction, or a command.
 //!
-//! Closed classes of words tell it, and no lesson is needed. An utterance is no command if all of its words are of closed classes. While the
-//! robot is on its way, one more word may be among them, if it is in no command that the robot learned: "well done", "good job".
+//! Closed classes of words determine it, without lessons. An utterance whose words are all in closed classes is no command. While the robot
+//! acts, one other word may be among them, if it is in no learned command: "well done", "good job".
 
 use super::classes::{Class, Classes, ClosedWords};
 use crate::asking::{Answer, Question};
@@ -11,30 +11,30 @@ use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::session::{Agent, AgentError};
 
-/// What a person's words ask for, given where the conversation stands.
+/// The effect of a person's words, at this stage of the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Said {
-    /// A word to the last step.
+    /// A judgement of the last step.
     Judgement(Feedback),
     /// Praise for the robot that rests at its goal: the session is over.
     Finish,
     /// The answer to the open question.
     Answer(Answer),
-    /// Words that turn the robot on its way round: "no, the blue one".
+    /// Words that correct the robot on its way: "no, the blue one".
     Correction,
-    /// The robot shall stop.
+    /// Stop the robot.
     Stop,
-    /// Take something back: the last step, or, between sessions, the last session.
+    /// Undo the last step, or, between sessions, the last session.
     Undo,
-    /// The same command once more.
+    /// Repeat the same command.
     Again,
-    /// Words for which there is nothing to do here.
+    /// Words without effect here.
     Nothing(Class),
     /// A command.
     Command,
 }
 
-/// Where a conversation stands.
+/// The stage of a conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stage {
     /// No session is under way.
@@ -57,17 +57,17 @@ impl Stage {
 /// Classes of words that may stand beside praise, blame and answers.
 const BESIDE: [Class; 5] = [Class::Polite, Class::Pronoun, Class::All, Class::Connective, Class::Asking];
 
-/// Many words are no praise of one or two.
+/// The most words of praise or blame.
 const SHORT: usize = 6;
 
-/// Whether a word of these classes may be of praise, blame, an answer or other talk.
+/// Whether a word of these classes may belong to praise, blame, an answer or other talk.
 fn is_closed(classes: Classes) -> bool {
     Class::ALL.into_iter().any(|class| class.is_talk() && classes.contains(class))
         || classes.contains(Class::Negation)
         || classes.contains_any(&BESIDE)
 }
 
-/// Gives each word of an utterance that is of no class of talk: what the buttons may teach.
+/// Passes each word of an utterance outside the classes of talk to `take`: words whose meaning the buttons may teach.
 ///
 /// # Errors
 /// As [`for_each_piece`].
@@ -81,7 +81,7 @@ pub fn for_each_open_word(words: &str, closed: ClosedWords<'_>, mut take: impl F
     Ok(())
 }
 
-/// The words of an utterance, by what their classes say.
+/// A summary of the classes of an utterance's words.
 #[derive(Default)]
 struct Words {
     count: usize,
@@ -89,20 +89,20 @@ struct Words {
     any: Classes,
     /// Whether a word negates, and is no yes.
     is_not: bool,
-    /// How many are of no class of talk.
+    /// The number of words outside the classes of talk.
     strange: usize,
-    /// Whether a command had one of these.
+    /// Whether a learned command has one of these.
     is_known: bool,
-    /// Whether one of these is of no class at all, and a command had it.
+    /// Whether one of these is in no class at all, and a learned command has it.
     names: bool,
-    /// Whether all are of a class.
+    /// Whether all words are in a class.
     is_of_classes: bool,
-    /// Whether one asks to take something back.
+    /// Whether a word asks to undo something.
     is_back: bool,
     is_meant: bool,
-    /// The number that the last one is.
+    /// The number that the last word is.
     number: Option<u8>,
-    /// How often words like these came with praise and with blame; `None` where one never did.
+    /// How often words like these came with praise and with blame; `None` if one of them never did.
     learned: Option<[u32; 2]>,
 }
 
@@ -111,7 +111,7 @@ impl Words {
         self.any.contains(class)
     }
 
-    /// What closed words say, wherever the conversation stands.
+    /// The class of the closed words, at any stage of the conversation.
     fn class(&self) -> Option<Class> {
         let turned = |turned: bool, plain: Class, other: Class| if turned { other } else { plain };
         Some(match () {
@@ -123,7 +123,7 @@ impl Words {
         })
     }
 
-    /// What the words are by what was said along with the buttons.
+    /// The judgement that the words stand for, as learned together with the buttons.
     fn judges(&self) -> Option<Class> {
         let [good, bad] = self.learned?.map(u64::from);
         match () {
@@ -135,7 +135,7 @@ impl Words {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Where the conversation stands, by the actions that the agent was told of; `state` is where things are now.
+    /// The stage of the conversation, by the actions reported to the agent; `state` is the present state.
     pub fn stage<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Stage {
         if self.check_session(domain).is_err() {
             return Stage::Between;
@@ -149,8 +149,8 @@ impl<M: AgentMemory> Agent<M> {
         if rests && is_reached { Stage::AtGoal } else { Stage::Stepped }
     }
 
-    /// What a person's words ask for. Nothing is done yet. `learned` tells how often a word came with praise and with blame, `None` for one that
-    /// never did; who learns no such words gives none.
+    /// The effect of a person's words, which is not carried out. `learned` returns how often a word came with praise and with blame, `None`
+    /// if it never did; callers that learn no such words return `None`.
     ///
     /// ```
     /// use goodbot::feedback::Feedback;
@@ -166,7 +166,7 @@ impl<M: AgentMemory> Agent<M> {
     /// ```
     ///
     /// # Errors
-    /// An [`AgentError`] where the words are too many or too long.
+    /// An [`AgentError`] if there are too many words or one is too long.
     pub fn said(
         &self,
         words: &str,
@@ -221,7 +221,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(heard)
     }
 
-    /// Whether words correct the robot: they begin with "no" or "not", or name something without a word for what to do.
+    /// Whether words correct the robot: they begin with "no" or "not", or name something without an act word.
     fn corrects(&self, words: &str, closed: ClosedWords<'_>, heard: &Words) -> Result<bool, AgentError> {
         if heard.first.contains_any(&[Class::No, Class::Blame]) {
             return Ok(true);
@@ -231,7 +231,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-/// What a class of words does here.
+/// The effect of a class of words here.
 fn act_of(class: Class, words: &Words, stage: Stage, question: Option<&Question>) -> Said {
     match class {
         Class::Praise | Class::Yes if question.is_some_and(|question| question.subject.choices() == 0) => Said::Answer(Answer::Yes),

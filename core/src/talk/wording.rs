@@ -1,4 +1,4 @@
-//! How commands are worded, as far as lessons tell.
+//! How commands are worded in the lessons.
 
 use super::classes::{Class, ClosedWords};
 use super::heard::count;
@@ -7,29 +7,29 @@ use crate::language::roles::talk::{Coverage, Senses};
 use crate::session::AgentError;
 use crate::symbols::Symbol;
 
-/// How much more probable a task must be after few lessons, times their number.
+/// The extra certainty required after few lessons, times their number.
 const SURE_OF_FEW: f32 = 2.4;
 
-/// The least share of new words in a command.
+/// The least probability of a new word in a command.
 const OF_OTHERS: f32 = 0.02;
 
-/// What the caller does between two parts of the work; `false` stops it.
+/// The caller's work between two parts; `false` stops the listening.
 pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
 
 pub(super) fn rest(pause: Pause<'_>) -> Result<(), AgentError> {
     if pause() { Ok(()) } else { Err(AgentError::Stopped) }
 }
 
-/// How commands are worded, as far as was learned.
+/// Statistics of the lessons' wording.
 pub(super) struct Wording<'c> {
     pub closed: ClosedWords<'c>,
     pub pause: Pause<'c>,
     pub coverage: Coverage,
-    /// How probable a new word is in a command.
+    /// The probability of a new word in a command.
     pub new: f32,
-    /// One by one more than the words of a command, on average: how probable its end is after each word.
+    /// The probability that a command ends after a word: 1 / (1 + the mean number of words).
     pub end: f32,
-    /// How probable the most likely task must be.
+    /// The least probability of the most likely task to be sure of it.
     pub sure: f32,
     /// The sort of derived facts in descriptions.
     pub facts: u8,
@@ -50,7 +50,7 @@ impl<'c> Wording<'c> {
             closed,
             pause,
             coverage,
-            // Good and Turing's estimate; at first every word is new. Other people have other words than the lessons.
+            // The Good-Turing estimate; at first every word is new. The floor allows for people who use other words than the lessons.
             new: ((once + 2.0) / (all + 2.0)).max(OF_OTHERS),
             end: 1.0 / (1.0 + all / sessions),
             // 0.7 after 24 lessons, 0.62 after 120.
@@ -60,7 +60,7 @@ impl<'c> Wording<'c> {
     }
 }
 
-/// Whether a word speaks of no task, whatever lessons say.
+/// Whether a word is never the sign of a task, whatever the lessons suggest.
 pub(super) fn is_plain(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: Symbol) -> bool {
     closed.of(language.words().text(word)).contains_any(&[Class::Polite, Class::Connective, Class::All])
 }

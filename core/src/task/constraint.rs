@@ -1,4 +1,4 @@
-//! Variable-binding constraints: which attributes of a task's objects a command may mention ("the *yellow chair*", "the *red* room").
+//! Variable-binding constraints: the attributes of a task's objects that a command may mention ("the *yellow chair*", "the *red* room").
 //!
 //! Every subset of the attribute propositions that are true of the bound objects is a constraint, the empty one included, and all are
 //! equally probable (paper, section 3).
@@ -45,7 +45,7 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
     Ok(facts)
 }
 
-/// Sorts facts by insertion: they are few, and the library's sort, which can panic, is larger than the rest of this module.
+/// Sorts facts by insertion: they are few, and the library's sort can panic and is larger than the rest of this module.
 pub(super) fn sort<K: Ord>(facts: &mut Facts, key: impl Fn(&Fact) -> K) {
     for unsorted in 1..facts.len() {
         for earlier in (0..unsorted).rev() {

@@ -1,10 +1,10 @@
 //! Descriptions: a task and the scene around it as a sequence of symbols, which the role model reads.
 //!
 //! A description begins with the token of the lifted task. Then come groups: a [marker](Marker) of a role and a sort of values, and the
-//! values that the objects of that role have. `blockInRoom`, where the red room has the chair and the robot is in the blue room:
+//! values of the objects in that role. For `blockInRoom`, with the chair in the red room and the robot in the blue room:
 //!
 //! ```text
-//! blockInRoom | the block to move, shape: shapeChair | its goal, color: colorRed | where the robot is, color: colorBlue | ...
+//! blockInRoom | the block to move, shape: shapeChair | its goal, color: colorRed | the robot's place, color: colorBlue | ...
 //! ```
 //!
 //! Values are the same for all classes, `colorRed` for rooms and blocks. A value occurs once in a group, and a group's values are sorted,
@@ -28,13 +28,13 @@ use heapless::String;
 pub struct Group<'d> {
     /// The role and the sort.
     pub marker: Marker,
-    /// Where its values begin in the description.
+    /// The position of its first value in the description.
     pub first: usize,
     /// The values, at least one.
     pub values: &'d [Symbol],
 }
 
-/// The token of the lifted task that a description begins with.
+/// The first token of a description: that of the lifted task.
 pub fn form(description: &[Symbol]) -> Option<Symbol> {
     description.first().copied().filter(|&token| !is_marker(token))
 }
@@ -60,14 +60,14 @@ pub fn has_value(description: &[Symbol], value: Symbol) -> bool {
     groups(description).filter(of_task).any(|group| group.values.contains(&value))
 }
 
-/// The token of a lifted task: the names of its propositions, with the numbers of their variables where there are several.
+/// The token of a lifted task: the names of its propositions, with the numbers of their variables if there are several.
 ///
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room.
 #[inline(never)]
 pub(crate) fn form_token(schema: &Schema<'_>, lifted: &LiftedTask, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
     let mut text: String<NAME_BYTES> = String::new();
-    // A digest of the rest tells long names apart.
+    // A digest of the truncated letters tells long names apart.
     let mut rest: u16 = 0;
     let mut add = |letter: char| {
         if text.len().saturating_add(letter.len_utf8()) > NAME_BYTES.saturating_sub(4) || rest != 0 {
@@ -108,15 +108,15 @@ pub struct Scene<S> {
     state: S,
     /// `None` before the first description.
     spoken: Option<Spoken>,
-    /// For each lifted task one more than its token, 0 for one that was not needed yet.
+    /// For each lifted task one more than its token, 0 if it was not needed yet.
     forms: [u16; LIFTED_TASKS],
-    /// For each of the first objects and each attribute one more than the value's token, 0 for one that was not needed yet.
+    /// For each of the first objects and each attribute one more than the value's token, 0 if it was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
     #[cfg(all(feature = "derived", feature = "talk"))]
     conversation: Conversation,
 }
 
-/// The propositions and classes that a session's tasks name, and the classes that words can tell apart.
+/// The propositions and classes in the lifted tasks, and the classes that words can tell apart.
 #[derive(Clone, Copy, Debug)]
 struct Spoken {
     /// The propositions that tasks are made of.
@@ -143,7 +143,7 @@ impl Spoken {
     }
 }
 
-/// A choice among the propositions, or the classes, of a schema. Those beyond 63 share a bit, as they share a role.
+/// A set of a schema's propositions or classes. Those beyond 63 share a bit, as they share a role.
 #[derive(Clone, Copy, Debug)]
 struct Bits(u64);
 
@@ -159,7 +159,7 @@ impl Bits {
 
 /// The tokens of this many objects are cached; those of others are looked up each time.
 const REMEMBERED: usize = 16;
-/// Marks a value that has no token: it is empty, or found no room.
+/// Marks a value without a token: it is empty, or found no room.
 const NO_TOKEN: u16 = u16::MAX;
 
 impl<S> Scene<S> {
@@ -175,7 +175,7 @@ impl<S> Scene<S> {
         }
     }
 
-    /// The same, which tells what a conversation knows of the objects.
+    /// The same scene, with the facts of a conversation.
     #[cfg(all(feature = "derived", feature = "talk"))]
     pub(crate) fn of_conversation(self, conversation: Conversation) -> Self {
         Self { conversation, ..self }
@@ -200,7 +200,7 @@ impl<S> Scene<S> {
         Ok(token)
     }
 
-    /// The token of an object's value of an attribute, `None` where it has none.
+    /// The token of an object's value of an attribute, `None` if it has none.
     fn token(
         &mut self,
         world: &World<'_>,
@@ -231,8 +231,8 @@ impl<S> Scene<S> {
     }
 }
 
-/// Replaces `description` by that of a task, which grounds a task of `all`. Its tokens are interned in `tokens`, which must not forget any
-/// while the scene is in use.
+/// Replaces `description` by that of a task, which grounds a lifted task of `all`. Its tokens are interned in `tokens`, which must not
+/// forget any while the scene is in use.
 ///
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room for the lifted task's own token.
@@ -281,18 +281,18 @@ pub fn describe<D: Domain + ?Sized>(
     Ok(())
 }
 
-/// A choice among the objects, one bit each.
+/// A set of objects, one bit each.
 #[derive(Clone, Copy)]
 struct Chosen {
     words: [u32; 8],
-    /// Words from here on have no bit.
+    /// The number of words up to the last one with a bit.
     end: u8,
 }
 
 impl Chosen {
     const NONE: Self = Self { words: [0; 8], end: 0 };
 
-    /// Adds the objects that have a bit in the word at a position.
+    /// Adds the objects with these bits in the word at a position.
     fn insert_bits(&mut self, position: u8, bits: u32) {
         if let Some(word) = self.words.get_mut(usize::from(position)) {
             *word |= bits;
@@ -370,8 +370,8 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         self.domain.holds(&GroundProposition { proposition, arguments }, &self.scene.state)
     }
 
-    /// The propositions that roles of a kind are about, each once, in order: those of the task for goals and subjects, those of all tasks
-    /// here for where things are at the start.
+    /// The propositions for the roles of a kind, each once, in order: those of the task for goals and subjects, those of all lifted tasks
+    /// for the places at the start.
     fn propositions(&self, kind: RoleKind) -> impl Iterator<Item = PropositionId> + use<'a, D> {
         let mut bits = self.spoken.propositions;
         if kind != RoleKind::Start {
@@ -394,7 +394,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         self.of_class(class).filter(|&object| !is_thing || self.bound.contains(object)).collect()
     }
 
-    /// The last arguments with which a proposition holds at the start, its other arguments being subjects of the task.
+    /// The last arguments with which a proposition holds at the start, if its other arguments are subjects of the task.
     fn starts(&self, proposition: PropositionId) -> Chosen {
         let none = ObjectId(0);
         match *self.world.schema.parameters(proposition) {
@@ -431,7 +431,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         guests
     }
 
-    /// Writes the groups of the objects of the way alone. Alternatives share a group.
+    /// Writes the groups of the objects that only the way has. Alternatives share a group.
     fn write_way(&mut self, with_role: &mut Chosen) -> Result<(), CapacityError> {
         let lifted = self.lifted;
         if !lifted.has_way() {
@@ -517,7 +517,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     }
 }
 
-/// Inserts a value into the last group, which begins at `first`, unless it is there or has no room.
+/// Inserts a value into the last group, which begins at `first`, unless it has the value or there is no room.
 fn insert(description: &mut Tokens, first: usize, token: Symbol) {
     let group = description.get(first..).unwrap_or(&[]);
     let place = group.iter().position(|&other| other >= token).unwrap_or(group.len());
@@ -527,7 +527,7 @@ fn insert(description: &mut Tokens, first: usize, token: Symbol) {
     if description.push(token).is_err() {
         return;
     }
-    // The later ones move up by one. The list's own insertion can panic.
+    // The later values move up by one. The list's own insertion can panic.
     let mut moved = token;
     for slot in description.iter_mut().skip(first + place) {
         core::mem::swap(slot, &mut moved);

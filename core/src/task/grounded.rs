@@ -9,13 +9,13 @@ use crate::oomdp::{Domain, GroundProposition, ObjectId, Objects, World};
 /// A lifted task with its variables bound to objects, and its prior Pr(l|s) Pr(t|s,l).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GroundedTask {
-    /// The lifted task, by its position among those of the session.
+    /// The lifted task, by its position among the agent's.
     pub lifted: u8,
     /// The object of each variable.
     pub bindings: [ObjectId; VARIABLES_PER_TASK],
-    /// The progress of its way, if it has one; or that it is not to hold.
+    /// The progress of its way, if it has one; or that it is negated.
     pub way: WayState,
-    /// Its probability before any command.
+    /// Its prior probability, before any command.
     pub prior: f32,
 }
 
@@ -79,8 +79,8 @@ pub fn ground<D: Domain + ?Sized>(
     })
 }
 
-/// As [`ground`], and with a share of `done` of each kind of task for those that hold already. Where there is no room for them, or `done` is 0,
-/// they are left out.
+/// As [`ground`], but with tasks that hold already, which get the share `done` of the prior of each kind. They are left out if there is no
+/// room for them, or if `done` is 0.
 ///
 /// # Errors
 /// As [`ground`].
@@ -103,7 +103,7 @@ pub fn ground_with_done<D: Domain + ?Sized>(
     Ok(count)
 }
 
-/// Gives the tasks of each kind that hold already a share of `done` of the kind's prior, where there are others too.
+/// Gives the tasks of each kind that hold already the share `done` of the kind's prior, if there are others too.
 pub(crate) fn share_with_done(lifted: &[LiftedTask], tasks: &mut [GroundedTask], done: f32, holds: impl Fn(&GroundProposition) -> bool) {
     for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
         let mut sums = [0.0_f32; 2];
@@ -180,7 +180,7 @@ pub(crate) fn ground_unless(
                     *slot = grounded;
                 }
                 count += 1;
-                // Beyond what any memory has room for, nobody need know how many there are.
+                // Memory never has room for more, so their exact number does not matter.
                 if count > TaskSet::MOST {
                     return Err(CapacityError::new(Capacity::Tasks, limit, count));
                 }

@@ -23,7 +23,7 @@ pub struct LiftedProposition {
 /// terminal. It may have a [way](super::way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedTask {
-    /// The goal's, then those of the way.
+    /// The goal's propositions, then those of the way.
     propositions: Vec<LiftedProposition, PROPOSITIONS_PER_TASK, u8>,
     parts: Parts,
     pub(crate) variables: Vec<ClassId, VARIABLES_PER_TASK, u8>,
@@ -72,9 +72,9 @@ pub enum TaskTextError {
     ArgumentCount {
         /// The proposition, by its position among those given, from 0.
         proposition: u8,
-        /// How many arguments it was given.
+        /// The number of given arguments.
         given: u8,
-        /// How many its function has.
+        /// The number of its function's arguments.
         wanted: u8,
     },
     /// One variable is used for objects of two classes.
@@ -84,13 +84,13 @@ pub enum TaskTextError {
         /// The argument, from 0.
         argument: u8,
     },
-    /// A way goes through something that the goal asks for anyway, or asks for the same twice.
+    /// A way goes through something that the goal requires anyway, or requires the same thing twice.
     SaysNothing,
-    /// A way avoids something that the task asks for.
+    /// A way avoids something that the task requires.
     AvoidsGoal,
     /// It has a way, and the library was built without the feature `ways`.
     NoWays,
-    /// Something was full.
+    /// A table was full.
     Capacity(CapacityError),
 }
 
@@ -213,11 +213,11 @@ impl LiftedTask {
         Ok(task)
     }
 
-    /// The task without a way that has these [`propositions`](Self::propositions) and [`variables`](Self::variables), as another machine read them. Only
-    /// their numbers are checked.
+    /// A task without a way, with these [`propositions`](Self::propositions) and [`variables`](Self::variables), as another machine parsed
+    /// them. Only their numbers are checked.
     ///
     /// # Errors
-    /// A [`CapacityError`] where there are more than a task can have.
+    /// A [`CapacityError`] if there are more than a task can have.
     pub fn written(propositions: &[LiftedProposition], variables: &[ClassId], schema: &Schema<'_>) -> Result<Self, CapacityError> {
         let mut task = Self::empty(schema);
         propositions.iter().try_for_each(|&proposition| task.add(proposition, Part::Goal))?;
@@ -329,7 +329,7 @@ impl LiftedTask {
         Ok(LiftedProposition { proposition, variables })
     }
 
-    /// The goal so far becomes an earlier one.
+    /// Turns the goal so far into an earlier goal.
     fn goal_is_only_before(&mut self, stage: u8) {
         for position in 0..self.propositions.len() {
             if self.parts.get(position) == Part::Goal {
@@ -404,12 +404,12 @@ impl LiftedTask {
         EachPart { lifted: self, next: 0, of_way: true }
     }
 
-    /// The goal's propositions, and what it asks beside them.
+    /// The goal's propositions, then those of its way.
     pub fn parts(&self) -> impl Iterator<Item = (Part, LiftedProposition)> + Clone + '_ {
         EachPart { lifted: self, next: 0, of_way: false }
     }
 
-    /// The number of places of a variable.
+    /// The number of uses of a variable.
     pub(super) fn uses(&self, variable: u8) -> usize {
         self.propositions.iter().flat_map(|part| &part.variables).filter(|&&other| other == variable).count()
     }

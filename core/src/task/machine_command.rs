@@ -1,7 +1,7 @@
 //! Machine commands: a task and a constraint as a sentence of machine tokens, from which a command is translated.
 //!
-//! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions and the constraint's, each followed by
-//! the classes of its arguments. [`TokenOrder`] says in which order.
+//! `blockInRoom block room blockIsYellow block roomIsRed room`: the lifted task's propositions and the constraint's, each followed by the
+//! classes of its arguments. [`TokenOrder`] defines the order.
 
 use super::constraint::{Fact, facts, sort};
 use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
@@ -16,12 +16,12 @@ pub type Tokens = Vec<Symbol, TOKENS_PER_COMMAND, u8>;
 /// The position of a constraint's facts in a machine command.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum TokenOrder {
-    /// After all propositions of the task, by attribute and value (the reference). "The agent in the red room, the block in the blue one"
-    /// and the same with the colours exchanged are then one machine command.
+    /// After all propositions of the task, by attribute and value (the reference). Two commands with exchanged colours, such as "the agent
+    /// in the red room, the block in the blue one", then have the same machine command.
     #[default]
     Attributes,
     /// Each after the first proposition of the task that has its object as an argument, in the order of the arguments. The position of a
-    /// fact tells its object.
+    /// fact identifies its object.
     Propositions,
 }
 
@@ -36,7 +36,7 @@ pub struct Expression {
 
 impl Expression {
     /// The machine commands of `task`; their tokens are interned in `tokens`. A fact whose token finds no room there is left out: no
-    /// command can mention it until other tokens have given way (see [`forgetting`](crate::language::forgetting)).
+    /// command can mention it until other tokens are forgotten (see [`forgetting`](crate::language::forgetting)).
     ///
     /// # Errors
     /// A [`CapacityError`] if `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
@@ -84,7 +84,7 @@ impl Expression {
     /// The machine command of one constraint; bit i of `constraint` says whether it has the i-th fact.
     ///
     /// # Errors
-    /// A [`CapacityError`] where it has too many tokens.
+    /// A [`CapacityError`] if it has too many tokens.
     pub fn machine_command(&self, constraint: u16) -> Result<Tokens, CapacityError> {
         let mut command = Tokens::new();
         self.write_machine_command(constraint, &mut command)?;
@@ -94,7 +94,7 @@ impl Expression {
     /// Like [`machine_command`](Self::machine_command), but replaces the contents of `command`.
     ///
     /// # Errors
-    /// A [`CapacityError`] where it has too many tokens.
+    /// A [`CapacityError`] if it has too many tokens.
     pub fn write_machine_command(&self, constraint: u16, command: &mut Tokens) -> Result<(), CapacityError> {
         command.clear();
         let mut head = self.head.iter();
@@ -152,7 +152,7 @@ fn parts(lifted: &LiftedTask) -> impl Iterator<Item = (Option<&'static str>, Lif
     lifted.propositions().iter().map(|&part| (None, part)).chain(way)
 }
 
-/// The first proposition that a fact's object is an argument of: how many tokens there are up to its end, and which argument it is.
+/// The first proposition with a fact's object as an argument: the number of tokens up to its end, and the argument's position.
 fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
     let mut end = 0_usize;
     for (connective, part) in parts(lifted) {
@@ -178,8 +178,8 @@ fn push(command: &mut Tokens, token: Symbol) -> Result<(), CapacityError> {
     command.push(token).map_err(|_| CapacityError::full(Capacity::TokensPerCommand, TOKENS_PER_COMMAND))
 }
 
-/// `roomIs` and `red` make `roomIsRed`. A first letter beyond ASCII stays as it is: it names the value as well, and the table of all
-/// capitals is twelve kilobytes.
+/// `roomIs` and `red` make `roomIsRed`. A first letter beyond ASCII stays as it is: the name is unique all the same, and a table of all
+/// capitals takes twelve kilobytes.
 pub(crate) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_BYTES>, CapacityError> {
     let too_long = |_| CapacityError::new(Capacity::NameBytes, NAME_BYTES, prefix.len().saturating_add(value.len()));
     let mut token = String::new();

@@ -2,11 +2,11 @@
 //!
 //! - `lifted`: a conjunction of propositional functions over typed variables;
 //! - `grounded`: its variables bound to objects;
-//! - `constraint`: which attributes of the bound objects a command may mention;
+//! - `constraint`: the attributes of the bound objects that a command may mention;
 //! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
 //! - `role`: the part of an object in a task;
 //! - [`way`]: path constraints, which must hold, or must not, before the goal;
-//! - `wording`: the order in which a task is told, with its way;
+//! - `wording`: the order in which a task and its way are worded;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
 pub(crate) mod constraint;
@@ -74,18 +74,18 @@ impl TaskSet {
         self.0.get(task / WORD).is_some_and(|word| word >> (task % WORD) & 1 == 1)
     }
 
-    /// Whether there is none.
+    /// Whether the set is empty.
     #[inline]
     pub fn is_empty(self) -> bool {
         self == Self::EMPTY
     }
 
-    /// How many there are.
+    /// The number of tasks.
     pub fn len(self) -> usize {
         self.0.iter().map(|word| word.count_ones() as usize).sum()
     }
 
-    /// The tasks of both.
+    /// The tasks of either set.
     #[inline]
     #[must_use]
     pub fn union(self, other: Self) -> Self {
@@ -98,14 +98,14 @@ impl TaskSet {
         self.union(Self::of(task))
     }
 
-    /// The tasks that `other` does not have.
+    /// The tasks that are not in `other`.
     #[inline]
     #[must_use]
     pub fn without(self, other: Self) -> Self {
         self.joined(other, |word, other| word & !other)
     }
 
-    /// The tasks that `other` has too.
+    /// The tasks that are also in `other`.
     #[inline]
     #[must_use]
     pub fn common(self, other: Self) -> Self {

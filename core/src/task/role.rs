@@ -1,7 +1,7 @@
 //! Roles: the part of an object in a task, and its marker in a [description](super::description).
 //!
-//! Roles come from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block that is to be moved, its target room,
-//! its room at the start, the room of the robot, the other rooms and the other blocks.
+//! Roles follow from the schema alone. For a task `blockInRoom(?o, ?r)` of a home they are the block to move, its target room, its room at
+//! the start, the room of the robot, the other rooms and the other blocks.
 
 use super::way::Part;
 use crate::oomdp::{ClassId, PropositionId};
@@ -12,15 +12,15 @@ use core::str::FromStr;
 /// The part of an object in a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum RoleKind {
-    /// The last argument of a goal proposition: the place where something is to be.
+    /// The last argument of a goal proposition: the target place.
     Goal,
-    /// Another argument of a goal proposition: the thing that is to be there.
+    /// Another argument of a goal proposition: the thing to bring there.
     Subject,
-    /// The last argument of a proposition that holds at the start of an object of the task: the place where that object is now.
+    /// The last argument of a proposition that holds of an object of the task at the start: the present place of that object.
     Start,
-    /// None of these, but of the class of a proposition's last argument.
+    /// Another object, of the class of a proposition's last argument.
     OtherPlace,
-    /// None of these.
+    /// Any other object.
     Other,
     /// An argument of a proposition that a way goes through.
     Through,
@@ -33,7 +33,7 @@ pub enum RoleKind {
 impl RoleKind {
     /// The number of kinds.
     pub const COUNT: usize = if cfg!(feature = "ways") { 8 } else { Self::WITHOUT_WAYS };
-    /// The number of kinds if no task has a way: the first ones.
+    /// The number of kinds if no task has a way: they are the first ones.
     pub const WITHOUT_WAYS: usize = 5;
     const ALL: [Self; 8] =
         [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
@@ -53,18 +53,18 @@ impl RoleKind {
         self as usize
     }
 
-    /// Whether the task itself speaks of such objects; the others are its context.
+    /// Whether such objects are part of the task itself; the others are its context.
     pub const fn is_of_task(self) -> bool {
         matches!(self, Self::Goal | Self::Subject | Self::Through | Self::Avoiding | Self::Before)
     }
 
-    /// Whether such objects have no part in the task nor in where its objects are.
+    /// Whether such objects are neither part of the task nor places of its objects.
     pub(crate) const fn is_of_others(self) -> bool {
         matches!(self, Self::OtherPlace | Self::Other)
     }
 }
 
-/// A role: its kind, with the proposition and the argument, or the class, that it is about.
+/// A role: its kind, and its proposition and argument, or its class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Role(u16);
 
@@ -83,7 +83,7 @@ impl Role {
         Self::new(kind, proposition.0 as u16, argument)
     }
 
-    /// The role of the words in a proposition's name, where a task is told to the robot by those.
+    /// The role of the words in a proposition's name, if tasks are named to the robot by them.
     pub const fn of_name(proposition: PropositionId) -> Self {
         Self::new(RoleKind::Subject, proposition.0 as u16, NAME)
     }
@@ -111,12 +111,12 @@ impl Role {
         RoleKind::ALL.get(kind).copied().unwrap_or(RoleKind::Other)
     }
 
-    /// The proposition that it is about, for the kinds that are about one.
+    /// The proposition, for the kinds of role that have one.
     pub const fn proposition(self) -> PropositionId {
         PropositionId(((self.0 >> ARGUMENT_BITS) & ABOUT) as u8)
     }
 
-    /// The class that it is about, for the kinds that are about one.
+    /// The class, for the kinds of role that have one.
     pub const fn class(self) -> ClassId {
         ClassId(((self.0 >> ARGUMENT_BITS) & ABOUT) as u8)
     }
@@ -130,10 +130,10 @@ impl Role {
 /// The number of sorts of values: each attribute of the object, and each attribute of the objects there.
 pub const VALUE_SORTS: usize = 2 * crate::capacity::ATTRIBUTES;
 
-/// The symbol before the values of a role: the role and the sort of the values. A marker is a symbol above all that have a text.
+/// The symbol before the values of a role: the role and the sort of the values. Markers are numbered above all symbols with a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Marker {
-    /// Whose values follow.
+    /// The role of the values that follow.
     pub role: Role,
     /// Twice the attribute's position, plus one for the values of the objects at a place.
     pub sort: u8,
@@ -148,7 +148,7 @@ impl Marker {
         Symbol(MARKER | (self.role.0 << SORT_BITS) | (self.sort as u16 & ((1 << SORT_BITS) - 1)))
     }
 
-    /// The marker that a symbol is, if it is one.
+    /// The marker of a symbol, if it is a marker.
     pub fn of(symbol: Symbol) -> Option<Self> {
         let code = symbol.0.checked_sub(MARKER)?;
         Some(Self { role: Role(code >> SORT_BITS), sort: (code & ((1 << SORT_BITS) - 1)) as u8 })

@@ -1,13 +1,13 @@
-//! Ways: what must hold, or must not, before a task's goal counts as reached.
+//! Ways: path constraints of a task, which must hold before its goal counts as reached.
 //!
-//! | text | holds of a course of states that ends at its last one | as a formula |
+//! | text | meaning for a course of states up to its last one | as a formula |
 //! |---|---|---|
-//! | `goal through P` | P holds at one of them, the last included | F(P & F goal) |
-//! | `goal through P or Q` | P or Q holds at one of them | F((P or Q) & F goal) |
-//! | `goal avoiding P` | P holds at none before the last | (not P) U goal |
-//! | `first then goal` | `first` holds at one of them, and the goal there or later | F(first & F goal) |
+//! | `goal through P` | P holds in one of them, the last included | F(P & F goal) |
+//! | `goal through P or Q` | P or Q holds in one of them | F((P or Q) & F goal) |
+//! | `goal avoiding P` | P holds in none before the last | (not P) U goal |
+//! | `first then goal` | `first` holds in one of them, and the goal there or later | F(first & F goal) |
 //!
-//! A way is a small automaton: [`WayState`] says how far it has come. It moves with each state that the robot comes to, the first included.
+//! A way is a small automaton, whose state is a [`WayState`]. It advances with each state that the robot reaches, the first included.
 
 use super::{GroundedTask, LiftedTask};
 use crate::oomdp::GroundProposition;
@@ -15,7 +15,7 @@ use crate::oomdp::GroundProposition;
 /// The part of a task that a proposition belongs to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Part {
-    /// It belongs to the goal, the last where there are several.
+    /// It belongs to the goal, the last one if there are several.
     #[default]
     Goal,
     /// It belongs to an earlier goal, the one at this position.
@@ -35,50 +35,50 @@ pub enum Clause {
     Avoiding,
 }
 
-/// How far a task's way has come. A task that is not to hold has no way, and says so here.
+/// The progress of a task's way, or the mark of a negated task, which has no way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WayState(u8);
 
-/// Bits 0 to 2: the clauses `through` that were met. Bits 3 and 4: how many earlier goals were reached.
+/// Bits 0 to 2: the clauses `through` that were met. Bits 3 and 4: the number of earlier goals reached.
 const PASSED: u8 = 7;
 const STAGE: u32 = 3;
 const STAGES: u8 = 3 << STAGE;
-/// The task is not to hold.
+/// The task is negated.
 const NEGATED: u8 = 1 << 5;
 /// The task was done once.
 const ENDED: u8 = 1 << 6;
-/// Something to be avoided happened.
+/// Something to be avoided has happened.
 const BROKEN: u8 = 1 << 7;
 
 impl WayState {
     /// Before the first state.
     pub const START: Self = Self(0);
 
-    /// The task is not to hold, at any time.
+    /// The task is negated: it must not hold, at any time.
     #[cfg(feature = "talk")]
     pub const NEGATED: Self = Self(NEGATED);
 
-    /// Whether the task is not to hold.
+    /// Whether the task is negated.
     pub const fn is_negated(self) -> bool {
         cfg!(feature = "talk") && self.0 & NEGATED != 0
     }
 
-    /// As at the start of a session.
+    /// The progress at the start of a session.
     pub(crate) const fn at_start(self) -> Self {
         if cfg!(feature = "talk") { Self(self.0 & NEGATED) } else { Self::START }
     }
 
-    /// Whether the task was done once. Its way then asks nothing more.
+    /// Whether the task was done once. Its way then requires nothing more.
     pub const fn has_ended(self) -> bool {
         self.0 & ENDED != 0
     }
 
-    /// Whether something to be avoided happened: the task has become impossible.
+    /// Whether something to be avoided has happened: the task has become impossible.
     pub const fn is_broken(self) -> bool {
         self.0 & BROKEN != 0
     }
 
-    /// How many of the earlier goals were reached.
+    /// The number of earlier goals reached.
     pub const fn stage(self) -> u8 {
         (self.0 & STAGES) >> STAGE
     }
@@ -105,23 +105,23 @@ pub struct Way<'l> {
 }
 
 impl<'l> Way<'l> {
-    /// The way of a task; `lifted` is the one that it grounds.
+    /// The way of a task; `lifted` is its lifted task.
     pub const fn of(task: &GroundedTask, lifted: &'l LiftedTask) -> Self {
         Self { lifted, task: *task }
     }
 
-    /// Whether there is none.
+    /// Whether the task has no way.
     pub fn is_none(&self) -> bool {
         !self.lifted.has_way()
     }
 
-    /// The way's propositions without the goal, in the order of the text.
+    /// The way's propositions, without the goal's, in the order of the text.
     pub fn parts(&self) -> impl Iterator<Item = (Part, GroundProposition)> + use<'l> {
         let task = self.task;
         self.lifted.way().map(move |(part, proposition)| (part, task.grounded(proposition)))
     }
 
-    /// How many earlier goals there are.
+    /// The number of earlier goals.
     pub fn stages(&self) -> u8 {
         let positions = self.lifted.way().map(|(part, _)| if let Part::Before(position) = part { position.saturating_add(1) } else { 0 });
         positions.max().unwrap_or(0)
@@ -190,12 +190,12 @@ impl<'l> Way<'l> {
         }
     }
 
-    /// Whether another task goes the same way from here: one search then serves both.
+    /// Whether another task has the same way and the same progress: one search then serves both.
     pub fn is_shared_with(&self, other: &Way<'_>) -> bool {
         self.task.way == other.task.way && self.parts().eq(other.parts())
     }
 
-    /// How many different states the way can be in on the way to its goal, and which of them one is.
+    /// The number of different states that the way can be in before its goal.
     pub(crate) fn layers(&self) -> u8 {
         self.layer(WayState(PASSED | self.stages() << STAGE)).saturating_add(1)
     }

@@ -1,11 +1,11 @@
-//! The order in which a task is told, with its way: earlier goals, the goal, what it goes through, and what it avoids.
+//! The order in which a task is worded: earlier goals, the goal, the clauses `through`, and the clause `avoiding`.
 
 use super::{GroundedTask, LiftedTask, Part};
 use crate::capacity::PROPOSITIONS_PER_TASK;
 use crate::oomdp::{GroundProposition, World};
 use core::fmt;
 
-/// The separator between the parts of a task.
+/// The separators between the parts of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Wording {
     and: &'static str,
@@ -15,7 +15,7 @@ pub struct Wording {
     avoiding: &'static str,
 }
 
-/// A piece of a task as it is told.
+/// A piece of a task's wording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Piece<T> {
     /// The text between two propositions, or before one.
@@ -30,7 +30,7 @@ impl Wording {
     /// As people say it: `go to the green room, but not through the red room`.
     pub const PEOPLE: Self = Self { and: " and ", then: ", then ", through: ", through ", or: " or ", avoiding: ", but not through " };
 
-    /// Gives the pieces of a task in order; `parts` are those of a [lifted](super::LiftedTask::parts) or a
+    /// Passes the pieces of a task to `give`, in order; `parts` are those of a [lifted](super::LiftedTask::parts) or a
     /// [grounded](super::GroundedTask::parts) task.
     ///
     /// ```
@@ -71,7 +71,8 @@ impl Wording {
     }
 }
 
-/// A grounded task as files write it, such as `blockInRoom(block0,room1)` or `!blockInRoom(block0,room1)`: what [`Agent::task_text`](crate::Agent::task_text) gives.
+/// A grounded task as files write it, such as `blockInRoom(block0,room1)` or `!blockInRoom(block0,room1)`: see
+/// [`Agent::task_text`](crate::Agent::task_text).
 #[derive(Clone, Copy, Debug)]
 pub struct TaskText<'a> {
     task: &'a GroundedTask,
@@ -111,7 +112,7 @@ impl fmt::Display for TaskText<'_> {
     }
 }
 
-/// Whether a text is that of the task. Spaces do not matter.
+/// Whether a text is the task's text. Spaces do not matter.
 impl PartialEq<str> for TaskText<'_> {
     fn eq(&self, text: &str) -> bool {
         let mut rest = Rest(text.chars());

@@ -1,4 +1,4 @@
-//! Whatever a caller does, in whatever order, with whatever words and homes: nothing panics, and what is given are probabilities.
+//! Calls in any order, with any words and homes: nothing panics, and all returned numbers are probabilities.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing)]
 
@@ -31,7 +31,7 @@ fn coordinate(random: &mut Pcg32) -> i32 {
     }
 }
 
-/// Some home: often a sound one, often with objects that are none.
+/// A random home: often sound, often with invalid objects.
 fn any_home<M: HomeMemory>(memory: M, random: &mut Pcg32) -> Option<(Home<M>, HomeState)> {
     let colours = ["red", "green", "", "tan", "ßeta", "a-colour-with-a-very-long-name-that-is-no-colour-at-all"];
     let mut builder = HomeBuilder::new(memory);
@@ -131,7 +131,7 @@ fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, Hom
         }
         20 => at.1 = home.numbered(u64::from(random.next_u32()) % home.state_count()),
         _ => {
-            // The home of another session.
+            // A home of another session.
             let other = below(homes.len(), random);
             *at = (other, homes[other].1);
             let _ = agent.weigh(&homes[other].0);

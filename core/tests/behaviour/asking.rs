@@ -1,4 +1,4 @@
-//! Questions: what is asked and when, what an answer does, and what is refused. Late words and the end of a session as evidence.
+//! Questions: when they are asked, the effect of an answer, and refusals. Late words and the end of a session as evidence.
 
 use crate::rooms;
 
@@ -90,7 +90,7 @@ fn the_plan_and_the_belief_are_the_same_after_a_question_in_parts_as_before_it()
         let after: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().optimal(task)).collect();
         assert_eq!((before, believed), (after, probabilities(&agent)));
         agent.decide(&home, &start).unwrap();
-        // Whatever the budget, it asks the same.
+        // The question does not depend on the budget.
         agent.hear(&home, &start, "go").unwrap();
         agent.plan_fully(&home, &start).unwrap();
         let whole = agent.question(&home, &start, &asking).unwrap();
@@ -169,7 +169,7 @@ fn the_end_of_a_session_speaks_for_what_is_done_there() {
     let ending = Ending { at_goal: Hazard::of(0.2), elsewhere: Hazard::of(0.02) };
     let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
     assert_eq!(agent.trainer_ended(&home, &start), Err(AgentError::NothingDone));
-    // Up to the green room, by the way of the door.
+    // Through the door up into the green room.
     let mut state = start;
     for action in [3, 3, 0, 0, 0, 0] {
         agent.plan_fully(&home, &state).unwrap();
@@ -190,7 +190,7 @@ fn the_end_says_more_after_praise_and_after_a_rest_where_trainers_have_it_so() {
         let mut memory = Memory::new();
         let ending = Ending { at_goal, elsewhere: Hazard::of(0.05) };
         let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
-        // Nothing that is said tells tasks apart.
+        // This trainer's words are uninformative.
         agent.set_strategies(&[(Strategy::new(0.5, 0.5, 0.5).unwrap(), 1.0)]).unwrap();
         agent.hear(&home, &start, "go").unwrap();
         let mut state = start;
@@ -199,7 +199,7 @@ fn the_end_says_more_after_praise_and_after_a_rest_where_trainers_have_it_so() {
             agent.plan_fully(&home, &state).unwrap();
             state = agent.acted(&home, &state, action).unwrap();
         }
-        // A slip of the finger: the last word counts.
+        // A mistake of the finger first: the last word counts.
         let _ = agent.feedback(if said == Feedback::Reward { Feedback::Punish } else { Feedback::Reward }).unwrap();
         let _ = agent.feedback(said).unwrap();
         agent.plan_fully(&home, &state).unwrap();
@@ -260,7 +260,7 @@ fn what_is_believed_of_a_trainer_drifts_back_to_what_was_expected() {
     let kind = agent.belief().strategy_probability(0);
     agent.hear(&home, &start, "go").unwrap();
     assert!((agent.belief().strategy_probability(0) - (0.75 * kind + 0.25 * 0.5)).abs() < 1e-6);
-    // As if the session had never been.
+    // Forgotten evidence leaves no trace.
     agent.plan_fully(&home, &start).unwrap();
     let begun = agent.belief().strategy_probability(0);
     agent.acted(&home, &start, Action::new(0)).unwrap();
@@ -292,7 +292,7 @@ fn with_the_same_generator_it_takes_other_actions_where_they_tell_more() {
         let draw = |seed| agent.decide_by(&home, &start, &mut rand_pcg::Pcg32::new(seed, 1)).unwrap().action;
         (0..20).map(draw).collect()
     };
-    // Each draws with the same seeds, and follows the same task.
+    // Both draw with the same seeds and follow the same task.
     assert_ne!(chosen(&mut telling), chosen(&mut any));
 }
 

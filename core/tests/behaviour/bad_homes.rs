@@ -1,4 +1,4 @@
-//! What is no home is refused: with the object at fault, and without a panic.
+//! Invalid homes are refused without a panic, and the error names the object at fault.
 
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};

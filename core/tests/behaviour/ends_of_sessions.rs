@@ -1,4 +1,4 @@
-//! How a session ends, and that an ended one stays ended until it is taken up again.
+//! The end of a session: an ended session stays ended until it is resumed.
 
 use crate::rooms::{Memory, robot};
 use goodbot::feedback::{Feedback, Strategy};
@@ -18,7 +18,7 @@ fn a_session_is_learned_from_once() {
     assert_eq!(agent.finish(&home), Err(AgentError::NotNow(Phase::Ended)));
     assert_eq!(agent.plan(&home, &start, 1), Err(AgentError::NotNow(Phase::Ended)));
     assert_eq!(agent.language().bitext().sessions(), 1);
-    // Said once more in the same place, it goes on, and counts as a session more.
+    // Heard again in the same place, the session is resumed, and counts as another one.
     agent.hear_again(&home, &start).unwrap();
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
@@ -33,7 +33,7 @@ fn a_session_is_taken_up_again_when_it_is_learned_and_planned_as_before() {
     let plans = |agent: &Agent<AgentArrays<Memory>>| [0, 1].map(|task| agent.planned().optimal(task));
     let before = plans(&agent);
     let _ = agent.finish(&home).unwrap();
-    // Planning and training have one memory in turn.
+    // Planning and training share one memory.
     assert_eq!(agent.hear_again(&home, &start), Err(AgentError::NotNow(Phase::Learning)));
     agent.learn_fully();
     agent.hear_again(&home, &start).unwrap();
@@ -72,7 +72,7 @@ fn a_command_of_a_length_never_heard_is_learned_from_too() {
     let _ = agent.finish(&home).unwrap();
     agent.learn_fully();
     let pairs = agent.language().bitext().pairs().len();
-    // Pr(n|l) is 0 for each machine command: nothing explains three words, and the feedback alone tells what they mean.
+    // Pr(n|l) is 0 for each machine command: nothing explains three words, and only the feedback shows their meaning.
     agent.hear(&home, &start, "red room now").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     agent.acted(&home, &start, Action::new(2)).unwrap();
@@ -99,7 +99,7 @@ fn learned(agent: &Agent<AgentArrays<Memory>>) -> Vec<(String, String, u32)> {
 fn what_is_learned_later_is_learned_alike_and_words_mean_the_same_until_then() {
     const COMMANDS: [&str; 4] = ["go to the red room", "walk into the green one", "enter red now", "to green please"];
     for language in [Settings::PAPER, Settings::DEFAULT] {
-        // Their weights do not come from words, and so are the same whenever the words are learned.
+        // Their weights do not depend on words, so they are the same whenever the sessions are learned.
         let options = Options { weights: goodbot::session::Weights::Evidence, language, ..Options::PAPER };
         let tables = |later: bool| {
             let (home, start, mut agent) = robot(Memory::new().agent, None, options);
@@ -172,7 +172,7 @@ fn the_agent_says_what_it_is_doing_from_a_command_to_the_next() {
     assert_eq!(refused, "the session is not finished; finish on until it is");
 }
 
-/// The commands that it keeps, in words.
+/// The commands in the training data, as text.
 fn kept<M: AgentMemory>(agent: &Agent<M>) -> Vec<String> {
     let (words, bitext) = (agent.language().words(), agent.language().bitext());
     let command = |session| bitext.sentence(session).iter().map(|&word| words.text(word)).collect::<Vec<_>>().join(" ");

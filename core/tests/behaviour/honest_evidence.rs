@@ -1,4 +1,4 @@
-//! What counts as evidence, and for which action: only exact plans, for the state and the home they were made for, judge what was done.
+//! Valid evidence: only exact plans, for the state and the home that they were made for, judge an action.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
@@ -50,7 +50,7 @@ fn probabilities(agent: &Agent<impl AgentMemory>) -> Vec<f32> {
 
 #[test]
 fn an_approximate_plan_is_acted_on_and_is_no_evidence() {
-    // Room for the agent alone, and not for bounds on where it pushes the block.
+    // Memory for the agent alone, not for bounds on the places of the block.
     let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), COLORS, &[Cell::new(4, 2)]);
     let mut agent = agent(64, 0);
     agent.hear(&home, &start, "go").unwrap();
@@ -76,7 +76,7 @@ fn near_goals_are_found_exactly_before_anything_is_approximated() {
     let near = task(&agent, &home, "agent0", "room2");
     assert_eq!(agent.planned().optimal(near).exact().map(|actions| actions.iter().collect()), Some(vec![Action::new(0)]));
     assert_eq!(agent.planned().distance(near), Some(2));
-    // Where the block has to go is too far for so little memory.
+    // The block's goal is too far for so little memory.
     assert!(!agent.planned().unknown().union(agent.planned().approximate()).is_empty());
 }
 
@@ -200,11 +200,11 @@ fn two_things_that_have_swapped_places_are_placed_at_once() {
     assert_eq!([first, second].map(|block| home.block_cell(&swapped, block)), [Some(Cell::new(2, 2)), Some(Cell::new(4, 2))]);
 }
 
-/// A robot that goes round in a ring of many places; the second action costs 2.
+/// A robot in a ring of many places; the second action costs 2.
 struct Ring<'m> {
     objects: Objects<'m>,
     places: u64,
-    /// How many places it says that there are.
+    /// The number of places that `state_count` returns.
     counted: u64,
 }
 

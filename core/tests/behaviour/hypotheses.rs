@@ -1,4 +1,4 @@
-//! A recogniser of speech is not sure what was said: the scene and what the robot has learned choose.
+//! A speech recogniser is unsure about the transcript: the scene and the robot's lessons decide.
 
 use crate::rooms;
 

@@ -1,4 +1,4 @@
-//! The layer above the role model: what it adds, and that it is silent where it has nothing to say.
+//! The layer above the role model: its contribution, and the cases where it must not change anything.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::AGENT_IN_ROOM;
@@ -11,7 +11,7 @@ use goodbot::task::{Marker, Role, RoleKind};
 use goodbot::{Capacities, capacity};
 
 const COLORS: [&str; 4] = ["colorRed", "colorGreen", "colorBlue", "colorYellow"];
-/// What was said, and which color the goal had.
+/// Commands, each with the color of its goal.
 const LESSONS: [(&str, usize); 10] = [
     ("skip the green room enter the blue room", 2),
     ("skip the blue room enter the green room", 1),
@@ -62,7 +62,7 @@ fn taught(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> L
     model
 }
 
-/// How probable the room of each color is.
+/// The probability of the room of each color.
 fn posterior(model: &mut LanguageModel<AgentHeap>, command: &str) -> Vec<f32> {
     let (words, tasks) = (model.hear(command).unwrap(), tasks(model));
     let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(0.25)).collect();
@@ -93,8 +93,8 @@ fn the_layer_is_silent_before_eight_lessons() {
     }
 }
 
-/// How probable it is that something is to be taken, after lessons of going alone: what is believed of the tasks of the other kind together.
-/// In the lessons, either as much was possible, or there was nothing to take.
+/// The probability of all tasks of taking something, after lessons of going alone. In the lessons, these tasks were possible too, or there
+/// was nothing to take.
 fn believed_of_a_new_kind(settings: Settings, was_possible: bool, command: &str) -> f32 {
     let mut model = LanguageModel::new(memory(), settings).unwrap();
     let both = |model: &mut LanguageModel<AgentHeap>| {
@@ -133,7 +133,7 @@ fn a_kind_of_task_that_no_lesson_could_mean_is_meant_by_new_words() {
     assert!(taken > 0.8 && gone < 0.2, "{taken} {gone}");
 }
 
-/// The tasks to go to the room of each of these colors, and to do so but avoid another's.
+/// The tasks to go to the room of each of these colors, and to do so avoiding another of these rooms.
 fn tasks_that_avoid(model: &mut LanguageModel<AgentHeap>, colors: &[&str]) -> Vec<Vec<Symbol>> {
     let role = |kind| Marker { role: Role::of_argument(kind, AGENT_IN_ROOM, 1), sort: 0 }.symbol();
     let forms = ["agentInRoom", "agentInRoom01!agentInRoom02"].map(|form| model.tokens_mut().intern(form).unwrap());
@@ -143,7 +143,7 @@ fn tasks_that_avoid(model: &mut LanguageModel<AgentHeap>, colors: &[&str]) -> Ve
     goes.chain(pairs.map(|(goal, other)| vec![forms[1], role(RoleKind::Goal), goal, role(RoleKind::Avoiding), other])).collect()
 }
 
-/// How probable it is that a command in a home of rooms of these colors says no way, after lessons that all said what to avoid.
+/// The probability that a command has no way, in a home with rooms of these colors, after lessons that all named a room to avoid.
 fn believed_to_say_no_way(settings: Settings, colors: &[&str], command: &str) -> f32 {
     let mut model = LanguageModel::new(memory(), settings).unwrap();
     let names = ["red", "green", "blue"];
@@ -305,7 +305,7 @@ mod saved {
         u16::from_le_bytes([file[8], file[9]])
     }
 
-    /// The same file with another end before its check.
+    /// The same file with another end before its checksum.
     fn with_end(file: &[u8], cut: usize, more: &[u8]) -> Vec<u8> {
         let mut file = [&file[..file.len() - 4 - cut], more].concat();
         let length = file.len() as u32 + 4;
@@ -333,7 +333,7 @@ mod saved {
         assert_eq!(Contents::read(&longer).unwrap_err(), RestoreError::Inconsistent(Part::Rests));
     }
 
-    /// The file of the role model that a layered one is without its layer.
+    /// A layered file without its layer: a file of the role model.
     fn role_model(file: &[u8]) -> Vec<u8> {
         let mut model = LanguageModel::new(AgentHeap::new(&capacities()), Settings::DEFAULT).unwrap();
         model.restore(file).unwrap();

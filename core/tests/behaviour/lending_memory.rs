@@ -1,4 +1,4 @@
-//! Whoever owns the tables lends them: homes and agents come and go in the same memory, and every refusal says what it knows.
+//! The caller owns the tables and lends them: homes and agents come and go in the same memory, and every refusal gives its reason.
 
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
@@ -72,8 +72,8 @@ fn a_memory_without_room_for_a_strategy_is_refused_by_name() {
 
 goodbot::memory! { struct Few = Capacities { sessions: 4, words: 14, ..Capacities::SMALL }; }
 
-/// Hears and finishes in calls of this budget, where sessions give way. Returns how many calls that took, and the bits of what was believed
-/// and learned.
+/// Hears and finishes in calls of this budget, with sessions that give way. Returns the number of calls, and the bits of the beliefs and
+/// the training data.
 fn in_parts(budget: u32) -> (usize, Vec<u32>) {
     let mut memory = Few::new();
     let (home, state) = rooms(&mut memory.home, "red");
@@ -172,14 +172,14 @@ fn too_few_tasks_are_told_how_many_a_command_may_mean() {
 
 #[test]
 fn a_home_that_is_built_in_parts_is_the_same_whatever_the_budget() {
-    // Every step from every state: what else a home is, its objects say.
+    // The result of every step from every state identifies the home, together with its objects.
     fn steps(budget: Option<u32>) -> (usize, Vec<Option<u64>>) {
         let mut memory = Memory::new();
         let mut builder = HomeBuilder::new(&mut memory.home);
         let mut parts = 0;
         builder.room("room0", Area::new(0, 0, 8, 4), "red").unwrap();
         if budget.is_some() {
-            // What comes later makes it begin anew.
+            // Adding an object restarts the search.
             while builder.find_cells(3).unwrap() == Progress::Working {}
         }
         builder.room("room1", Area::new(0, 4, 8, 8), "green").unwrap();

@@ -1,4 +1,4 @@
-//! What users of the core may rely on.
+//! The behaviour that users of the core may rely on.
 
 mod rooms;
 

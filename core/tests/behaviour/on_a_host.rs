@@ -1,4 +1,4 @@
-//! What a program with the standard library has by the feature `std`.
+//! The feature `std` for programs with the standard library.
 
 use goodbot::feedback::Feedback;
 use goodbot::home::paper_tasks;
@@ -7,7 +7,7 @@ use std::error::Error;
 
 use crate::rooms::rooms;
 
-/// Can be sent to another thread, and be any program's error.
+/// Such an error can be sent to another thread, and be any program's error.
 fn is_error<E: Error + Send + Sync + 'static>() {}
 
 #[test]

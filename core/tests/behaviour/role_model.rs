@@ -1,4 +1,4 @@
-//! The role model: what must hold whatever is learned.
+//! The role model: invariants for any training data.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
@@ -13,7 +13,7 @@ use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 
 type Rooms = [&'static str; 3];
 
-/// Three rooms in a row under each other's names, the robot in the first; and a block in the first, if there is one.
+/// A wide room below two others, added in this order. The robot is in the wide room, and so is the block, if there is one.
 fn home<M: HomeMemory>(memory: M, colors: Rooms, block: Option<(&str, &str)>, order: [usize; 3]) -> (Home<M>, HomeState) {
     let boxes = [Area::new(0, 0, 8, 4), Area::new(0, 4, 4, 8), Area::new(4, 4, 8, 8)];
     let mut builder = HomeBuilder::new(memory);
@@ -33,7 +33,7 @@ struct Taught {
     command: &'static str,
     colors: Rooms,
     block: Option<(&'static str, &'static str)>,
-    /// The name of what is to be somewhere, and where.
+    /// The names of the subject and of its goal.
     meant: (&'static str, &'static str),
 }
 
@@ -60,7 +60,7 @@ fn task(agent: &Agent<impl AgentMemory>, domain: &impl Domain, (subject, place):
     agent.tasks().iter().position(|task| name(task.bindings[0]) == subject && name(task.bindings[1]) == place).unwrap()
 }
 
-/// Teaches by judging every step.
+/// Teaches a command by judging every step.
 fn teach(agent: &mut Agent<impl AgentMemory>, it: &Taught, colors: Rooms, block: Option<(&str, &str)>, command: &str, order: [usize; 3]) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let (home, mut state) = home(&mut memory.home, colors, block, order);
@@ -82,7 +82,7 @@ fn new() -> Agent<AgentHeap> {
     Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::DEFAULT).unwrap()
 }
 
-/// A robot that had all lessons.
+/// A robot after all lessons.
 fn taught() -> Agent<AgentHeap> {
     let mut agent = new();
     LESSONS.iter().for_each(|it| teach(&mut agent, it, it.colors, it.block, it.command, [0, 1, 2]));
@@ -108,7 +108,7 @@ fn posterior(
     all
 }
 
-/// What a robot makes of a command in a home of a green, a blue and a red room with a yellow bag.
+/// The posterior for a command in a home of a green, a blue and a red room with a yellow bag.
 fn meant(agent: &mut Agent<impl AgentMemory>, command: &str) -> Vec<(String, f32)> {
     posterior(agent, ["green", "blue", "red"], ("yellow", "bag"), [0, 1, 2], command)
 }
@@ -147,7 +147,7 @@ fn the_order_of_the_objects_says_nothing() {
 /// A lifted task and the colour of its goal.
 type Meant = (&'static str, &'static str);
 
-/// How probable commands are where something is meant, after training on commands, what they meant, and weights.
+/// Trains on commands with their meanings and weights, then lets `ask` query the likelihood of commands under meanings.
 fn trained_on<T>(rounds: u32, data: &[(&str, Meant, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, Meant) -> f32) -> T) -> T {
     use goodbot::language::{LanguageModel, LanguageMut, Settings};
     let mut memory = HeapMemory::new(&Capacities { words: 256, translations: 2_048, alignments: 16_384, ..Capacities::STANDARD });
@@ -169,13 +169,13 @@ fn trained_on<T>(rounds: u32, data: &[(&str, Meant, f32)], ask: impl FnOnce(&mut
     })
 }
 
-/// The same where the goal is a room of a colour.
+/// The same for going to a room of a colour.
 fn trained<T>(rounds: u32, data: &[(&str, &'static str, f32)], ask: impl FnOnce(&mut dyn FnMut(&str, &'static str) -> f32) -> T) -> T {
     let data: Vec<_> = data.iter().map(|&(command, value, weight)| (command, ("agentInRoom", value), weight)).collect();
     trained_on(rounds, &data, |likelihood| ask(&mut |command, value| likelihood(command, ("agentInRoom", value))))
 }
 
-/// So many words of four different letters.
+/// This many different words of four letters, such as `aakk`.
 fn rare_words(count: u8) -> Vec<String> {
     let letter = |number: u8| char::from(b'a' + number);
     (0..count).map(|number| (letter(number / 16), letter(10 + number % 16))).map(|(a, b)| format!("{a}{a}{b}{b}")).collect()
@@ -250,7 +250,7 @@ fn a_round_of_training_loses_next_to_no_likelihood() {
         })
     };
     let course: Vec<f64> = (0..12).map(after).collect();
-    // Pseudo-counts and the lift make a round approximate.
+    // Pseudo-counts and the lift make a round only approximately increasing.
     assert!(course.windows(2).all(|pair| pair[1] > pair[0] - 0.001 * pair[0].abs()), "{course:?}");
     assert!(course[8] > course[0] + 1.0, "{course:?}");
 }
@@ -375,7 +375,7 @@ fn a_synonym_that_was_learned_stands_for_a_word_that_was_not() {
     let heard = words.in_known_words(agent.language(), said).unwrap();
     assert_eq!(heard, "take the bag to the red room please");
     assert_eq!(meant(&mut agent, &heard), meant(&mut agent, "take the bag to the red room please"));
-    // What was learned comes first, also where it is written with a slip, and what no line has stays.
+    // Learned words come first, even misspelled ones, and words in no line stay unchanged.
     let words = Synonyms::new("blue red\nbag room").unwrap();
     assert_eq!(words.in_known_words(agent.language(), "the red romo xyzzy").unwrap(), "the red romo xyzzy");
     assert!(words.in_known_words(agent.language(), &"go ".repeat(1_000)).is_err());
@@ -403,7 +403,7 @@ fn more_tasks_than_fit_are_refused_by_name_and_nothing_learned_is_lost() {
         builder.block(&format!("block{block}"), Cell::new(4 * block + 6, 2), "yellow", "bag").unwrap();
     }
     let (crowded, state) = builder.build(Moves::Push).unwrap();
-    // Where the largest memory has room for fewer, they are not counted to the end.
+    // If the largest memory has room for fewer, they are not counted to the end.
     assert_eq!(
         agent.hear(&crowded, &state, command),
         Err(AgentError::Capacity(CapacityError::new(Capacity::Tasks, 12, 72.min(TaskSet::MOST + 1))))

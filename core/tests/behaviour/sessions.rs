@@ -1,4 +1,4 @@
-//! Algorithm 1 step by step: what the agent hears, decides, believes and learns, and what it refuses.
+//! Algorithm 1 step by step: hearing, deciding, believing and learning, and the refusals.
 
 use crate::rooms::{self, Memory, robot};
 use goodbot::capacity::{Capacity, CapacityError};
@@ -15,7 +15,7 @@ fn begun(block: Option<Cell>) -> (Home<HomeArrays<Memory>>, HomeState, Agent<Age
     robot(Memory::new().agent, block, Options::PAPER)
 }
 
-/// The agent does an action, and the trainer says something to it. Gives the state that the action leads to.
+/// The agent does an action, and the trainer gives feedback. Returns the state that the action leads to.
 fn told(
     agent: &mut Agent<impl AgentMemory>,
     home: &Home<impl HomeMemory>,
@@ -163,7 +163,7 @@ fn a_home_too_large_for_the_memory_is_planned_for_as_far_as_it_goes_and_says_so(
     let (bounded, exact) = (bounded.planned(), exact.planned());
     assert!(exact.approximate().is_empty() && exact.unknown().is_empty());
     for task in 0..4 {
-        // Where the agent goes is known, or planned for with the block standing still; where the block goes is out of reach here.
+        // The agent's plan is exact, or made for a block that stands still; the block's goal is out of reach here.
         match bounded.optimal(task) {
             OptimalSet::Unknown => assert!(bounded.unknown().contains(task)),
             OptimalSet::Approximate(_) => {
@@ -186,7 +186,7 @@ fn several_strategies_are_told_apart_by_how_the_trainer_speaks() {
         let _ = told(&mut agent, &home, &start, Action::new(0), Feedback::Reward);
     }
     assert!(agent.belief().strategy_probability(0) > 0.9);
-    // A new command starts with what is known of the trainer.
+    // A new command starts with the present belief about the trainer.
     agent.hear(&home, &start, "go").unwrap();
     assert!(agent.belief().strategy_probability(0) > 0.9);
     assert_eq!(probabilities(&agent), [0.5; 2]);

@@ -1,4 +1,4 @@
-//! Options that nothing can be learned with are refused by the name of the field.
+//! Invalid options are refused with the name of the field.
 
 use goodbot::feedback::{Ending, Hazard};
 use goodbot::home::paper_tasks;
@@ -38,7 +38,7 @@ fn the_end_of_a_session_is_less_than_sure_at_every_moment() {
         assert_eq!(refused(Options { ending: ending(taken), ..Options::PAPER }), None, "{taken:?}");
         assert_eq!(refused(Options { ending: swapped(taken), ..Options::PAPER }), None, "{taken:?}");
     }
-    // After praise or a scolding, a half twice is sure.
+    // After praise or blame, twice one half is certain.
     let wrong = [
         Hazard { praised: 2.0, ..half },
         Hazard { scolded: 2.0, ..half },

@@ -1,4 +1,4 @@
-//! What the language model takes as training data, and what it refuses.
+//! The training data that the language model accepts, and its refusals.
 
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, TOKENS_PER_COMMAND};
@@ -9,7 +9,7 @@ use goodbot::symbols::Symbol;
 
 goodbot::memory! { struct Memory = Capacities { words: 8, word_bytes: 8, ..Capacities::SMALL }; }
 
-/// A model that heard one command, which meant the one machine token.
+/// A model with one learned command, whose meaning was one machine token.
 fn taught(memory: &mut Memory) -> LanguageModel<&mut AgentArrays<Memory>> {
     let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).unwrap();
     let go = model.tokens_mut().intern("agentInRoom").unwrap();

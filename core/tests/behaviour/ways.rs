@@ -1,4 +1,4 @@
-//! Tasks with a way, as texts that are at fault.
+//! Invalid texts of tasks with a way.
 
 use goodbot::capacity::Capacity;
 use goodbot::home::SCHEMA;

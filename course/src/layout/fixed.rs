@@ -1,4 +1,4 @@
-//! The course's homes, drawn: one wide room below and two above for the lessons, four rooms around a cross for the tests.
+//! The course's homes as drawn: one wide room below and two above for the lessons, four rooms around a cross for the tests.
 
 use super::{BlockPlan, Homes, Layout};
 use goodbot::home::{Area, Cell};

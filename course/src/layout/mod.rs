@@ -1,8 +1,8 @@
 //! The homes of the course.
 //!
-//! - [`fixed`]: seven drawings;
-//! - [`random`]: seven homes at random, each solvable;
-//! - [`solvable`]: whether a task can be done at all.
+//! - [`fixed`]: seven drawn homes;
+//! - [`random`]: seven random homes, each solvable;
+//! - [`solvable`]: whether a task can be done.
 
 pub mod fixed;
 pub mod random;
@@ -12,9 +12,9 @@ use crate::exercise::{HomeName, Intention};
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 
-/// Most rooms of a layout, and most doors.
+/// The most rooms of a layout, and the most doors.
 pub const ROOMS: usize = 4;
-/// Most blocks of a layout.
+/// The most blocks of a layout.
 pub const BLOCKS: usize = 2;
 
 /// A block of a layout.
@@ -46,10 +46,10 @@ const DOOR_NAMES: [&str; ROOMS] = ["door0", "door1", "door2", "door3"];
 const BLOCK_NAMES: [&str; BLOCKS] = ["block0", "block1"];
 
 impl Layout {
-    /// The home, in memory that is lent to it.
+    /// Builds the home in this memory.
     ///
     /// # Errors
-    /// [`HomeError`] where the layout is no home or the memory is too small.
+    /// [`HomeError`] if the layout is no valid home or the memory is too small.
     pub fn build<M: HomeMemory>(&self, memory: M) -> Result<(Home<M>, HomeState), HomeError> {
         let mut builder = HomeBuilder::new(memory);
         for (name, room) in ROOM_NAMES.iter().zip(&self.rooms) {
@@ -81,7 +81,7 @@ impl Layout {
         others(self.agent).map(Intention::go).chain(self.blocks.iter().flatten().flat_map(take))
     }
 
-    /// How many things there are.
+    /// The number of rooms, doors and blocks.
     fn size(&self) -> usize {
         self.rooms.iter().flatten().count() + self.doors.iter().flatten().count() + self.blocks.iter().flatten().count()
     }

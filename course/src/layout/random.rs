@@ -1,8 +1,8 @@
-//! The course's homes at random: other sizes, colours, doors and places in each, turned and mirrored, and always solvable.
+//! Random homes for the course: each with other sizes, colours, doors and places, turned and mirrored, and always solvable.
 //!
-//! Rooms are at least three cells wide and high, with doors and blocks away from the corners, so that a block which is pushed into a room
-//! can be got out again. Otherwise a block that has come to the intended room would often be stuck there: then no other task can be done
-//! any more, nothing the agent does is wrong for them, and the trainer's feedback at the goal cannot tell the intended one from the rest.
+//! Rooms are at least three cells wide and high, with doors and blocks away from the corners, so that a block pushed into a room can be
+//! pushed out again. Otherwise a block in the intended room would often be stuck there. Then no other task could be done any more, no
+//! action would be wrong for them, and the trainer's feedback at the goal could not distinguish the intended task from the rest.
 
 use super::solvable::is_solvable;
 use super::{BlockPlan, Homes, Layout, ROOMS};
@@ -14,12 +14,12 @@ use rand_core::Rng;
 
 /// The colours of rooms.
 const COLORS: [&str; ROOMS] = ["red", "green", "blue", "yellow"];
-/// How often a layout is drawn anew before the fixed one is taken instead.
+/// The number of draws before the fixed layout is used instead.
 const DRAWS: usize = 1_000;
 
 impl Homes {
-    /// Homes at random. In each, every command that is given there can be obeyed and is not obeyed yet. `memory` is where they are tried
-    /// out.
+    /// Random homes. In each, every command that is given there can be obeyed and is not obeyed yet. They are built in `memory` to check
+    /// this.
     pub fn random<R: Rng + ?Sized>(random: &mut R, memory: &mut impl HomeMemory) -> Self {
         let mut homes = Self::FIXED;
         let names = [HomeName::A, HomeName::B, HomeName::C, HomeName::D, HomeName::E, HomeName::F];
@@ -32,8 +32,8 @@ impl Homes {
 }
 
 impl Layout {
-    /// One of the course's homes at random. Every command that is given there can be obeyed and is not obeyed yet. `memory` is where it is
-    /// tried out.
+    /// One of the course's homes at random. Every command that is given there can be obeyed and is not obeyed yet. It is built in `memory`
+    /// to check this.
     pub fn random<R: Rng + ?Sized>(name: HomeName, random: &mut R, memory: &mut impl HomeMemory) -> Self {
         solvable_layout(name, Homes::FIXED.layout(name), random, memory)
     }
@@ -66,7 +66,7 @@ fn layout<R: Rng + ?Sized>(name: HomeName, drawn: &Layout, random: &mut R) -> Op
     layout.agent = cell_in(&layout, start, 1, random)?;
     for (position, block) in drawn.blocks.into_iter().enumerate() {
         let Some(block) = block else { continue };
-        // Against a wall, a block can no longer be pushed every way.
+        // A block at a wall cannot be pushed in every direction.
         let cell = cell_in(&layout, start, 2, random)?;
         if let Some(slot) = layout.blocks.get_mut(position) {
             *slot = Some(BlockPlan { cell, ..block });
@@ -90,12 +90,12 @@ struct Plan {
     start: Option<usize>,
 }
 
-/// Where a wall may cross a home of this length: each side of it keeps three cells.
+/// The place of a wall across a home of this length, with at least three cells on each side.
 fn wall<R: Rng + ?Sized>(length: i32, random: &mut R) -> i32 {
     between(4, length - 4, random)
 }
 
-/// A place for a door between two corners: not next to a corner, where a block that comes through would be stuck.
+/// A place for a door between two corners: not next to a corner, where a block pushed through would be stuck.
 fn door<R: Rng + ?Sized>(from: i32, to: i32, random: &mut R) -> i32 {
     between(from + 2, to - 2, random)
 }

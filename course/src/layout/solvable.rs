@@ -5,10 +5,10 @@ use goodbot::home::{BLOCK_IN_ROOM, COLOR, Home, HomeState, ROOM, SHAPE};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, CellId, Domain, GroundProposition, Piece, PushGrid};
 
-/// Most free cells of a home that [`is_solvable`] looks at: one bit each.
+/// The most free cells of a home for [`is_solvable`]: one bit each.
 pub const CELLS: usize = 64;
 
-/// Places of the agent and of one block that were reached: a row for each place of the block, a bit for each place of the agent.
+/// Reached places of the agent and of one block: a row for each place of the block, a bit for each place of the agent.
 #[derive(Clone, Copy)]
 struct Reached([u64; CELLS]);
 
@@ -18,7 +18,7 @@ impl Reached {
     }
 }
 
-/// What an intention asks for in a home, `None` where its objects are missing.
+/// The goal of an intention in a home, `None` if its objects are missing.
 fn goal(home: &Home<impl HomeMemory>, intention: &Intention) -> Option<GroundProposition> {
     let objects = home.world().objects;
     let room = objects.of_class(ROOM).find(|&room| objects.value(room, COLOR) == intention.room)?;
@@ -31,14 +31,14 @@ fn goal(home: &Home<impl HomeMemory>, intention: &Intention) -> Option<GroundPro
     Some(GroundProposition::new(intention.proposition, &[subject, room]))
 }
 
-/// Whether the intended task can be done and is not done yet. Every place that the agent and the block in question can come to is tried,
-/// while the other blocks stay where they are. A home of more than [`CELLS`] free cells counts as unsolvable.
+/// Whether the intended task can be done and is not done yet. All reachable places of the agent and of the block in question are tried,
+/// while the other blocks stay in place. A home of more than [`CELLS`] free cells counts as unsolvable.
 pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &Intention) -> bool {
     let Some(goal) = goal(home, intention) else { return false };
     if home.places().len() > CELLS || home.holds(&goal, start) {
         return false;
     }
-    // The block that moves; where the agent itself is meant, every block stays.
+    // The block that moves; if the agent itself is meant, every block stays.
     let moving = if goal.proposition == BLOCK_IN_ROOM { home.piece_of(&goal) } else { None };
     let cell = |state: &HomeState, piece: Piece| home.cell(state, piece).index();
     let place = |state: &HomeState| (moving.map_or(0, |piece| cell(state, piece)), cell(state, Piece::ROBOT));
@@ -49,7 +49,7 @@ pub fn is_solvable(home: &Home<impl HomeMemory>, start: &HomeState, intention: &
         }
     };
     mark(&mut reached, place(start));
-    // Each pass takes up at least one new place; there are finitely many.
+    // Each pass handles at least one new place, and there are finitely many.
     for _ in 0..CELLS * CELLS {
         let mut fresh = false;
         for block in 0..home.places().len() {

@@ -1,4 +1,4 @@
-//! The paper's course in scripts that are written without spaces, beside the same words with spaces in Latin letters.
+//! The paper's course in scripts without spaces, beside the same words with spaces in Latin letters.
 
 use goodbot::feedback::Strategy;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
@@ -55,7 +55,7 @@ const JAPANESE: Tongue = Tongue {
     tests: ["紫の椅子を緑の部屋に運んで", "青いかばんを黄色い部屋に運んで", "緑の部屋に行って", "赤い部屋に行って", "青い部屋に行って"],
 };
 
-/// As children write it.
+/// The spelling of children.
 const HIRAGANA: Tongue = Tongue {
     lessons: [
         "みどりのへやにいって",
@@ -126,11 +126,11 @@ const THAI_IN_LATIN: Tongue = Tongue {
     ],
 };
 
-/// How many courses, half of them in the drawn homes and half in random ones, where the environment does not say otherwise.
+/// The number of courses, half of them in the drawn homes and half in random ones, unless the environment sets another.
 const COURSES: usize = 24;
 
-/// One course, in the drawn homes or in random ones: how many commands of the second lesson and later are understood before they are taught,
-/// and how many tests are right.
+/// One course, in the drawn homes or in random ones: the number of commands, from the second lesson on, that are understood before they are
+/// taught, and the number of right tests.
 fn course(tongue: &Tongue, seed: u64, capacities: &Capacities, random_homes: bool) -> (usize, usize) {
     let mut memory = HeapMemory::new(capacities);
     let mut random = generator(seed);
@@ -156,7 +156,7 @@ fn course(tongue: &Tongue, seed: u64, capacities: &Capacities, random_homes: boo
     (understood, right)
 }
 
-/// What courses come to in all, in percent: commands understood before they are taught, and tests right.
+/// The result of all courses, in percent: commands understood before they are taught, and right tests.
 fn courses(tongue: &Tongue, capacities: &Capacities) -> [f32; 2] {
     let count = std::env::var("GOODBOT_COURSES").ok().and_then(|count| count.parse().ok()).unwrap_or(COURSES);
     let each = (0..count).map(|seed| course(tongue, seed as u64, capacities, seed % 2 == 1));

@@ -1,4 +1,4 @@
-//! A first lesson by a trainer who judges every step rightly, in random homes: a robot that expects real people believes them.
+//! A first lesson by a trainer who judges every step rightly, in random homes: even a robot that expects real people believes this trainer.
 
 use goodbot::feedback::{Feedback, Judged, Strategy, population};
 use goodbot::home::paper_tasks;
@@ -11,9 +11,9 @@ use goodbot_course::{Homes, generator};
 #[derive(Debug, Default)]
 struct Lesson {
     words: usize,
-    /// Words after which the robot was less sure of what was meant.
+    /// Words after which the robot was less sure of the intended task.
     fallen: usize,
-    /// How many words it took until the robot was sure.
+    /// The number of words until the robot was sure.
     to_sure: Option<usize>,
     end: f32,
 }
@@ -55,8 +55,8 @@ fn first_lesson(seed: u64, expected: &[(Strategy, f32)]) -> Lesson {
     lesson
 }
 
-/// The lessons of a robot that expects such trainers: words, words after which it was less sure, words until it was sure in the median, and how
-/// sure it was in the end.
+/// The lessons of a robot that expects such trainers: words, words after which it was less sure, the median of the words until it was sure,
+/// and its mean certainty in the end.
 fn taught(expected: &[(Strategy, f32)]) -> (usize, usize, Option<usize>, f32) {
     let lessons: Vec<Lesson> = (0..50).map(|seed| first_lesson(seed, expected)).collect();
     let sum = |part: fn(&Lesson) -> usize| lessons.iter().map(part).sum::<usize>();

@@ -1,4 +1,4 @@
-//! The homes of the course: that each can be built, obeyed in, and held by a controller.
+//! The homes of the course: each can be built, solved, and held by a controller.
 
 use goodbot::home::{Area, Cell, Map};
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};

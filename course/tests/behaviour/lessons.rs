@@ -1,4 +1,4 @@
-//! The driver of a lesson: when the trainer ends it, and what the agent has then learned.
+//! The driver of a lesson: when the trainer ends it, and what the agent has learned then.
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::home::{Area, Cell};
@@ -54,7 +54,7 @@ fn a_lesson_ends_when_the_block_is_stuck() {
 
 #[test]
 fn a_trainer_whom_the_agent_cannot_follow_gives_up() {
-    // This trainer never says anything, and the agent expects nothing else: whatever it believed at first, it goes on believing.
+    // This trainer never speaks, as the agent expects: its first belief stays.
     let silent = Strategy::new(1.0, 1.0, 0.1).unwrap();
     let endings: Vec<_> = (0..8).map(|seed| lesson(Homes::FIXED.layout(HomeName::A), &LESSONS[0], silent, seed)).collect();
     assert!(endings.iter().any(|(ending, _)| *ending == Ok(Ending::AtGoal)));

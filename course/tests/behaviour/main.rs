@@ -1,4 +1,4 @@
-//! The paper's course, and which lesson is next.
+//! The paper's course, and the choice of the next lesson.
 
 mod any_tongue;
 mod exact_trainer;

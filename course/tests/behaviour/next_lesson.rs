@@ -1,7 +1,7 @@
-//! Does the proposal help? Robots that are taught what it proposes, against others, until they understand 24 commands.
+//! The benefit of the proposed lessons: robots that are taught the proposals, against others, until they understand 24 commands.
 //!
-//! `GOODBOT_ROBOTS=200 cargo test --workspace --test behaviour next_lesson:: -- --nocapture` writes the table of docs/teach.md. The rule was chosen in the
-//! homes as drawn; it is judged in homes at random, other ones for each robot.
+//! `GOODBOT_ROBOTS=200 cargo test --workspace --test behaviour next_lesson:: -- --nocapture` writes the table of docs/teach.md. The rule
+//! was chosen in the homes as drawn; it is judged in random homes, different ones for each robot.
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};
 use goodbot::home::Cell;
@@ -14,20 +14,20 @@ use rand_core::Rng;
 
 const ROOMS: [&str; 4] = ["green", "red", "blue", "yellow"];
 const BLOCKS: [(&str, &str); 5] = [("blue", "chair"), ("purple", "bag"), ("yellow", "bag"), ("purple", "chair"), ("blue", "bag")];
-/// A course that needs more lessons is counted with this many.
+/// The number of lessons counted for a course that needs more.
 const MOST: usize = 40;
-/// How many robots are taught in each way, where nothing else is asked for.
+/// The number of robots taught in each way, unless the environment sets another.
 const ROBOTS: u64 = 40;
-/// The rule was mended by what robots of smaller seeds did.
+/// Robots with smaller seeds were used to improve the rule.
 const FIRST: u64 = 1001;
 
-/// What a robot is to understand: to go to four rooms, and to take five blocks to each.
+/// The commands that a robot must understand: to go to four rooms, and to take five blocks to each.
 fn wanted() -> Vec<Intention> {
     let take = |(color, shape)| ROOMS.map(|room| Intention::take(color, shape, room));
     ROOMS.map(Intention::go).into_iter().chain(BLOCKS.into_iter().flat_map(take)).collect()
 }
 
-/// Four rooms in which what is wanted is still to be done, with a block beside the one that is meant.
+/// Four rooms in which the wanted task is still open, with another block beside the intended one.
 fn examination(wanted: &Intention) -> Layout {
     let mut layout = Homes::FIXED.test;
     let place = |(color, shape), cell| Some(BlockPlan { cell, color, shape });
@@ -41,16 +41,16 @@ fn examination(wanted: &Intention) -> Layout {
     layout
 }
 
-/// How lessons are chosen.
+/// The choice of lessons.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Choice {
     /// As proposed.
     Proposed,
     /// The lesson with the largest sum over its words of need / (1 + heard)^2.
     ManyNewWords,
-    /// At random, of all that can be taught.
+    /// At random, among all teachable tasks.
     AtRandom,
-    /// The paper's seven, over and over.
+    /// The paper's seven, repeatedly.
     PaperOrder,
 }
 
@@ -58,7 +58,7 @@ fn exercise(home: HomeName, intention: Intention) -> Exercise {
     Exercise { command: intention.to_string().leak(), intention, home }
 }
 
-/// How many lessons a robot needs until it understands everything that is wanted.
+/// The number of lessons until a robot understands all wanted commands.
 fn lessons_needed(choice: Choice, seed: u64) -> usize {
     let (mut memory, mut random) = (HeapMemory::new(&Capacities::STANDARD), generator(seed));
     let homes = Homes::random(&mut random, &mut memory.home);
@@ -103,7 +103,7 @@ fn understands(
     right
 }
 
-/// What was proposed before: a control.
+/// An earlier rule for the proposals, as a control.
 fn many_new_words(lessons: &[&str], wanted: &[&str], heard: impl Fn(&str) -> u32) -> usize {
     let need = |word: &str| wanted.iter().filter(|command| command.split(' ').any(|other| other == word)).count() as f32;
     let worth = |command: &str| command.split(' ').map(|word| need(word) / (1 + heard(word)).pow(2) as f32).sum::<f32>();

@@ -1,4 +1,4 @@
-//! The paper's course on wheels: seven lessons that are acted out in the simulated world, then five commands that are only heard.
+//! The paper's course on wheels: seven lessons acted out in the simulated world, then five commands that are only heard.
 
 use super::World;
 use crate::DriveError;
@@ -10,26 +10,26 @@ use goodbot_course::lesson::{Lesson, Turn};
 use goodbot_course::{CourseError, CourseTrainer, Exercise, Homes, LESSONS, TESTS};
 use rand_core::Rng;
 
-/// What courses came to.
+/// The totals of courses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Lessons that were given.
+    /// Lessons given.
     pub lessons: u32,
     /// Actions of all lessons.
     pub actions: u32,
-    /// Actions after which the robot or a block was elsewhere than planned.
+    /// Actions after which the robot or a block was not in its planned cell.
     pub failed: u32,
     /// Turns of the control loop in which the robot touched a wall.
     pub walls_hit: u32,
-    /// Tests whose command was understood.
+    /// Tests with an understood command.
     pub right: u32,
 }
 
-/// Why a course on wheels could not go on.
+/// Why a course on wheels could not continue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SimulationError {
-    /// The course itself could not.
+    /// The course failed.
     Course(CourseError),
     /// The robot could not be driven.
     Drive(DriveError),
@@ -52,10 +52,10 @@ impl fmt::Display for SimulationError {
 
 impl core::error::Error for SimulationError {}
 
-/// Seven lessons by the paper's balanced trainer, and five tests, added to the tally.
+/// Runs seven lessons by the paper's balanced trainer, and five tests, and adds them to the tally.
 ///
 /// # Errors
-/// [`SimulationError`]: where the memory is too small, mostly.
+/// [`SimulationError`]: usually the memory is too small.
 pub fn course<R: Rng>(
     agent: &mut Agent<impl AgentMemory>,
     rooms: &mut impl HomeMemory,

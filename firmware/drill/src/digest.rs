@@ -1,11 +1,11 @@
-//! All posteriors of a run as one number: equal digests, equal bits.
+//! All posteriors of a run as one number, by which runs are compared bit for bit.
 
 /// FNV-1a over the bits of floats, 32 bits wide.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(pub u32);
 
 impl Digest {
-    /// Of nothing.
+    /// The digest of no value.
     pub const EMPTY: Self = Self(0x811c_9dc5);
 
     /// Takes in the bits of one float.

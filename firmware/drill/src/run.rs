@@ -26,7 +26,7 @@ pub enum Work {
     Hear,
     /// Planning for all tasks from one state: one call.
     Plan,
-    /// One action with its feedback: choosing it, and learning from what the trainer says.
+    /// One action with its feedback: choosing it, and updating the belief.
     Act,
     /// Ending a session, so that it joins the training data: one call.
     Finish,
@@ -46,7 +46,7 @@ impl Work {
     ];
 }
 
-/// Looks on.
+/// An observer of the run.
 pub trait Watch {
     /// The work begins.
     fn begin(&mut self) {}
@@ -77,7 +77,7 @@ pub struct Budget {
 }
 
 impl Budget {
-    /// Everything in one call, but for learning, which goes in parts of about a word of a pair, so that every round's end is seen.
+    /// Everything in one call, except learning: it goes in parts of about a word of a pair, so that the end of every round is seen.
     pub const ROUNDS: Self = Self { hear: u32::MAX, plan: u32::MAX, finish: u32::MAX, learn: 64 };
 }
 
@@ -97,7 +97,7 @@ pub struct Outcome {
 /// Runs the whole course in this memory.
 ///
 /// # Errors
-/// [`CourseError`]: where the memory is too small, mostly.
+/// [`CourseError`], mostly because the memory is too small.
 pub fn run(
     mut rooms: impl HomeMemory,
     agent: impl AgentMemory,
@@ -125,7 +125,7 @@ pub fn run(
         outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
         agent.forget();
     }
-    // The logarithm is the one function here that is not of + - * / alone.
+    // The logarithm is the only function here that is not made of + - * / alone.
     for part in 0..=64_u8 {
         outcome.digest.take(binary_entropy(f32::from(part) / 64.0));
     }

@@ -5,7 +5,7 @@ use std::boxed::Box;
 
 goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 
-/// The digest of the run; 0 where the run could not be ended.
+/// The digest of the run; 0 if the run failed.
 #[unsafe(no_mangle)]
 pub extern "C" fn goodbot_drill_digest() -> u32 {
     let mut memory = Box::new(Memory::new());

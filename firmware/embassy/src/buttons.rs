@@ -1,4 +1,4 @@
-//! The two buttons, which a task looks at: their contacts tremble, and the emulator has no interrupts of pins.
+//! The two buttons, polled by a task: their contacts bounce, and the emulator has no pin interrupts.
 
 use embassy_nrf::Peri;
 use embassy_nrf::gpio::{AnyPin, Input, Pull};
@@ -6,7 +6,7 @@ use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
 use embassy_time::{Duration, Ticker};
 
-/// What somebody says by the buttons.
+/// A message by the buttons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
     /// B: the last action was right.
@@ -20,10 +20,10 @@ pub enum Press {
 /// The presses that the robot has not taken yet.
 pub static PRESSES: Channel<CriticalSectionRawMutex, Press, 4> = Channel::new();
 
-/// How often it looks. A button counts when two looks agree.
+/// The time between two polls. A press counts when two polls agree.
 const LOOK: Duration = Duration::from_millis(10);
 
-/// Looks at the buttons for ever; the board pulls their pins up.
+/// Polls the buttons for ever; the board pulls their pins up.
 #[embassy_executor::task]
 pub async fn watch(a: Peri<'static, AnyPin>, b: Peri<'static, AnyPin>) {
     let (a, b) = (Input::new(a, Pull::Up), Input::new(b, Pull::Up));

@@ -1,5 +1,5 @@
-//! The last pages of the flash, as `embedded-storage-async` wants them. The driver in `embassy-nrf` takes this chip's pages for 4 KiB, and
-//! they have 1 KiB.
+//! The last pages of the flash, for `embedded-storage-async`. The driver in `embassy-nrf` assumes pages of 4 KiB, but this chip's have 1
+//! KiB.
 
 use embassy_futures::yield_now;
 use embassy_nrf::Peri;
@@ -10,7 +10,7 @@ use embedded_storage_async::nor_flash::{ErrorType, NorFlash, NorFlashError, NorF
 
 const PAGE: u32 = 1_024;
 const FLASH: u32 = 256 * 1_024;
-/// Where the two slots are: the linker keeps the program from here.
+/// The start of the two slots: the linker keeps the program out of them.
 pub const START: u32 = 0x3_E000;
 pub const SLOT: u32 = 4 * PAGE;
 const _: () = assert!(START + 2 * SLOT == FLASH);
@@ -27,7 +27,7 @@ impl Flash {
     }
 }
 
-/// What the flash refuses.
+/// The flash refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refused;
 
@@ -47,7 +47,7 @@ fn check(from: u32, bytes: usize) -> Result<(), Refused> {
     if from >= START && end <= u64::from(FLASH) { Ok(()) } else { Err(Refused) }
 }
 
-/// Lets the flash do this, until `Wen::Ren`.
+/// Allows writing or erasing, until `Wen::Ren`.
 fn allow(what: Wen) {
     NVMC.config().write(|config| config.set_wen(what));
 }
@@ -56,10 +56,10 @@ fn is_ready() -> bool {
     NVMC.ready().read().ready()
 }
 
-/// Where a model is in the flash, as memory.
+/// A model in the flash, as memory.
 pub fn model(at: u32, length: usize) -> Option<&'static [u8]> {
     check(at, length).ok()?;
-    // SAFETY: this is within the flash, which is always readable, and the only task that writes there holds this no longer than it restores.
+    // SAFETY: this is within the flash, which is always readable, and the only task that writes there holds this only while it restores.
     Some(unsafe { core::slice::from_raw_parts(at as *const u8, length) })
 }
 

@@ -5,10 +5,10 @@
 //! |---|---|
 //! | [`robot`] | the task that hears, plans, acts and learns, and lets the others run in between |
 //! | [`buttons`] | the task that looks at the buttons |
-//! | [`flash`] | what it learned, in a flash that is waited for |
+//! | [`flash`] | the learned model, in a flash with asynchronous calls |
 //! | [`time`] | embassy's clock |
-//! | [`serial`] | what it says |
-//! | `board`, `fault` | a stack that runs over, which must stop the robot and change nothing |
+//! | [`serial`] | the line on which it reports |
+//! | `board`, `fault` | a stack overflow, which must stop the robot and change nothing |
 
 #![no_std]
 #![no_main]
@@ -31,14 +31,14 @@ use embassy_time::Timer;
 
 #[embassy_executor::main]
 async fn main(spawner: Spawner) {
-    // Not `embassy_nrf::init`: on this chip it does nothing but wait for the slow clock, which nothing here needs and the emulator has not.
+    // Not `embassy_nrf::init`: on this chip it does nothing but wait for the slow clock, which nothing here needs and the emulator lacks.
     // SAFETY: this function runs once.
     let board = unsafe { Peripherals::steal() };
     serial::begin();
     time::begin();
     serial::say(&["goodbot on the micro:bit, by embassy"]);
     let light = (Output::new(board.P0_13, Level::High, OutputDrive::Standard), Output::new(board.P0_04, Level::Low, OutputDrive::Standard));
-    // Each task has room for one, and is started once.
+    // Each task can run once at a time, and is started once.
     let (buttons, robot) = (buttons::watch(board.P0_17.into(), board.P0_26.into()), robot::live(board.NVMC));
     if let (Ok(buttons), Ok(robot)) = (buttons, robot) {
         spawner.spawn(buttons);

@@ -21,14 +21,14 @@ use rand_pcg::Pcg32;
 const COMMANDS: [&str; 4] =
     ["go to the green room", "go to the blue room", "take the chair to the green room", "take the chair to the blue room"];
 
-/// How long it waits for a word about what it did.
+/// How long it waits for feedback.
 const PATIENCE: Duration = Duration::from_secs(4);
 
-/// What one part of the work may do: about ten milliseconds.
+/// The budget of one part of the work: about ten milliseconds.
 const PLAN: u32 = 50;
 const LEARN: u32 = 100;
 
-/// Less than the smallest preset, whose homes are twice as large: the tasks of the others need some of the RAM.
+/// Less than the smallest preset, whose homes are twice as large: the other tasks need some of the RAM.
 const CAPACITIES: Capacities = Capacities {
     cells: 20,
     states: 512,
@@ -97,7 +97,7 @@ fn house(rooms: &'static mut HomeArrays<RobotMemory>) -> Option<(Home, HomeState
 }
 
 impl Robot {
-    /// Takes back what was stored, and learns it again.
+    /// Restores the stored model, and trains it.
     async fn remember(&mut self) -> Result<(), &'static str> {
         let Some((at, length)) = self.slots.find().await.map_err(|_| "the flash cannot be read")? else {
             say(&["nothing is stored"]);
@@ -137,7 +137,7 @@ impl Robot {
         Ok(())
     }
 
-    // Each by itself, so that what one call has on the stack is gone before the next.
+    // Functions of their own, so that the stack of one call is free before the next.
 
     #[inline(never)]
     fn begin(&mut self, state: &HomeState, command: &str) -> Result<(), &'static str> {
@@ -235,7 +235,7 @@ fn tell(before: &str, number: u32, after: &str) {
     say(&[after]);
 }
 
-/// What an error means here.
+/// The text for an error.
 fn text(error: AgentError) -> &'static str {
     match error {
         AgentError::NoTask => "there is nothing to do here: every task is done already",

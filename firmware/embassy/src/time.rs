@@ -1,4 +1,4 @@
-//! Embassy's clock, in microseconds, by the chip's first timer. The one that `embassy-nrf` has counts by a part that the emulator lacks.
+//! Embassy's clock, in microseconds, by the chip's first timer. The clock of `embassy-nrf` uses a timer that the emulator lacks.
 
 use core::cell::{Cell, RefCell};
 use core::task::Waker;
@@ -10,14 +10,14 @@ use embassy_nrf::pac::timer::vals;
 use embassy_time_driver::Driver;
 use embassy_time_queue_utils::Queue;
 
-/// The timer's registers: the next alarm, the moment in which it begins anew, and a look at it.
+/// The timer's registers: the next alarm, the moment when it wraps to 0, and a capture of its count.
 const ALARM: usize = 0;
 const ANEW: usize = 1;
 const LOOK: usize = 2;
 
 struct Clock {
     queue: Mutex<RefCell<Queue>>,
-    /// What it was when somebody last looked: the timer has 32 bits, so it begins anew every 71 minutes, and somebody looks then.
+    /// The time at the last look. The timer has 32 bits, so it wraps every 71 minutes, and its interrupt looks then.
     seen: Mutex<Cell<u64>>,
 }
 
@@ -36,7 +36,7 @@ pub fn begin() {
         interrupts.set_compare(ANEW, true);
     });
     TIMER0.tasks_start().write_value(1);
-    // SAFETY: the handler below takes what it shares by critical sections.
+    // SAFETY: the handler below uses shared values only in critical sections.
     unsafe { interrupt::TIMER0.enable() };
 }
 
@@ -51,12 +51,12 @@ impl Clock {
         now
     }
 
-    /// Wakes who has waited long enough, and sets the alarm for the next.
+    /// Wakes the tasks that are due, and sets the alarm for the next.
     fn ring(&self, section: CriticalSection<'_>) {
         let mut queue = self.queue.borrow_ref_mut(section);
         loop {
             let next = queue.next_expiration(self.look(section));
-            // An alarm that is further off is set when the timer begins anew.
+            // An alarm that is further off is set when the timer wraps.
             TIMER0.cc(ALARM).write_value(next as u32);
             if next > self.look(section) {
                 return;

@@ -1,4 +1,4 @@
-//! The paper's course on an ESP32-C3: it begins when the power comes, and is told on the serial line of GPIO21, at 115,200 baud.
+//! The paper's course on an ESP32-C3: it begins at power-on, and reports on the serial line of GPIO21, at 115,200 baud.
 
 #![no_std]
 #![no_main]
@@ -12,18 +12,18 @@ goodbot::memory! { struct RobotMemory = goodbot::Capacities::SMALL; }
 
 static mut MEMORY: RobotMemory = RobotMemory::new();
 
-// The second loader starts what has this description alone.
+// The second loader starts only a program with this description.
 esp_bootloader_esp_idf::esp_app_desc!();
 
 #[main]
 fn main() -> ! {
     let board = esp_hal::init(esp_hal::Config::default());
-    // The speed is one that the chip has.
+    // The chip has the default speed.
     let Ok(serial) = Uart::new(board.UART0, Config::default()) else { rest() };
     let mut serial = serial.with_tx(board.GPIO21);
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };
-    // Nobody listens where the line fails.
+    // If the line fails, nobody can be told.
     let _ = match run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut ()) {
         Ok(course) => write!(serial, "passed {}\ntests {}\ndigest {}\n", course.passed, course.tests, course.digest.0),
         Err(_) => serial.write_str("error: the memory is too small for the course\n"),

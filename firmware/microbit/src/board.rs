@@ -1,4 +1,4 @@
-//! What the fault handler, which all boards share, needs of a board.
+//! The functions of this board that the fault handler of all boards calls.
 
 use crate::lights::{self, FULL};
 use crate::serial;

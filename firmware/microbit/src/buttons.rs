@@ -1,13 +1,13 @@
-//! The two buttons. Whoever holds one long means neither good nor bad.
+//! The two buttons. A long press means neither good nor bad.
 
 use nrf51_pac::Peripherals;
 
 const BUTTON_A: usize = 17;
 const BUTTON_B: usize = 26;
 
-/// A press shorter than this, in milliseconds, is only the contact's own trembling.
+/// A press shorter than this, in milliseconds, is only a contact that bounces.
 const SHORTEST: u32 = 20;
-/// From here on a press is a long one.
+/// A press of at least this many milliseconds is a long one.
 const LONG: u32 = 800;
 
 /// What somebody did with the buttons.
@@ -19,7 +19,7 @@ pub enum Press {
     B,
     /// Both at one time.
     Both,
-    /// One of them, for a long time; told while it is still held.
+    /// One of them, for a long time; reported while it is still held.
     Long,
 }
 
@@ -43,7 +43,7 @@ impl Buttons {
         Self { since: None, a: false, b: false, told: false }
     }
 
-    /// Looks at the buttons; to be called often.
+    /// Polls the buttons; to be called often.
     pub fn poll(&mut self, board: &Peripherals, now: u32) -> Option<Press> {
         let (a, b) = down(board);
         if !a && !b {

@@ -25,7 +25,7 @@ pub fn begin(board: &Peripherals) {
     unsafe { NVIC::unmask(Interrupt::TIMER0) };
 }
 
-/// Milliseconds since the start; runs over after 12 days.
+/// Milliseconds since the start; wraps after 12 days.
 pub fn now() -> u32 {
     MOMENTS.load(Relaxed) / (1_000 / MOMENT)
 }

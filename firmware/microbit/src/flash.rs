@@ -1,4 +1,4 @@
-//! The last pages of the flash: a home that came with the program's file, and what was learned, which outlives the battery.
+//! The last pages of the flash: a home that came with the program's file, and the learned model, which is kept without power.
 
 use crate::memory::{Agent, CAPACITIES};
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
@@ -8,16 +8,16 @@ use nrf51_pac::NVMC;
 
 const PAGE: u32 = 1_024;
 const FLASH: u32 = 256 * 1_024;
-/// Where the two slots are: the linker keeps the program from here.
+/// The start of the two slots: the linker keeps the program out of them.
 const START: u32 = 0x3_E000;
 const SLOT: u32 = 4 * PAGE;
 
-/// Where a home and its commands are that came with the file, up to the slots: text, and then what erased flash holds, which is 0 in an
-/// emulator.
+/// The start of the home and the commands that came with the file: text, then erased flash up to the slots. In an emulator, erased flash is
+/// 0.
 const CHOSEN: u32 = 0x3_DC00;
 const ERASED: [u8; 2] = [0xff, 0];
 
-/// The most that a model of this robot takes has room in a slot, and in the memory where it is written.
+/// The most bytes of a model of this robot: they fit into a slot, and into the memory where it is written.
 const MODEL: usize = most_bytes(&CAPACITIES);
 const _: () = assert!(MODEL <= SLOT as usize - SLOT_HEADER_BYTES && MODEL <= 8 * CAPACITIES.workspace_words() && START + 2 * SLOT == FLASH);
 
@@ -25,7 +25,7 @@ const _: () = assert!(MODEL <= SLOT as usize - SLOT_HEADER_BYTES && MODEL <= 8 *
 #[derive(Debug)]
 struct Flash;
 
-/// What the flash refuses.
+/// The flash refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Refused;
 
@@ -108,7 +108,7 @@ fn slots() -> Result<TwoSlots<Flash>, StorageError<Refused>> {
     TwoSlots::new(Flash, START, SLOT)
 }
 
-/// Stores what the robot knows, and returns its bytes. There is no room for a buffer beside the robot's tables.
+/// Stores the model, and returns its bytes. It is written into the robot's own tables: there is no room for a buffer.
 #[inline(never)]
 pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
     let model = agent.save_in_place().map_err(|_| "what was learned cannot be stored; say `forget` to begin anew")?;
@@ -119,7 +119,7 @@ pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
     Ok(model.len())
 }
 
-/// The home and the commands that came with the file, a request a line; nothing where the robot has its own.
+/// The home and the commands that came with the file, one request a line; `None` if the robot has only its own.
 pub fn chosen() -> Option<&'static str> {
     // SAFETY: this is within the flash, which is always readable, and nobody ever writes to it.
     let page = unsafe { core::slice::from_raw_parts(CHOSEN as *const u8, (START - CHOSEN) as usize) };
@@ -127,7 +127,7 @@ pub fn chosen() -> Option<&'static str> {
     page.get(..end).filter(|text| !text.is_empty()).and_then(|text| core::str::from_utf8(text).ok())
 }
 
-/// Takes back what was stored, and returns its bytes; 0 where nothing was. The robot must then learn to the end.
+/// Restores the stored model, and returns its bytes; 0 if nothing is stored. The robot must then learn to the end.
 #[inline(never)]
 pub fn restore(agent: &mut Agent) -> Result<usize, &'static str> {
     let Some((at, length)) = slots().and_then(|mut slots| slots.find()).map_err(|_| "the flash cannot be read")? else { return Ok(0) };
@@ -143,7 +143,7 @@ pub fn restore(agent: &mut Agent) -> Result<usize, &'static str> {
     Ok(length)
 }
 
-/// Forgets what is stored.
+/// Erases the stored model.
 pub fn erase() -> Result<(), &'static str> {
     Flash.erase(START, START + 2 * SLOT).map_err(|_| "the flash refused to erase")
 }

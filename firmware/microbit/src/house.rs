@@ -1,9 +1,9 @@
-//! The home that the micro:bit has by itself, as large as its lights, and the commands to teach it; or those that came with its file.
+//! The micro:bit's own home, as large as its lights, and the commands to teach it; or those that came with its file.
 
 use crate::flash;
 
 /// A red room above; a green and a blue one below, each behind a door; a yellow chair in the red one. Inside its walls it has five times
-/// five cells. Each line is what the serial line takes.
+/// five cells. Each line is a request of the serial line.
 const HOME: &str = "\
 room room0 0 3 6 6 red
 room room1 0 0 3 3 green

@@ -8,7 +8,7 @@ pub type Picture = [[u8; 5]; 5];
 
 /// The brightest light: on for all of its row's time.
 pub const FULL: u8 = 16;
-/// Nothing.
+/// All lights off.
 pub const DARK: Picture = [[0; 5]; 5];
 
 /// The pins of the nine columns, which light where they are low, and of the three rows, which light where they are high.
@@ -54,7 +54,7 @@ pub fn show(picture: &Picture) {
     }
 }
 
-/// Shows the part of the picture that a moment has; the clock calls it, moment after moment.
+/// Shows the part of the picture for one moment; the clock calls it, moment after moment.
 pub fn refresh(board: &Peripherals, moment: u32) {
     let (part, row) = ((moment % u32::from(FULL)) as u8, (moment / u32::from(FULL)) % 3);
     let mut pins = COLUMNS | 1 << (FIRST_ROW + row);

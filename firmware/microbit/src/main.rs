@@ -3,14 +3,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`robot`] | what the robot is doing, and what people ask of it |
-//! | [`request`] | what can be said on the serial line |
-//! | [`house`] | the home that it has by itself, and the commands to teach it |
-//! | [`picture`] | what the lights show |
-//! | [`memory`] | how much it remembers |
-//! | [`flash`] | what it learned, where it outlives the battery |
+//! | [`robot`] | the robot's work, and people's requests |
+//! | [`request`] | the requests on the serial line |
+//! | [`house`] | its own home, and the commands to teach it |
+//! | [`picture`] | the pictures on the lights |
+//! | [`memory`] | its capacities |
+//! | [`flash`] | the learned model, kept without power |
 //! | [`clock`], [`lights`], [`buttons`], [`serial`] | the board's parts |
-//! | `board`, `fault`, [`stack`] | a stack that runs over, which must stop the robot and change nothing |
+//! | `board`, `fault`, [`stack`] | a stack overflow, which must stop the robot and change nothing |
 
 #![no_std]
 #![no_main]
@@ -42,7 +42,7 @@ static mut ROOMS: HomeArrays<RobotMemory> = RobotMemory::new().home;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    // SAFETY: this function runs once; the interrupts' handlers keep to what is theirs.
+    // SAFETY: this function runs once; the interrupt handlers use only their own parts.
     let (agent, rooms, board) = unsafe { (&mut *(&raw mut AGENT), &mut *(&raw mut ROOMS), Peripherals::steal()) };
     lights::begin(&board);
     serial::begin(&board);
@@ -67,7 +67,7 @@ fn main() -> ! {
     }
 }
 
-/// By itself, so that the line is on the stack while nothing else is.
+/// A function of its own, so that the line is on the stack only while it is read.
 #[inline(never)]
 fn listen(robot: &mut Robot<'_>, now: u32) {
     if robot.listens() {

@@ -1,4 +1,4 @@
-//! How much this robot remembers.
+//! The capacities of this robot.
 
 use goodbot::Capacities;
 use goodbot::memory::{AgentArrays, HomeArrays};

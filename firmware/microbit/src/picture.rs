@@ -1,4 +1,4 @@
-//! What the lights show: the home, a text that runs by, or a sign.
+//! Pictures for the lights: the home, a running text, or a sign.
 
 use crate::lights::{DARK, FULL, Picture};
 use crate::memory::Home;
@@ -9,16 +9,16 @@ use tiny_led_matrix::Render;
 /// How bright the rooms are, in the order in which they were described, and doors; walls are dark.
 const ROOMS: [u8; 4] = [1, 4, 8, 2];
 const DOOR: u8 = 2;
-/// How long a block is bright, and then as its room is, in milliseconds.
+/// How long a block is bright, and then as dim as its room, in milliseconds.
 const BLINK: u32 = 256;
-/// How long each column of a text that runs by is shown.
+/// How long each column of a running text is shown, in milliseconds.
 const COLUMN: u32 = 90;
 /// The columns of a letter, with the gap after it.
 const LETTER: usize = 6;
 
-/// What the trainer said was good.
+/// The trainer said "good".
 pub const GOOD: Picture = sign([0b00000, 0b01010, 0b00000, 0b10001, 0b01110]);
-/// What the trainer said was bad.
+/// The trainer said "bad".
 pub const BAD: Picture = sign([0b00000, 0b01010, 0b00000, 0b01110, 0b10001]);
 
 const fn sign(rows: [u8; 5]) -> Picture {

@@ -1,8 +1,8 @@
-//! What can be said on the serial line: one request a line.
+//! Requests on the serial line, one a line.
 
 use goodbot::home::{Area, Cell};
 
-/// What somebody asks for.
+/// A request.
 #[derive(Clone, Copy, Debug)]
 pub enum Request<'l> {
     /// The requests, in a few words.
@@ -25,7 +25,7 @@ pub enum Request<'l> {
     Pace(u32),
     /// Everything back to where it was at first.
     Again,
-    /// The home that the robot has by itself.
+    /// The robot's own home.
     Home,
     /// Another home begins.
     Begin,
@@ -45,7 +45,7 @@ pub enum Request<'l> {
     Memory,
 }
 
-/// What `help` says.
+/// The answer to `help`.
 pub const HELP: [&str; 9] = [
     "say WORDS...: a command in your own words; next: the next one of the list",
     "good, bad: about the last action; finish: the lesson is over, learn from it",
@@ -61,7 +61,7 @@ pub const HELP: [&str; 9] = [
 /// Reads a line.
 ///
 /// # Errors
-/// What to say instead.
+/// The text to answer with.
 pub fn read(line: &str) -> Result<Request<'_>, &'static str> {
     let (name, rest) = line.trim().split_once(' ').unwrap_or((line.trim(), ""));
     let mut words = rest.split_ascii_whitespace();

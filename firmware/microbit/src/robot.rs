@@ -1,4 +1,4 @@
-//! The robot: what it is doing, and what people ask of it. Its work goes in small parts, so that buttons and lights never wait for long.
+//! The robot: its work, and people's requests. The work goes in small parts, so that buttons and lights never wait for long.
 
 use crate::buttons::Press;
 use crate::lights::{DARK, Picture};
@@ -19,7 +19,7 @@ use rand_pcg::Pcg32;
 const PACE: u32 = 1_500;
 /// How long a sign is shown.
 const SIGN: u32 = 500;
-/// What one part of the work may do: at most about ten milliseconds.
+/// The budget of one part of the work: at most about ten milliseconds.
 const PLAN: u32 = 50;
 const LEARN: u32 = 100;
 
@@ -36,7 +36,7 @@ enum Place {
     Moving,
 }
 
-/// What the robot does.
+/// The robot's current work.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Doing {
     Nothing,
@@ -45,14 +45,14 @@ enum Doing {
     /// It has a plan, and acts when it is time.
     Waiting,
     Finishing,
-    /// Learning, from a lesson or from what was stored.
+    /// Learning, from a lesson or from the stored model.
     Learning {
         store: bool,
     },
     Storing,
 }
 
-/// What the lights show besides the home.
+/// A picture or a text on the lights, in place of the home.
 #[derive(Clone, Copy)]
 enum Sign {
     Picture(&'static Picture, u32),
@@ -73,7 +73,7 @@ pub struct Robot<'a> {
 }
 
 impl<'a> Robot<'a> {
-    /// The robot in its own home, with what it stored. It must work on until it has learned that again.
+    /// The robot in its own home, with nothing learned.
     #[inline(never)]
     pub fn new(agent: &'a mut Agent, rooms: Rooms) -> Self {
         let mut robot = Self {
@@ -93,7 +93,7 @@ impl<'a> Robot<'a> {
         robot
     }
 
-    /// Takes back what was stored.
+    /// Restores the stored model. The robot must work on until it is trained.
     pub fn remember(&mut self) {
         match flash::restore(self.agent) {
             Ok(0) => say(&["nothing is stored"]),
@@ -112,7 +112,7 @@ impl<'a> Robot<'a> {
         !self.asked && matches!(self.doing, Doing::Nothing | Doing::Waiting)
     }
 
-    /// What the lights show.
+    /// The picture for the lights.
     pub fn shows(&self, now: u32) -> Picture {
         if let Doing::Finishing | Doing::Learning { .. } = self.doing {
             return picture::work(now);
@@ -127,7 +127,7 @@ impl<'a> Robot<'a> {
         }
     }
 
-    /// Somebody pressed.
+    /// Takes a press of the buttons.
     pub fn pressed(&mut self, press: Press, now: u32) {
         let request = match press {
             Press::A => Request::Bad,
@@ -143,13 +143,13 @@ impl<'a> Robot<'a> {
         }
     }
 
-    /// Does what is asked, and says `ok` when that is done, or what is wrong.
+    /// Does a request, and answers `ok` when it is done, or the error.
     pub fn asked(&mut self, request: Result<Request<'_>, &'static str>, now: u32) {
         match request {
             Ok(request) => {
                 self.asked = true;
                 self.report(request, now);
-                // Where work has begun, its end answers.
+                // If work has begun, the answer comes at its end.
                 if self.doing == Doing::Nothing || self.doing == Doing::Waiting {
                     self.answer();
                 }
@@ -216,7 +216,7 @@ impl<'a> Robot<'a> {
         Ok(())
     }
 
-    /// How full each table was at most, and how large it is.
+    /// Prints how full each table was at most, and how large it is.
     #[inline(never)]
     fn tell_usage(&self) {
         let used = self.agent.most_used();
@@ -230,7 +230,7 @@ impl<'a> Robot<'a> {
         }
     }
 
-    /// Works on for a little while.
+    /// Does one part of the work.
     #[inline(never)]
     pub fn work(&mut self, now: u32) {
         if let Err(problem) = self.work_on(now) {
@@ -288,7 +288,7 @@ impl<'a> Robot<'a> {
         Ok(())
     }
 
-    /// Stores what was just learned, where that is to be done. Apart from other work: it takes as much of the stack.
+    /// Stores the model if that is due. Apart from other work: it takes as much of the stack.
     #[inline(never)]
     pub fn store(&mut self) {
         if self.doing != Doing::Storing {
@@ -348,7 +348,7 @@ impl<'a> Robot<'a> {
         Ok(())
     }
 
-    /// Says what the command may mean: the most likely, or everything.
+    /// Prints the most likely task of the command, or all its tasks.
     #[inline(never)]
     fn tell(&self, most_likely: bool) -> Result<(), &'static str> {
         let Place::Here { home, .. } = &self.place else { return Err(NO_HOME) };
@@ -383,7 +383,7 @@ impl<'a> Robot<'a> {
         Ok(())
     }
 
-    /// The memory of the home that the robot is in, which is no more.
+    /// Takes back the memory of the home, which is then gone.
     fn leave(&mut self) -> Result<Rooms, &'static str> {
         self.agent.forget();
         self.doing = Doing::Nothing;
@@ -403,7 +403,7 @@ impl<'a> Robot<'a> {
         self.build()
     }
 
-    /// Another home begins.
+    /// Begins another home.
     fn begin(&mut self) -> Result<(), &'static str> {
         self.place = Place::Described(Builder::new(self.leave()?));
         Ok(())
@@ -454,7 +454,7 @@ fn home_of(place: &Place, now: u32) -> Picture {
 
 const NO_HOME: &str = "the robot is in no home; say `home`, or describe one and say `build`";
 
-/// What an error means here.
+/// The text for an error.
 fn text(error: AgentError) -> &'static str {
     match error {
         AgentError::EmptyCommand => "the command has no word; say what to do",
@@ -466,7 +466,7 @@ fn text(error: AgentError) -> &'static str {
     }
 }
 
-/// What is wrong with a home.
+/// The text for a fault of a home.
 fn problem(problem: Problem) -> &'static str {
     match problem {
         Problem::NoAgent => "the home has no agent",

@@ -1,4 +1,4 @@
-//! The serial line over USB: 115,200 baud, 8 bits, no parity, one stop bit. What comes in is kept by the interrupt until it is read.
+//! The serial line over USB: 115,200 baud, 8 bits, no parity, one stop bit. The interrupt keeps received bytes until they are read.
 
 use core::sync::atomic::{AtomicBool, AtomicU8, Ordering::Relaxed};
 use nrf51_pac::{Interrupt, NVIC, Peripherals, UART0, interrupt};
@@ -9,7 +9,7 @@ const RECEIVES: u32 = 25;
 /// The longest line, in bytes.
 const LONGEST: usize = 64;
 
-/// The line that comes in. The interrupt fills it to its end, and then the main program has it until it has read it.
+/// The received line. The interrupt fills it to its end; then it is the main program's until that has read it.
 static LINE: [AtomicU8; LONGEST] = [const { AtomicU8::new(0) }; LONGEST];
 static LENGTH: AtomicU8 = AtomicU8::new(0);
 static WHOLE: AtomicBool = AtomicBool::new(false);
@@ -34,7 +34,7 @@ pub fn begin(board: &Peripherals) {
 
 #[interrupt]
 fn UART0() {
-    // SAFETY: of these, only this handler reads what came in and its event.
+    // SAFETY: only this handler reads the received bytes and their event.
     let line = unsafe { Peripherals::steal() }.UART0;
     while line.events_rxdrdy.read().bits() != 0 {
         line.events_rxdrdy.write(|event| unsafe { event.bits(0) });
@@ -45,7 +45,7 @@ fn UART0() {
 fn take(byte: u8) {
     let (length, ends) = (LENGTH.load(Relaxed), matches!(byte, b'\r' | b'\n'));
     if WHOLE.load(Relaxed) {
-        // Where a line ends with two characters, the second says nothing more.
+        // If a line ends with two characters, the second means nothing.
         TOO_FAST.store(TOO_FAST.load(Relaxed) || !ends, Relaxed);
     } else if ends {
         WHOLE.store(length > 0, Relaxed);
@@ -57,7 +57,7 @@ fn take(byte: u8) {
     }
 }
 
-/// Reads the line that has come, if one has: hands over its text, or what is wrong with it.
+/// Hands over the received line, or its fault. Does nothing before a line is complete.
 pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
     if !WHOLE.load(Relaxed) {
         return;
@@ -68,7 +68,7 @@ pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
     }
     let text = bytes.get(..usize::from(LENGTH.load(Relaxed))).and_then(|bytes| core::str::from_utf8(bytes).ok());
     let (too_fast, too_long) = (TOO_FAST.load(Relaxed), TOO_LONG.load(Relaxed));
-    // The next line may come as soon as the answer to this one is sent, so there is room for it before.
+    // The next line may come as soon as the answer to this one is sent, so room is made for it before.
     TOO_FAST.store(false, Relaxed);
     TOO_LONG.store(false, Relaxed);
     LENGTH.store(0, Relaxed);

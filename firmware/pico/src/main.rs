@@ -1,4 +1,4 @@
-//! The paper's course on a Raspberry Pi Pico: it begins when the power comes, and is told on the serial line of GP0, at 115,200 baud.
+//! The paper's course on a Raspberry Pi Pico: it begins at power-on, and reports on the serial line of GP0, at 115,200 baud.
 
 #![no_std]
 #![no_main]
@@ -27,7 +27,7 @@ fn main() -> ! {
     let mut serial = Serial(Uart::new_blocking(board.UART0, board.PIN_0, board.PIN_1, Config::default()));
     // SAFETY: this function runs once, and nothing else touches the static.
     let memory = unsafe { &mut *(&raw mut MEMORY) };
-    // Nobody listens where the line fails.
+    // If the line fails, nobody can be told.
     let _ = match run(&mut memory.home, &mut memory.agent, SEED, Budget::ROUNDS, &mut ()) {
         Ok(course) => write!(serial, "passed {}\ntests {}\ndigest {}\n", course.passed, course.tests, course.digest.0),
         Err(_) => serial.write_str("error: the memory is too small for the course\n"),

@@ -15,7 +15,7 @@ const PER_STEP: u64 = 25; // 100 / 64
 /// Steps of the timer in a period.
 static PERIOD: AtomicU32 = AtomicU32::new(1);
 
-/// What the start-up code writes over the stack, so that its deepest word shows.
+/// The start-up code paints the stack with this value, so that its deepest word shows.
 pub const STACK_PAINT_VALUE: u32 = 0xCCCC_CCCC;
 
 core::arch::global_asm!(

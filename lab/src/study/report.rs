@@ -47,9 +47,10 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let mut text = format!(
         "# Comparison with other agents\n\n\
-         An inference finds out in a lesson what is meant, and a language learns from that what words mean. Here each inference goes with \
-         each language. {} kinds of trainers teach them, in {} courses. Every number covers {} seeds ({first} to {last}); each seed has its \
-         own homes, and all agents meet the same homes and trainers. Intervals are 95 %.\n\n\
+         This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
+         *language* learns words from it. Each inference goes with each language, taught by {} kinds of trainers in {} courses. Every \
+         number covers {} seeds ({first} to {last}) with homes of their own; all agents meet the same homes and trainers. Intervals are \
+         95 %.\n\n\
          `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
          share the work, and `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
         plan.trainers.len(),
@@ -61,12 +62,12 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &format!(
         "## Limitations\n\
          - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
-         with four commands only. A simulated trainer never tires and never changes its mind. For a study with people see [the \
+         with four commands only. A simulated trainer never tires or changes its mind. For a study with people see [the \
          page](page.md#a-study-in-a-class).\n\
-         - TAMER, COACH and policy shaping were made for other purposes. Here they choose among tasks, begin with what the language says, \
-         and have goodbot's exact planner, so that they can be compared.\n\
-         - A lesson ends when the agent has rested three times at the goal, when the goal becomes unreachable, or after {MOST_STEPS} \
-         steps. That the trainer ends it at the goal tells no agent anything.\n\
+         - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
+         language's probabilities, and have goodbot's exact planner.\n\
+         - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
+         the end as evidence.\n\
          - `this` expects trainers that were fitted to the same recorded sessions as `population`.\n\
          - Words of the `paper` course are taught by its templates, and three of its five tests repeat a lesson word for word in a new \
          home.\n\n\
@@ -76,17 +77,18 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     for course in &plan.courses {
         text += &format!("| `{}` | {} |\n", course.name(), course.is());
     }
-    text += "\nIn `told` all lessons are in one home, and all tests in another; the robot and both blocks begin in the yellow room. So the same nine tasks are \
-             possible each time: no comparison of lessons tells what a word means.\n\n| agent | description | settings |\n|---|---|---|\n";
+    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room. The \
+             same nine tasks are possible each time, so comparing lessons tells no word's meaning.\n\n\
+             | agent | description | settings |\n|---|---|---|\n";
     for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
     text += &format!(
-        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, and none. All learn from the \
-         inference's belief at the end of a lesson, all act for one task, the likeliest or one that is drawn, and go straight on where they can. `goodbot study \
-         --agents goodbot,people,asking,paper` runs goodbot as it is used. One rule chose the settings of TAMER, COACH, policy shaping and the \
-         log-linear model, on seeds {} to {} of the `paper` course with the trainers {}: the highest share of tests right minus steps a \
-         lesson / {MOST_STEPS}. They were tried as {} (`goodbot study --tune`).\n\n",
+        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, and none. All agents learn \
+         from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if they can. \
+         `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. One rule chose the settings of TAMER, COACH, \
+         policy shaping and the log-linear model, on seeds {} to {} of the `paper` course with the trainers {}: the highest share of tests \
+         right minus steps a lesson / {MOST_STEPS}. They were tried as {} (`goodbot study --tune`).\n\n",
         SEEDS.start,
         SEEDS.end - 1,
         TRAINED_BY.join(", "),

@@ -1,4 +1,4 @@
-//! One HTML file out of its parts.
+//! Assembles one HTML file from its parts.
 
 use std::io::Write;
 use std::path::Path;
@@ -8,20 +8,20 @@ use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
 
 use crate::letters::letters;
 
-/// So many bits of the byte before count for what a byte is, as in `page/src/begin.js`.
+/// How many bits of the previous byte predict a byte, as in `page/src/begin.js`.
 const LC: u32 = 5;
 
-/// The page, and the parts that stand in it.
+/// The page, and two of its parts.
 pub struct Page {
-    /// All of it.
+    /// The whole page.
     pub html: String,
-    /// What is packed, as text.
+    /// The packed parts, as text.
     pub packed: String,
     /// The script that expands it.
     pub script: String,
 }
 
-/// What the page of `folder` shows, in lines without indentation.
+/// The body of the page in `folder`, in lines without indentation.
 pub fn body(folder: &Path) -> Result<String> {
     Ok(without_comments(&read(folder, "body.html")?))
 }
@@ -30,7 +30,7 @@ fn read(folder: &Path, name: &str) -> Result<String> {
     std::fs::read_to_string(folder.join(name)).with_context(|| format!("page/{name} cannot be read"))
 }
 
-/// Puts the script that begins and the parts, packed together, into the `index.html` of `folder`.
+/// Puts the first script, and the parts packed together, into the `index.html` of `folder`.
 pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<Page> {
     let script = escaped(script);
     let whole: Vec<u8> = parts.iter().flat_map(|(_, part)| *part).copied().collect();
@@ -46,7 +46,7 @@ pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<
     Ok(Page { html: without_comments(&html), packed, script })
 }
 
-/// A text's lines without those that hold nothing but a comment, and without indentation.
+/// A text without indentation, without empty lines and without lines that are only a comment.
 fn without_comments(script: &str) -> String {
     let mut in_comment = false;
     let mut kept = String::with_capacity(script.len());
@@ -66,7 +66,7 @@ fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
 }
 
-/// What `page/src/lzma.js` expands.
+/// Packs bytes for `page/src/lzma.js`.
 fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
     let options = LzmaOptions::new(1 << 20, LC, 0, 0, EncodeMode::Normal, 273, MfType::Bt4, 10_000);
     let mut packer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;

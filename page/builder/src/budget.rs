@@ -1,4 +1,4 @@
-//! How large the page may be, and what it is made of.
+//! The limits of the page's size, and the sizes of its parts.
 
 use std::io::Write;
 
@@ -10,11 +10,10 @@ use super::assemble::Page;
 
 const MOST_BYTES: usize = 500_000;
 const MOST_GZIPPED: usize = 270_000;
-/// What the messages of panics take, where a ready-made standard library brings them along.
+/// The bytes of panic messages, if a ready-made standard library brings them along.
 const PANIC_MESSAGES: usize = 20_000;
 
-/// Says what the page is made of. It is an error if it is too large. `parts` are what is packed into it, with
-/// their names.
+/// Prints the sizes of the page and its parts. It is an error if the page is too large. `parts` are the packed parts, with their names.
 pub fn check(page: &Page, parts: &[(&str, &[u8])], with_panic_messages: bool) -> Result<()> {
     let most_gzipped = MOST_GZIPPED + if with_panic_messages { PANIC_MESSAGES } else { 0 };
     let Page { html, packed, script } = page;

@@ -8,13 +8,13 @@ use serde_json::{Map, Value};
 
 /// The language that the others are compared with.
 const FIRST: &str = "en";
-/// What `page/src/begin.js` says in place of the page: it has that text itself.
+/// The text that `page/src/begin.js` shows in place of the page: it has that text itself.
 const IN_PLACE: &str = "noRobot";
 
 /// The texts of all languages, by code and key.
 pub struct Languages(BTreeMap<String, Map<String, Value>>);
 
-/// Reads the languages of a folder. It is an error if a language lacks a key, has one too many, or leaves out what stands in braces.
+/// Reads the languages of a folder. It is an error if a language lacks a key, has one too many, or leaves out a value in braces.
 pub fn read(folder: &Path) -> Result<Languages> {
     let mut languages = BTreeMap::new();
     for entry in std::fs::read_dir(folder).with_context(|| format!("{} cannot be read", folder.display()))? {
@@ -31,8 +31,8 @@ pub fn read(folder: &Path) -> Result<Languages> {
 }
 
 impl Languages {
-    /// All languages as `takeLanguages` in `page/src/language.js` reads them. A key with a dot that stands as a whole in the page's
-    /// scripts or its body becomes a number there. It is an error if no script and no element has a text's key.
+    /// All languages, for `takeLanguages` in `page/src/language.js`. A key with a dot that is written in full in the page's scripts or its
+    /// body becomes a number there. It is an error if no script and no element has a text's key.
     pub fn number(&self, scripts: &mut String, body: &mut String) -> Result<String> {
         let (mut named, mut numbered) = (Vec::new(), Vec::new());
         for key in self.0[FIRST].keys().filter(|key| *key != IN_PLACE) {
@@ -62,18 +62,18 @@ impl Languages {
     }
 }
 
-/// A key as scripts and elements may have it.
+/// A key as scripts and elements may write it.
 fn quoted(key: &str) -> [String; 3] {
     ['"', '\'', '`'].map(|quote| format!("{quote}{key}{quote}"))
 }
 
-/// The beginning of a key that a script completes, as it may have it.
+/// The beginning of a key that a script completes, as scripts may write it.
 fn opened(part: &str) -> [String; 4] {
     let [double, single, back] = quoted(part);
     [double, single, back, format!("`{part}$")]
 }
 
-/// A text as a line. What depends on a number is JSON.
+/// A text as a line. A text that depends on a number is JSON.
 fn line(text: &Value) -> Result<String> {
     match text {
         Value::String(text) if text.contains('\n') || text.starts_with("{\"") => {
@@ -87,7 +87,7 @@ fn line(text: &Value) -> Result<String> {
 fn check(first: &Map<String, Value>, texts: &Map<String, Value>) -> Result<()> {
     for (key, text) in first {
         let Some(other) = texts.get(key) else { bail!("there is no {key}") };
-        // What a thing is called needs its colour, in the form that the language has.
+        // The name of a thing needs its colour, in a form of that language.
         if !key.starts_with("thing.") && !key.starts_with("label.") && places(text) != places(other) {
             bail!("{key} must have {:?}, and has {:?}", places(text), places(other));
         }
@@ -101,7 +101,7 @@ fn check(first: &Map<String, Value>, texts: &Map<String, Value>) -> Result<()> {
     }
 }
 
-/// What stands in braces.
+/// The names in braces.
 fn places(text: &Value) -> BTreeSet<String> {
     leaves(text).iter().flat_map(|text| text.split('{').skip(1)).filter_map(|part| Some(part.split_once('}')?.0.to_owned())).collect()
 }

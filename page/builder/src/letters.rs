@@ -4,7 +4,7 @@
 /// The letters for six bits; the others are for seven.
 const OF_SIX_BITS: u32 = 35;
 
-/// What `page/src/letters.js` reads. At the end are up to seven zeros too many.
+/// Bytes as letters, for `page/src/letters.js`. Up to seven zero bits are added at the end.
 pub fn letters(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len() * 5 / 4);
     let (mut held, mut bits) = (0_u32, 0);

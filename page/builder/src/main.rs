@@ -26,7 +26,7 @@ fn main() -> Result<()> {
         paths => (paths, false),
     };
     let [module, out, node] = paths else { bail!("usage: goodbot-page MODULE OUT NODE [--with-panic-messages]") };
-    // Beside the module: nothing of it is kept.
+    // A folder beside the module, for intermediate files.
     let folder = module.with_extension("page");
     let wasm = generate(module, &folder)?;
     let source = Path::new(PAGE).canonicalize().with_context(|| format!("{PAGE} is not there"))?;
@@ -35,7 +35,7 @@ fn main() -> Result<()> {
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
     let wasm = scripts::packable(&source, &wasm, node)?;
     let module = order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?;
-    // In the order in which page/src/begin.js takes them. So they pack best.
+    // In the order in which page/src/begin.js takes them. They pack best so.
     let parts: [(&str, &[u8]); 5] = [
         ("the module", &module),
         ("the texts", texts.as_bytes()),
@@ -51,7 +51,7 @@ fn main() -> Result<()> {
     budget::check(&page, &parts, with_messages)
 }
 
-/// Generates the module as the page has it, and beside it in `folder` its glue and the glue's types. Returns the module's path.
+/// Generates the page's module, its glue and the glue's types in `folder`. Returns the module's path.
 fn generate(module: &Path, folder: &Path) -> Result<PathBuf> {
     let mut bindgen = Bindgen::new();
     bindgen

@@ -1,5 +1,5 @@
-//! The functions of a module in an order in which they pack well: what comes next is guessed from what was like it lately, so functions that are alike
-//! should be neighbours.
+//! Puts the functions of a module into an order that packs well: the packer predicts bytes from similar bytes shortly before, so similar
+//! functions should be neighbours.
 
 use std::collections::BTreeMap;
 use std::convert::Infallible;
@@ -9,11 +9,11 @@ use wasm_encoder::reencode::{Error, Reencode, utils};
 use wasm_encoder::{CodeSection, FunctionSection, Module};
 use wasmparser::{CodeSectionReader, CustomSectionReader, FunctionBody, FunctionSectionReader, Parser, Payload, TypeRef};
 
-/// So many bytes that came before are compared with.
+/// A function is compared with this many bytes before it.
 const WINDOW: usize = 1_000;
-/// What is compared are runs of so many bytes,
+/// Runs of this many bytes are compared.
 const RUN: usize = 5;
-/// unless more functions than this have them.
+/// A run in more functions than this is left out.
 const COMMON: usize = 1_000;
 
 /// The same module with its functions in another order.
@@ -40,10 +40,10 @@ pub fn neighbours(module: &[u8]) -> Result<Vec<u8>> {
     Ok(ordered.finish())
 }
 
-/// How a module is written in another order of its own functions. The imported ones come before them and keep their numbers.
+/// Writes a module with its own functions in another order. The imported ones come before them and keep their numbers.
 struct Ordering {
     imported: u32,
-    /// For each place, which function comes there.
+    /// For each place, its function.
     order: Vec<usize>,
     /// For each function, its place.
     places: Vec<u32>,
@@ -57,7 +57,7 @@ impl Reencode for Ordering {
         Ok(own.map_or(function, |own| self.imported + self.places[own as usize]))
     }
 
-    /// What they tell, browsers do not ask for.
+    /// Left out: browsers do not need custom sections.
     fn parse_custom_section(&mut self, _: &mut Module, _: CustomSectionReader<'_>) -> Result<(), Error<Infallible>> {
         Ok(())
     }
@@ -102,7 +102,7 @@ fn order(bodies: &[&[u8]]) -> Vec<usize> {
         }
     }
     let with: Vec<Vec<usize>> = with.into_values().collect();
-    // Of each run how often it stands in the window, and of each function what it has in common with that.
+    // For each run, how often it is in the window; for each function, how much it has in common with the window.
     let (mut there, mut common) = (vec![0_u32; with.len()], vec![0_f64; bodies.len()]);
     let count = |run: usize, sign: f64, common: &mut [f64]| {
         let worth = sign / (with[run].len() as f64).powf(0.3);

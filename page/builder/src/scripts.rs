@@ -1,4 +1,4 @@
-//! What npm's programs do for the page. The types of its scripts are checked, and they become one; its style and its module become small.
+//! Calls npm's programs for the page: they check the types of its scripts, join the scripts, and make the style and the module small.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -6,13 +6,13 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 use serde_json::json;
 
-/// The page's scripts and its style, small.
+/// The page's scripts and its style, made small.
 pub struct Scripts {
-    /// The one that expands what is packed.
+    /// The script that expands the packed parts.
     pub begin: String,
     /// All others, with the module's glue.
     pub others: String,
-    /// How the page looks.
+    /// The style.
     pub style: String,
 }
 
@@ -40,8 +40,8 @@ pub fn bundle(page: &Path, generated: &Path, node: &Path) -> Result<Scripts> {
     Ok(Scripts { begin: read(&begin)?, others: read(&others)?, style: read(&style)? })
 }
 
-/// The module without what nothing calls and with equal functions once, written so that it packs well. Binaryen's passes that make a module smaller by
-/// themselves make it a fiftieth larger when packed.
+/// The module without unused parts and duplicate functions, written so that it packs well. Binaryen's other passes make the module itself
+/// smaller, but a fiftieth larger when packed.
 pub fn packable(page: &Path, module: &Path, node: &Path) -> Result<PathBuf> {
     let small = module.with_extension("small.wasm");
     let passes = "dealign remove-unused-module-elements duplicate-function-elimination rse vacuum reorder-locals";

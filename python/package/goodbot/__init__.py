@@ -23,9 +23,9 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `Agent`, `Decision`: the robot's mind;
 - `Trainer`, `Lesson`: a simulated trainer;
 - `teach`, `Judge`, `LanguageModel`: a lesson with a trainer or a language model of your own;
-- `Session`, `read_log`, `write_log`: recorded sessions; `posteriors`: what is believed in them; `learn`: an agent that knows them;
+- `Session`, `read_log`, `write_log`: recorded sessions; `posteriors`: the beliefs in them; `learn`: an agent trained on them;
 - `goodbot.datasets`: logs that you fetch, with their checksums, and splits;
-- `evaluate`, `Evaluation`: how well commands are understood that were not trained on;
+- `evaluate`, `Evaluation`: how well unseen commands are understood;
 - `exercises`, `run_course`, `run_courses`: the paper's experiment;
 - `goodbot.gym`: the homes as Gymnasium environments.
 """

@@ -9,8 +9,8 @@ from ._native import run_command
 
 
 def main() -> None:
-    """Does what was typed, and ends with its exit code."""
-    # Python would only hear of ctrl-C when the command is done.
+    """Runs the command line, and ends with its exit code."""
+    # Python's own handler would run only after the command.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     sys.exit(run_command(["goodbot", *sys.argv[1:]]))
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def run(*arguments: str) -> str:
-    """What a command prints. Raises `ValueError` with its message where what it was given is at fault, and `RuntimeError` where it fails."""
+    """The output of a command. Raises `ValueError` with its message if its input is at fault, and `RuntimeError` if it fails."""
     command = [sys.executable, "-m", "goodbot", *arguments]
     done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", check=False)
     if done.returncode != 0:
@@ -31,7 +31,7 @@ def run(*arguments: str) -> str:
 
 @contextmanager
 def file_of(log: Log | None) -> Iterator[str | None]:
-    """The file of a log, which is written where it is not one."""
+    """The file of a log; one that is not a file is written to a temporary one."""
     if log is None or isinstance(log, (str, os.PathLike)):
         yield None if log is None else os.fspath(log)
         return

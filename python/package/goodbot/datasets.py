@@ -1,7 +1,7 @@
-"""Logs that you fetched, with their checksums, in splits where nothing is on both sides.
+"""Logs that you fetched, with their checksums, split so that nothing is on both sides.
 
-The package brings no data, and fetches none. Keep the checksums of what you fetched beside your results, so that others know that they have
-the same.
+The package brings no data, and fetches none. Keep the checksums of the fetched files beside your results, so that others know that they
+have the same files.
 
 >>> import goodbot, tempfile
 >>> from goodbot import datasets
@@ -42,7 +42,7 @@ def _environment(session: Session) -> str:
     return session.home.to_json()
 
 
-# What sessions of a group have in common, as `goodbot evaluate --group` has it.
+# The key that the sessions of a group share, as in `goodbot evaluate --group`.
 _KEYS: dict[str, Callable[[Session], str]] = {
     "command": lambda session: " ".join(words(session.command)),
     "worker": _worker,
@@ -53,16 +53,16 @@ _KEYS: dict[str, Callable[[Session], str]] = {
 
 @dataclass(frozen=True)
 class Split:
-    """Sessions to train on, and others to ask."""
+    """Sessions to train on, and others to test on."""
 
     train: list[Session]
     """To train on."""
     test: list[Session]
-    """To ask."""
+    """To test on."""
 
     @property
     def heard_before(self) -> float:
-        """The share of the sessions to ask whose command, word by word, is among those to train on too."""
+        """The share of the test sessions whose command, word by word, is also in the training sessions."""
         known = {_KEYS["command"](session) for session in self.train}
         return sum(_KEYS["command"](session) in known for session in self.test) / max(len(self.test), 1)
 
@@ -77,10 +77,10 @@ class Dataset:
     """The checksum of each file, by its name."""
 
     def split(self, *, by: Group = "command", test: float = 0.2, seed: int = 0) -> Split:
-        """Sessions to train on and to ask. No command, worker, environment or task (`by`) is on both sides.
+        """Sessions to train on and to test on. No command, worker, environment or task (`by`) is on both sides.
 
-        `test` is the share of the groups to ask, at least one. Which they are depends on `seed` and on the groups alone: not on the order of the
-        sessions. Raises `ValueError` where there are less than two groups.
+        `test` is the share of the groups to test on, at least one. The choice depends on `seed` and the groups alone, not on the order of the
+        sessions. Raises `ValueError` if there are fewer than two groups.
         """
         if not 0.0 < test < 1.0:
             raise ValueError(f"test is {test}; give a share between 0 and 1")
@@ -89,7 +89,7 @@ class Dataset:
         return self._part(groups, range(count))
 
     def folds(self, count: int, *, by: Group = "command", seed: int = 0) -> Iterator[Split]:
-        """Splits for cross-validation: each group is to be asked in one of them. Raises `ValueError` where there are less groups than folds."""
+        """Splits for cross-validation: each group is tested in one of them. Raises `ValueError` if there are fewer groups than folds."""
         groups = self._groups(by, seed)
         if not 2 <= count <= len(groups):
             raise ValueError(f"{count} folds of {len(groups)} groups; give 2 to {len(groups)}")
@@ -123,7 +123,7 @@ def checksum(path: str | os.PathLike[str]) -> str:
 def load(*paths: str | os.PathLike[str], sha256: str | Mapping[str, str] | None = None) -> Dataset:
     """Reads logs. `sha256` is the expected checksum of one file, or of several by their names without folders.
 
-    Raises `ValueError` where a file is another than expected or is not named, `FormatError` where it is no log, and `OSError`.
+    Raises `ValueError` if a file is another than expected or is not named, `FormatError` if it is no log, and `OSError`.
     """
     if isinstance(sha256, str):
         if len(paths) != 1:

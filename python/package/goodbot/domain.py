@@ -1,4 +1,4 @@
-"""What a class needs so that a goodbot agent can live in it."""
+"""The interface of a class that describes a robot of your own and its world."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, Protocol
 class Domain(Protocol):
     """A robot of your own, and its world: any class with these attributes and methods. There is nothing to inherit.
 
-    A domain is deterministic, and does not change while a session lasts: what its methods return is remembered. States may be any objects.
+    A domain is deterministic, and does not change while a session lasts: the answers of its methods are cached. States may be any objects.
     The two attributes `attributes` and `state_count` may be left out.
 
     >>> class Lamps:
@@ -48,7 +48,7 @@ class Domain(Protocol):
         """The propositional functions by their names: for each the classes of its 1 to 3 arguments."""
 
     def step(self, state: Any, action: str) -> Any:
-        """The state that an action leads to, or None where it cannot be done. Bumping into a wall can be done and changes nothing."""
+        """The state that an action leads to, or None if it cannot be done. Bumping into a wall can be done and changes nothing."""
 
     def holds(self, proposition: str, objects: tuple[str, ...], state: Any) -> bool:
         """Whether a proposition holds of these objects in a state."""

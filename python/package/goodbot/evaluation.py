@@ -1,4 +1,4 @@
-"""How well commands are understood that were not trained on: `goodbot evaluate`, from Python."""
+"""How well unseen commands are understood: `goodbot evaluate`, from Python."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """What `evaluate` found."""
+    """The result of `evaluate`."""
 
     answers: list[dict[str, Any]]
-    """For each command that was asked: what was answered, how sure, and whether that is right. `goodbot evaluate --json` has the same fields."""
+    """For each tested command: the answer, its probability, and whether it is right. `goodbot evaluate --json` has the same fields."""
     summary: dict[str, Any]
     """The figures of all answers: shares of right answers with their intervals, log loss, calibration, and the controls."""
 
 
 def evaluate(train: Log | None = None, *, test: Log | None = None, **options: Option) -> Evaluation:
-    """Trains on some sessions of a log and asks the others.
+    """Trains on some sessions of a log and tests the others.
 
-    `train` and `test` are files or sessions, or the lines of a log of worlds as dicts. Without `test` each session of `train` is asked in its
-    turn, by a model of the others. The options are those of `goodbot evaluate --help`, with `_` for `-`: `k_fold=10`, `group="worker"`,
-    `leave_environment_out=True`, `learner="paper"`, `seed=2`, `with_="words.goodbot"`, a list for what may come several times.
+    `train` and `test` are files or sessions, or the lines of a log of worlds as dicts. Without `test` each session of `train` is tested in
+    turn, with a model trained on the others. The options are those of `goodbot evaluate --help`, with `_` for `-`: `k_fold=10`,
+    `group="worker"`, `leave_environment_out=True`, `learner="paper"`, `seed=2`, `with_="words.goodbot"`; a repeated option is a list.
 
-    Raises `ValueError` with the command line's message where a log or an option is at fault, and `RuntimeError` where the command fails.
+    Raises `ValueError` with the command line's message if a log or an option is at fault, and `RuntimeError` if the command fails.
 
     >>> import goodbot
     >>> home, trainer, agent = goodbot.Home.random(seed=1), goodbot.Trainer(seed=1), goodbot.Agent()

@@ -1,4 +1,4 @@
-"""The paper's experiment, for one seed and for many, with places for a trainer and a language model of your own."""
+"""The paper's experiment, for one seed and for many, also with a trainer or a language model of your own."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def run_course(
     """Trains a new agent through the seven lessons and asks the five tests, as `goodbot paper --seed SEED` does: twelve rows.
 
     Each row has `seed`, `kind`, `number`, `command` and `right`; lessons also have `steps`, `ending`, `reward`, `punish` and `neutral`,
-    tests the `probability` of what was meant. `layouts` is `fixed` or `random`.
+    tests the `probability` of the intended task. `layouts` is `fixed` or `random`.
 
     `trainer` and `language` may be classes of your own, or functions, which make a `Judge` and a `LanguageModel` for a seed. The
     course then goes step by step in Python, with other random numbers than the command line's.
@@ -78,7 +78,7 @@ def run_courses(
 ) -> list[dict[str, Any]]:
     """`run_course` for each of the seeds, on all cores: the rows of all of them, ready for `pandas.DataFrame`.
 
-    The same seeds give the same rows, whatever the number of threads. A bar shows how far it is where `tqdm` is installed.
+    The same seeds give the same rows, whatever the number of threads. A bar shows the progress if `tqdm` is installed.
 
     >>> import goodbot
     >>> rows = goodbot.run_courses(range(1, 4), progress=False)

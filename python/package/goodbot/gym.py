@@ -6,8 +6,8 @@
 | `goodbot/Rooms-v0` | three rooms, no block |
 | `goodbot/Block-v0` | three rooms, one block |
 
-Each episode has a home at random and a mission in words, such as "take the blue bag to the red room". The reward is 1 where the mission is
-done, which ends the episode, and 0 elsewhere. With `home=` the home is always that one; with `log=` homes, missions and their meanings are
+Each episode has a home at random and a mission in words, such as "take the blue bag to the red room". The reward is 1 when the mission is
+done, which ends the episode, and 0 otherwise. With `home=` the home is always that one; with `log=` homes, missions and their meanings are
 those of a session log.
 """
 
@@ -33,10 +33,10 @@ Observation = dict[str, Any]
 Place = tuple[Home, Sequence[tuple[str, str]]]
 
 CHANNELS = 4
-# What the worlds can tell from a state: the paper's tasks, and both at once.
+# The kinds of tasks that worlds know: the paper's two, and both at once.
 KINDS = ["agentInRoom(?a,?r)", "blockInRoom(?o,?r)", "agentInRoom(?a,?r1) & blockInRoom(?o,?r2)"]
 MOST_LETTERS = 128
-# What a person may say: letters of any script would not fit a space, those of missions do.
+# The letters of missions: a space of texts cannot have the letters of all scripts.
 LETTERS = string.ascii_letters + string.digits + string.punctuation + " "
 # The cells of a home of the course, with its walls.
 COURSE_SIZE = 10
@@ -59,7 +59,7 @@ def missions(home: Home) -> list[tuple[str, str]]:
 
 
 def _in_words(home: Home, task: str) -> str:
-    """A task as a person says it: `go to the green room`, `take the blue bag to the red room`."""
+    """A task in a person's words: `go to the green room`, `take the blue bag to the red room`."""
     function, _, arguments = task.rstrip(")").partition("(")
     subject, room = (home.objects[name] for name in arguments.split(","))
     to = f"to the {room['color']} room"
@@ -67,13 +67,13 @@ def _in_words(home: Home, task: str) -> str:
 
 
 def _logged(path: str | PathLike[str]) -> list[Place]:
-    """The homes of a log, with the commands whose meaning is told. Tasks with a way, which depend on more than the end, are left out."""
+    """The homes of a log, with the commands whose meaning is known. Tasks with a way, which depend on more than the last state, are left out."""
     places = ((session.home, session.command, session.intended) for session in read_log(path) if session.intended)
     return [(home, [(command, meant)]) for home, command, meant in places if meant in home.tasks(kinds=KINDS)]
 
 
 class _Drawn:
-    """How homes become observations, for one and for many."""
+    """The homes and spaces of an environment, for one and for many."""
 
     def __init__(self, name: str, home: Home | None, log: str | PathLike[str] | None, max_steps: int) -> None:
         self.name, self.max_steps = name, max_steps
@@ -99,7 +99,7 @@ class _Drawn:
         )
 
     def at_random(self, seed: int) -> Place:
-        """A home of a seed, with what can be done there."""
+        """A home of a seed, with its missions."""
         home = Home.random(seed, self.name)
         return home, missions(home)
 
@@ -108,7 +108,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
     """One home with a mission.
 
     Observations are dicts: `image`, uint8 of shape (size, size, 4), as `goodbot.Worlds` describes it, and `mission`, the command. Actions are
-    the positions of `env.unwrapped.actions`, the last of which is `noop`. `info` has the name of the task that is meant, `intended`.
+    the positions in `env.unwrapped.actions`, the last of which is `noop`. `info["intended"]` is the name of the intended task.
 
     >>> import gymnasium
     >>> env = gymnasium.make("goodbot/Rooms-v0")
@@ -140,7 +140,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         self.observation_space = self._drawn.space
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
-        """Begins an episode. `options={"command": ..., "intended": ...}` gives the mission, in a home that is given."""
+        """Begins an episode. `options={"command": ..., "intended": ...}` sets the mission, in a home that is given."""
         super().reset(seed=seed)
         drawn = int(self.np_random.integers(1 << 32))
         places = self._drawn.places or [self._drawn.at_random(drawn)]
@@ -150,7 +150,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         return self._observed(self._worlds.image()), {"intended": self.intended}
 
     def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
-        """Does an action; 1 is the reward where the mission is done."""
+        """Does an action; the reward is 1 when the mission is done."""
         image, rewards, terminated, truncated = self._begun.step(bytes([int(action)]))
         reward = float(np.frombuffer(rewards, np.float32)[0])
         return self._observed(image), reward, bool(terminated[0]), bool(truncated[0]), {"intended": self.intended}
@@ -182,7 +182,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
 
     @property
     def state(self) -> State:
-        """Where things are."""
+        """The current state."""
         return self._begun.state(0)
 
     @property
@@ -222,7 +222,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         return None
 
 
-# MiniGrid's numbers of objects and colours. What it does not have follows its own.
+# MiniGrid's numbers of objects and colours. Those that it does not have follow its own.
 _MINIGRID_WALL, _MINIGRID_FLOOR, _MINIGRID_DOOR = 2, 3, 4
 _MINIGRID_THINGS = np.array([0, 10, 7, 6, 5, 11], np.uint8)  # agent; chair: box, bag: ball, backpack: key, basket
 _MINIGRID_COLORS = np.array([5, 0, 1, 2, 4, 3, 6, 7, 8, 9, 10, 5], np.uint8)  # red, green, blue, yellow, purple, orange ...
@@ -241,9 +241,9 @@ class MiniGrid:
         return int(column), int(row)
 
     def encode(self) -> Image:
-        """What is in each cell, uint8 of shape (columns, rows, 3): the object's number, its colour's, and 0. The agent is left out, as in MiniGrid.
+        """The object in each cell, uint8 of shape (columns, rows, 3): its number, its colour's, and 0. The agent is left out, as in MiniGrid.
 
-        A cell with a thing on the floor has the thing. What is outside of the home is wall.
+        A cell with a thing on the floor has the thing. Cells outside of the home are wall.
         """
         kinds, colors, things, of = (self._image[..., channel] for channel in range(CHANNELS))
         kind = np.where(kinds == 2, _MINIGRID_FLOOR, np.where(kinds == 3, _MINIGRID_DOOR, _MINIGRID_WALL))
@@ -256,11 +256,10 @@ class MiniGrid:
 
 
 class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
-    """Many homes that are stepped together in Rust: `gymnasium.make_vec("goodbot/Home-v0", num_envs=1024)`.
+    """Many homes, stepped together in Rust: `gymnasium.make_vec("goodbot/Home-v0", num_envs=1024)`.
 
     Homes come from a pool of `homes` random ones, drawn at the first reset and after each reset with a seed. An environment whose episode
-    ended begins the next one at the next step, as Gymnasium's `AutoresetMode.NEXT_STEP` has it. `missions=False` leaves the texts out of
-    the observations after a reset, for speed; `commands` has them.
+    ended begins the next one at the next step, as Gymnasium's `AutoresetMode.NEXT_STEP` says.
     """
 
     metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
@@ -332,8 +331,8 @@ class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
 
 
 class HumanFeedback(gymnasium.Wrapper[Observation, Any, Observation, Any]):
-    """Puts a simulated trainer beside the environment: `info["feedback"]` is what it says to each action, `reward`, `punish` or `neutral`,
-    and `info["correct"]` whether the action was right, which the trainer itself may mistake.
+    """Adds a simulated trainer to the environment: `info["feedback"]` is its feedback to each action, `reward`, `punish` or `neutral`,
+    and `info["correct"]` whether the action was right; the trainer itself may be mistaken.
 
     >>> import gymnasium
     >>> from goodbot.gym import HumanFeedback
@@ -354,12 +353,12 @@ class HumanFeedback(gymnasium.Wrapper[Observation, Any, Observation, Any]):
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode."""
         observation, info = self.env.reset(seed=seed, options=options)
-        # The trainer knows what is meant; it plans as an agent does who knows the prior.
+        # The trainer knows the intended task: it plans as an agent whose prior is that task alone.
         self._seer.hear(self._home_env.home, self._home_env.state, "go", prior={self._home_env.intended: 1.0})
         return observation, info
 
     def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
-        """Does an action, and says what the trainer says to it."""
+        """Does an action, and adds the trainer's feedback."""
         home = self._home_env.home
         self._seer.plan(home, self._home_env.state)
         right = self._seer.optimal_sets(home)[self._seer.tasks.index(self._home_env.intended)]

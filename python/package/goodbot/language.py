@@ -1,4 +1,4 @@
-"""A place for a language model of your own: what a class needs, and what it is told."""
+"""A language model of your own: the methods that its class needs, and the tasks that it is given."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _ATOM = re.compile(r"(!?\w+)\(([^)]*)\)")
 
 @dataclass(frozen=True)
 class Task:
-    """A task that a command may mean, as a language model is told of it.
+    """A task that a command may mean, as a language model gets it.
 
     >>> task = goodbot.Task.of("agentInRoom(agent0,room2)", {"agent0": {"class": "agent"}, "room2": {"class": "room", "color": "red"}})
     >>> task.objects
@@ -51,7 +51,7 @@ class Task:
 
 
 def _is_value(attribute: str, value: object) -> bool:
-    """Whether this is a value that words can name; a class and a place in the plane are none."""
+    """Whether this is a value that words can name; a class and a box are none."""
     return isinstance(value, str) and attribute not in ("class", "name")
 
 
@@ -70,12 +70,12 @@ class LanguageModel(Protocol):
     """
 
     def log_likelihood(self, words: Sequence[str], tasks: Sequence[Task]) -> Sequence[float]:
-        """The natural logarithm of how probable these words are for each task, up to a constant: a number for each task. `-inf` is impossible."""
+        """The natural log likelihood of these words for each task, up to a constant: a number for each task. `-inf` is impossible."""
 
 
 @runtime_checkable
 class LearningLanguageModel(LanguageModel, Protocol):
-    """A language model that learns too: it is told what was believed at the end of each session."""
+    """A language model that learns too: it gets the belief at the end of each session."""
 
     def learn(self, words: Sequence[str], tasks: Sequence[Task], beliefs: NDArray[np.float32]) -> None:
         """Learns from a session: its words, its tasks, and how probable each task was at the end, float32 of shape (tasks,), sum 1."""
@@ -88,23 +88,23 @@ def objects_of(domain: Any) -> Mapping[str, Mapping[str, Any]]:
 
 
 def hear(agent: Agent, domain: Any, state: Any, command: str, *, language: LanguageModel | None = None) -> None:
-    """Lets an agent hear a command in a state, as `Agent.hear` does, with the understanding of a language model of your own.
+    """Lets an agent hear a command in a state, as `Agent.hear` does, with a language model of your own.
 
-    Each task's prior is proportional to its likelihood. Raises `ValueError` where the model gives other than a number for each task.
+    Each task's prior is proportional to its likelihood. Raises `ValueError` if the model does not return a number for each task.
     """
     if language is None:
         agent.hear(domain, state, command)
         return
-    # The tasks are known when they were heard once.
+    # The tasks are known only after the command was heard once.
     agent.hear(domain, state, command)
     names = agent.tasks
     agent.hear(domain, state, command, prior=dict(zip(names, _prior(language, command, _tasks(agent, domain)), strict=True)))
 
 
 def learn(agent: Agent, domain: Any, *, language: LanguageModel | None = None) -> int:
-    """Ends a session and learns from it, as `Agent.finish` does; returns how many older sessions gave way.
+    """Ends a session and learns from it, as `Agent.finish` does; returns how many older sessions were forgotten.
 
-    With a language model of your own that one learns, if it can, and the agent's own does not.
+    A language model of your own learns, if it can, in place of the agent's.
     """
     if language is None:
         return agent.finish(domain)

@@ -21,10 +21,10 @@ def learn(
     """Learns from all sessions of a log at once, and returns the agent. It has room for all of them.
 
     `log` is a file or sessions, or the lines of a log of worlds as dicts. `tasks` are the kinds of tasks that commands may mean, as
-    `Agent` takes them. `out` is a model file to write, which keeps that a log was of worlds, for `evaluate(with_=out)`. The other options are
-    those of `goodbot learn --help`, with `_` for `-`: `learner="paper"`, `believes="population"`, `starter="en"`, `without=["b3"]`.
+    `Agent` takes them. `out` is a model file to write; it records whether the log was of worlds, for `evaluate(with_=out)`. The other options
+    are those of `goodbot learn --help`, with `_` for `-`: `learner="paper"`, `believes="population"`, `starter="en"`, `without=["b3"]`.
 
-    Raises `ValueError` with the command line's message where a log or an option is at fault, and `RuntimeError` where the command fails.
+    Raises `ValueError` with the command line's message if a log or an option is at fault, and `RuntimeError` if the command fails.
 
     >>> home = goodbot.Home.random(1, "A")
     >>> sessions = [goodbot.Session("go there", home, [("north", "reward"), ("noop", "neutral")])]

@@ -1,4 +1,4 @@
-"""A place for a trainer of your own, and the lesson that it gives."""
+"""A trainer of your own, and the lesson that it gives."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ RESTS = 3
 
 @dataclass(frozen=True)
 class Step:
-    """What an agent did, as its trainer sees it."""
+    """A step of an agent, as its trainer sees it."""
 
     number: int
     """How many steps of the lesson came before."""
     command: str
-    """What was said."""
+    """The command."""
     intended: str
     """The task that the trainer means."""
     state: Any
-    """Where things were."""
+    """The state before the action."""
     action: str
-    """What the agent did: an action's name, or `noop`."""
+    """The name of the action, or `noop`."""
     next_state: Any
-    """Where things are now."""
+    """The state after the action."""
     correct: bool
     """Whether the action begins a shortest way to the intended goal. At the goal `noop` does."""
     at_goal: bool
     """Whether the intended goal was reached before the action."""
     distance: int
-    """The cost of a shortest way to the intended goal before the action; -1 where none is known."""
+    """The cost of a shortest way to the intended goal before the action; -1 if none is known."""
 
 
 class Judge(Protocol):
@@ -54,21 +54,21 @@ class Judge(Protocol):
     """
 
     def judge(self, step: Step) -> Feedback | None:
-        """What the trainer says to a step: `reward`, `punish`, or `neutral`, which None is too."""
+        """The trainer's feedback to a step: `reward`, `punish`, or `neutral`, which None means too."""
 
 
 @dataclass(frozen=True)
 class Taught:
-    """What a lesson came to."""
+    """The result of a lesson."""
 
     understood: bool
     """Whether the agent set out for the intended task on hearing the command, before any feedback."""
     ending: Literal["goal", "dead end", "too long"]
     """Why it ended."""
     steps: list[tuple[str, Feedback]]
-    """What was done and said, in order."""
+    """The actions and their feedback, in order."""
     state: Any
-    """Where it ended."""
+    """The last state."""
     tasks: list[str]
     """The possible tasks."""
     beliefs: NDArray[np.float32]
@@ -78,7 +78,7 @@ class Taught:
 
     @property
     def feedback(self) -> dict[str, int]:
-        """How often the trainer said what: `reward`, `punish` and `neutral`."""
+        """How often the trainer gave each feedback: `reward`, `punish` and `neutral`."""
         said = [word for _, word in self.steps]
         return {word: said.count(word) for word in ("reward", "punish", "neutral")}
 
@@ -97,10 +97,10 @@ def teach(
 ) -> Taught:
     """Gives a lesson: a trainer, perhaps of your own, says a command, judges each action, and the agent learns from it unless `learn=False`.
 
-    With a language model of your own that one understands and learns, in place of the agent's. The lesson ends after three times of `noop` at the
-    goal, where the goal cannot be reached any more, or after `most_steps` steps.
+    A language model of your own understands and learns in place of the agent's. The lesson ends after `noop` three times in a row at the goal,
+    when the goal cannot be reached any more, or after `most_steps` steps.
 
-    Raises `ValueError` where `intended` is no possible task, or where the trainer or the language model gives what it cannot.
+    Raises `ValueError` if `intended` is no possible task, or if an answer of the trainer or the language model is invalid.
 
     >>> home = goodbot.Home.from_map("#########\\n#ggg#rrr#\\n##+###+##\\n#bb@bbbb#\\n#########")
     >>> agent = goodbot.Agent(seed=1)

@@ -16,15 +16,15 @@ from ._native import Agent, Session, parse_log
 def read_log(path: str | os.PathLike[str]) -> list[Session]:
     """The sessions of a log, in their order.
 
-    Raises `FormatError` with the line and the field at fault, and `OSError` where the file cannot be read.
+    Raises `FormatError` with the line and the field at fault, and `OSError` if the file cannot be read.
     """
     return parse_log(Path(path).read_bytes(), file=os.fspath(path))
 
 
 def write_log(path: str | os.PathLike[str], sessions: Iterable[Session], *, append: bool = False) -> None:
-    """Writes sessions as a log. A file that is there is not replaced: `append=True` adds to it.
+    """Writes sessions as a log. An existing file is not replaced; `append=True` adds to it.
 
-    Raises `FormatError` where a session could not be read again, and `FileExistsError`.
+    Raises `FormatError` if a session could not be read again, and `FileExistsError`.
     """
     text = "".join(line + "\n" for session in sessions for line in session.lines()).encode()
     with open(path, "a+b" if append else "xb") as file:
@@ -36,7 +36,7 @@ def write_log(path: str | os.PathLike[str], sessions: Iterable[Session], *, appe
 
 @dataclass(frozen=True)
 class Posterior:
-    """What an agent believed in a session."""
+    """An agent's beliefs in a session."""
 
     session: Session
     """The session."""
@@ -47,18 +47,18 @@ class Posterior:
 
     @property
     def intended(self) -> NDArray[np.float32] | None:
-        """How probable the intended task was: shape (steps + 1,). None where it is not known or not possible."""
+        """How probable the intended task was: shape (steps + 1,). None if it is not known or not possible."""
         meant = self.session.intended
         return self.beliefs[:, self.tasks.index(meant)] if meant in self.tasks else None
 
 
 def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
-    """Goes through a log, and tells for each session what the agent believes before the first step and after each.
+    """Replays a log, and returns for each session the agent's beliefs before the first step and after each.
 
-    `log` is a file or sessions; without `agent` a new one hears it. It learns from the sessions that are to be learned from; `learn` replaces
-    this. The numbers are those of `goodbot replay LOG`, bit for bit.
+    `log` is a file or sessions; without `agent` a new one hears it. It learns from the sessions that say so; `learn` overrides them. The
+    numbers are those of `goodbot replay LOG`, bit for bit.
 
-    Raises `FormatError`, `ValueError` where a session cannot be gone through, and `OSError`.
+    Raises `FormatError`, `ValueError` if a session cannot be replayed, and `OSError`.
 
     >>> home = goodbot.Home.random(1, "A")
     >>> sessions = [goodbot.Session("go there", home, [("north", "reward"), ("noop", "neutral")])]

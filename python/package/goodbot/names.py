@@ -1,4 +1,4 @@
-"""What settings and answers are called, as types."""
+"""The names of settings and answers, as types."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Evidence: TypeAlias = Literal["used", "says nothing", "impossible"]
 Plan: TypeAlias = Literal["goal", "toward", "dead end", "approximate", "unknown"]
 # What words ask for.
 Said: TypeAlias = Literal["command", "reward", "punish", "finish", "answer", "correction", "stop", "undo", "again", "nothing"]
-# A preset of capacities, or what is to differ from `standard`.
+# A preset of capacities, or sizes that differ from `standard`.
 Sizes: TypeAlias = "str | Mapping[str, int]"
 # A log: its file, its sessions, or the lines of a log of worlds.
 Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session] | Iterable[Mapping[str, Any]]"

@@ -1,4 +1,4 @@
-"""How far long work is, where `tqdm` is installed to show it."""
+"""A progress bar for long work, if `tqdm` is installed."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ Item = TypeVar("Item")
 
 
 def progressing(items: Sequence[Item], what: str, *, shown: bool) -> Iterable[Item]:
-    """The items, with a bar while they are gone through."""
+    """The items, with a bar while they are iterated."""
     if not shown or len(items) < 2:
         return items
     try:

@@ -1,20 +1,20 @@
-"""What makes the environments known to Gymnasium, where that is installed. Their code is loaded when one is made."""
+"""Registers the environments with Gymnasium, if that is installed. Their code is loaded when one is made."""
 
 from __future__ import annotations
 
-# The ids, each with the home of the course that it is about.
+# The ids, each with its home of the course.
 IDS = {"goodbot/Home-v0": "Test", "goodbot/Rooms-v0": "A", "goodbot/Block-v0": "D"}
 
 
 def register() -> None:
-    """Makes the ids known."""
+    """Registers the ids."""
     try:
         import gymnasium
     except ImportError:
         return
     for name, home in IDS.items():
         if name not in gymnasium.registry:
-            # The environments count their own steps, so that one and many are cut short in the same way.
+            # The environments count their own steps, so that one and many are truncated in the same way.
             gymnasium.register(
                 name,
                 entry_point="goodbot.gym:HomeEnv",

@@ -1,4 +1,4 @@
-//! The belief over tasks and trainers beside the same sums in double precision.
+//! Compares the belief over tasks and trainers with the same sums in double precision.
 
 use super::Bytes;
 use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Feedback, Judged, LAGS, Strategy};
@@ -20,7 +20,7 @@ fn said([plus, minus, mistake]: [f64; 3], word: Feedback, right: bool) -> f64 {
     }
 }
 
-/// The mean over the actions that a word may be about; `None` where nothing is known of them.
+/// The mean over the actions that a word may be about; `None` if nothing is known about them.
 fn likelihood(strategy: &Strategy, word: Feedback, judged: [Judged; LAGS]) -> Option<f64> {
     let moves = [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon()].map(f64::from);
     let [plus, minus, mistake, inside] = strategy.rests().map(f64::from);
@@ -40,7 +40,7 @@ fn likelihood(strategy: &Strategy, word: Feedback, judged: [Judged; LAGS]) -> Op
     (whole > 0.0).then(|| sum / whole)
 }
 
-/// Tasks, trainers and words as the bytes say.
+/// Tests tasks, trainers and words that the bytes choose.
 pub fn belief(input: &[u8]) {
     let mut choices = Bytes::new(input);
     let share = |choices: &mut Bytes<'_>| f32::from(choices.byte()) / 255.0;

@@ -1,4 +1,4 @@
-//! Plans by bounds, where the joint states do not fit the memory, beside exact search over all of them.
+//! Compares plans by bounds, in memory too small for the joint states, with exact search over all of them.
 
 use super::Bytes;
 use crate::own_planner::OwnPlanner;
@@ -12,7 +12,7 @@ use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use rand_pcg::Pcg32;
 
-/// Homes whose joint states do not fit the memory beside them, and are swept in milliseconds.
+/// Homes, each with a memory too small for its joint states, which are still swept in milliseconds.
 const TIGHT: [(Size, usize); 4] = [
     (Size { columns: 2, rows: 1, side: 2, blocks: 2 }, 128),
     (Size { columns: 2, rows: 1, side: 2, blocks: 3 }, 512),
@@ -20,23 +20,23 @@ const TIGHT: [(Size, usize); 4] = [
     (Size { columns: 2, rows: 1, side: 3, blocks: 2 }, 1_024),
 ];
 
-/// What the plans say of tasks whose goals do not hold.
+/// Counts of the plans for tasks whose goals do not hold.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
-    /// How many.
+    /// All optimal sets.
     pub sets: u32,
-    /// Of them with all first actions of the shortest plans.
+    /// Sets with all first actions of the shortest plans.
     pub exact: u32,
-    /// Of them told for impossible.
+    /// Sets of dead ends.
     pub dead: u32,
     /// Judgements of one action for one task.
     pub judgements: u32,
-    /// Of them right or wrong for certain.
+    /// Judgements that are right or wrong for certain.
     pub certain: u32,
 }
 
 impl Seen {
-    /// Counts one.
+    /// Counts an optimal set.
     pub fn take(&mut self, found: OptimalSet) {
         self.sets += u32::from(found != OptimalSet::Goal);
         self.exact += u32::from(matches!(found, OptimalSet::Toward(_)));
@@ -106,7 +106,7 @@ pub fn compare(seed: u64, (size, states): (Size, usize), moves: Moves, steps: us
     }
 }
 
-/// A home and a walk as the bytes say.
+/// Tests a home and a walk that the bytes choose.
 pub fn bounds(input: &[u8]) {
     let mut choices = Bytes::new(input);
     let (tight, moves) = (choices.one_of(&TIGHT), choices.one_of(&[Moves::Push, Moves::PushAndPull]));

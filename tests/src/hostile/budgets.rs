@@ -1,4 +1,4 @@
-//! Two robots do the same, one by calls with small budgets, the other by calls that run to the end: they stay the same, bit by bit.
+//! Two robots do the same, one in calls with small budgets, the other in calls that run to the end: they stay equal, bit by bit.
 
 use super::{Bytes, assert_sound};
 use crate::random_homes::{Size, random_home};
@@ -20,7 +20,7 @@ const SMALL: Capacities = Capacities { cells: 24, states: 600, ..Capacities::TIN
 /// The ways of planning: with all states at hand, and with visited states hashed.
 const ROBOTS: [Capacities; 2] = [SMALL, Capacities { states: 32, hashed_states: 128, ..SMALL }];
 
-/// The options as the bytes say: all that can be chosen but the rounds, which are few.
+/// Options that the bytes choose; the rounds are few.
 fn options(choices: &mut Bytes<'_>) -> Options {
     let options = choices.one_of(&[Options::PAPER, Options::DEFAULT]);
     let weights = choices.one_of(&[Weights::Paper, Weights::Belief]);

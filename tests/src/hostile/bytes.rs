@@ -12,7 +12,7 @@ impl<'a> Bytes<'a> {
         Self { rest }
     }
 
-    /// Whether none is left.
+    /// Whether no byte is left.
     pub fn is_empty(&self) -> bool {
         self.rest.is_empty()
     }

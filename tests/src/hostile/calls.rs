@@ -16,7 +16,7 @@ const MOST_CALLS: usize = 100;
 /// A robot for small homes: many inputs a second.
 const ROBOT: Capacities = Capacities { states: 700, ..Capacities::SMALL };
 
-/// Makes the calls that the bytes say.
+/// Makes the calls that the bytes choose.
 pub fn calls(input: &[u8]) {
     let mut choices = Bytes::new(input);
     let mut memory = HeapMemory::new(&ROBOT);
@@ -48,7 +48,7 @@ pub fn calls(input: &[u8]) {
             }
             7 | 8 => {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
-                // An action of the bytes' choice, or the last one that was done.
+                // Judges an action that the bytes choose, or else the last one that was done.
                 let action = Action::new(choices.byte());
                 if action.index() < 64
                     && let Ok(next) = agent.acted(home, state, action)

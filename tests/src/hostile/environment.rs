@@ -6,10 +6,11 @@ use goodbot::memory::HomeMemory;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
-/// Homes up to this size are planned in.
+/// Homes up to this size are planned.
 const CAPACITIES: Capacities = Capacities { hashed_states: 1_024, ..Capacities::SMALL };
 
-/// Reads any bytes as an environment. What can be read is written and read again; a home that can be built is heard, planned and acted in.
+/// Reads any bytes as an environment. An environment that can be read is written and read again; in a home that can be built, a robot
+/// hears, plans and decides.
 pub fn environment(input: &[u8]) {
     let Ok(text) = std::str::from_utf8(input) else { return };
     let Ok(file) = EnvironmentFile::parse(text) else { return };

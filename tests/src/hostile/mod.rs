@@ -1,6 +1,6 @@
-//! What is done with hostile input: one function for each fuzz target, called by `fuzz/fuzz_targets` and by the tests alike.
+//! Tests with hostile input: one function for each fuzz target, called by `fuzz/fuzz_targets` and by the tests alike.
 //!
-//! Each takes any bytes. None may panic, and what comes out must be sound: no NaN, no probability outside [0, 1].
+//! Each takes any bytes. None may panic, and the results must be sound: no NaN, no probability outside [0, 1].
 
 mod belief;
 mod bounds;
@@ -27,7 +27,7 @@ pub use tokenizer::tokenizer;
 use goodbot::Agent;
 use goodbot::memory::AgentMemory;
 
-/// A fuzz target: its name, which is that of its corpus too, and what it does.
+/// A fuzz target: its name, which is also that of its corpus, and its function.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All fuzz targets.
@@ -43,7 +43,7 @@ pub const TARGETS: [Target; 9] = [
     ("bounds", bounds),
 ];
 
-/// Every belief and parameter of an agent that can be looked at is a probability, and the posterior sums to 1.
+/// Asserts that every belief and parameter of an agent is a probability, and that the posterior sums to 1.
 fn assert_sound(agent: &Agent<impl AgentMemory>) {
     let probability = |what: &str, value: f32| assert!((0.0..=1.0).contains(&value), "{what} is {value}");
     let belief = agent.belief();
@@ -58,7 +58,7 @@ fn assert_sound(agent: &Agent<impl AgentMemory>) {
     if agent.language().is_training() {
         return;
     }
-    // A quotient of sums that were rounded apart.
+    // A quotient of two rounded sums may be slightly above 1.
     let parameter = |what: &str, value: f32| assert!((0.0..=1.0 + 4.0 * f32::EPSILON).contains(&value), "{what} is {value}");
     let (language, tables) = (agent.language(), agent.language().tables());
     for (token, _) in language.tokens().iter() {

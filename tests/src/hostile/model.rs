@@ -6,8 +6,8 @@ use goodbot::memory::AgentMemory;
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
-/// Takes any bytes as a model file, and once more with its length and check corrected, so that the code after these checks is reached. What is
-/// restored can be trained, is sound, and is saved as a file that restores to the same.
+/// Takes any bytes as a model file, and once more with corrected length and checksum, so that the code after these checks is reached. A
+/// restored model can be trained, is sound, and is saved as a file that restores to the same.
 pub fn model(input: &[u8]) {
     restore(input);
     let mut signed = input.to_vec();
@@ -41,7 +41,7 @@ fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     buffer
 }
 
-/// Corrects the length and the check of a model file, as one would who changes it on purpose.
+/// Corrects the length and the checksum of a model file, as an attacker would.
 pub fn sign(bytes: &mut Vec<u8>) {
     let length = bytes.len().max(18);
     bytes.resize(length, 0);
@@ -50,7 +50,7 @@ pub fn sign(bytes: &mut Vec<u8>) {
     bytes[length - 4..].copy_from_slice(&check.to_le_bytes());
 }
 
-/// CRC-32 by its definition, not by the library that the core takes.
+/// CRC-32 by its definition, not by the core's library.
 fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })

@@ -2,7 +2,7 @@
 
 use goodbot_formats::session::SessionReader;
 
-/// Reads any bytes as a session log; what could be read is written and read again.
+/// Reads any bytes as a session log; sessions that can be read are written and read again.
 pub fn session(input: &[u8]) {
     for result in SessionReader::new(input) {
         match result {

@@ -5,7 +5,7 @@ use goodbot::language::for_each_word;
 use goodbot::language::{LanguageModel, Settings};
 use goodbot::{Capacities, HeapMemory};
 
-/// Splits any text into words: each is short, in lower case and says something, and the words are the same when they are joined again.
+/// Splits any text into words: each is short and has a letter or a digit, and the words joined again give as many words.
 pub fn tokenizer(input: &[u8]) {
     let text = String::from_utf8_lossy(input);
     let words = |text: &str| {
@@ -21,7 +21,7 @@ pub fn tokenizer(input: &[u8]) {
     for word in &found {
         assert!(!word.is_empty() && word.len() <= NAME_BYTES && word.chars().any(char::is_alphanumeric), "{word:?}");
     }
-    // Lower case of lower case may differ only where Unicode says so; the number of words never does.
+    // Lower case of lower case may differ, as Unicode says; the number of words never does.
     assert_eq!(words(&found.join(" ")).map(|again| again.len()), Ok(found.len()));
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).expect("settings to train with");

@@ -28,13 +28,13 @@ fn course() -> Vec<u8> {
     saved(&agent)
 }
 
-/// Corrects the check at the end, as one would who damages a model on purpose.
+/// Corrects the checksum at the end, as somebody who damages a model on purpose would.
 pub(crate) fn sign(bytes: &mut [u8]) {
     let (checked, check) = bytes.split_last_chunk_mut::<4>().unwrap();
     *check = crc32(checked).to_le_bytes();
 }
 
-/// CRC-32 by its definition, not by the library that the core takes.
+/// CRC-32 by its definition, without the library that the core uses.
 fn crc32(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, &byte| {
         (0..8).fold(crc ^ u32::from(byte), |crc, _| if crc & 1 == 1 { (crc >> 1) ^ 0xedb8_8320 } else { crc >> 1 })

@@ -1,4 +1,4 @@
-//! Where the joint states do not fit the memory, two bounds on the distance that agree make a plan exact. Brute force says the same.
+//! Where the joint states do not fit into memory, a plan is exact if the two bounds on the distance agree. Brute force confirms it.
 
 use goodbot::home::{self, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
@@ -22,7 +22,7 @@ fn no_judgement_by_bounds_is_wrong_in_random_homes_with_blocks_anywhere() {
     }
 }
 
-/// Plans in walks through homes whose joint states do not fit the memory.
+/// Plans during random walks through homes whose joint states do not fit into memory.
 fn plan_in(homes: u64, size: Size, states: usize) -> Seen {
     let mut seen = Seen::default();
     for seed in 0..homes {
@@ -35,7 +35,7 @@ fn plan_in(homes: u64, size: Size, states: usize) -> Seen {
         let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
         let mut planner = OwnPlanner::new(&capacities, &home, &lifted, &tasks[..count]);
         for _ in 0..10 {
-            // Of more tasks than one word tells apart, ten are likely.
+            // If the tasks exceed one word of a task set, only ten are likely.
             let drawn = if count > TaskSet::MOST_OF_ONE_WORD { 10 } else { 0 };
             let likely: TaskSet = (0..drawn).map(|_| below(&mut random, count as i32) as usize).collect();
             let likely = if drawn == 0 { TaskSet::first(count) } else { likely };

@@ -1,4 +1,4 @@
-//! Rooms are told apart by where they are, where their colours do not tell.
+//! Derived facts tell rooms apart by position and size where their colours do not.
 
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::HomeHeap;
@@ -9,7 +9,8 @@ use goodbot::{Agent, Capacities, HeapMemory, Options};
 const COLORS: [&str; 3] = ["red", "green", "blue"];
 const NAMES: [&str; 3] = ["first", "second", "third"];
 
-/// Three rooms above a narrow hall, with these widths from the left. The robot is in the hall. The lesson's number decides the colours.
+/// Three rooms above a narrow hall, with these widths from left to right. The robot is in the hall. The lesson's number decides the
+/// colours.
 fn rooms(widths: [i32; 3], lesson: usize, derived: bool) -> (Home<HomeHeap>, HomeState) {
     let mut builder = HomeBuilder::new(HomeHeap::new(&Capacities::STANDARD));
     builder.room("hall", Area::new(0, 0, widths.iter().sum(), 2), "white").unwrap();
@@ -25,7 +26,8 @@ fn rooms(widths: [i32; 3], lesson: usize, derived: bool) -> (Home<HomeHeap>, Hom
     (home.with_derived(derived), start)
 }
 
-/// Teaches what "leftmost" and "large" mean in six homes, twice in two wordings, and returns how probable a room is by a command in another home.
+/// Teaches "leftmost" and "large" in six homes, twice in two wordings. Returns the probability of the room `meant` after a command in
+/// another home.
 fn understood(derived: bool, asked: &str, meant: &str) -> f32 {
     let mut agent = Agent::new(HeapMemory::new(&Capacities::STANDARD).agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     let homes = [[4, 6, 4], [4, 4, 8], [8, 4, 4], [4, 8, 6], [6, 4, 8], [8, 6, 4]];

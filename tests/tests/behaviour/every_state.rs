@@ -1,4 +1,4 @@
-//! The plans of every state at once, against reference numbers computed by an independent implementation.
+//! Plans for all states at once, against reference numbers computed by an independent implementation.
 
 use goodbot::home::{self, Moves};
 use goodbot::task::{GroundedTask, ground};

@@ -14,7 +14,7 @@ use lamps::{House, Lamps};
 use lift::TableRobot;
 use teach::{obey, teach};
 
-/// Teaches commands, then gives others: each must lead to the state beside it.
+/// Teaches the lessons, then gives the commands: each must cause the actions and lead to the state listed with it.
 fn learns<D: Domain>(domain: &D, tasks: &[LiftedTask], lessons: &[(D::State, &str, &str)], commands: &[(D::State, &str, &str, D::State)])
 where
     D::State: std::fmt::Debug,

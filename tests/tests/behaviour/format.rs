@@ -16,7 +16,7 @@ impl<'a> Reader<'a> {
         front
     }
 
-    /// Seven bits a byte, lowest first, the top bit set on all bytes but the last.
+    /// Seven bits per byte, lowest first; the top bit is set on all bytes but the last.
     fn varint(&mut self) -> usize {
         let (mut value, mut shift) = (0, 0);
         loop {

@@ -1,4 +1,4 @@
-//! The fuzz targets, without a fuzzer: a fixed number of inputs from a seeded generator, and the kept corpus.
+//! The fuzz targets without a fuzzer: a fixed number of inputs from a seeded generator, and the stored corpus.
 
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
@@ -9,7 +9,7 @@ use rand_core::Rng;
 use rand_pcg::Pcg32;
 use std::path::PathBuf;
 
-/// Inputs that are made for each target.
+/// The number of generated inputs per target.
 const MADE: usize = 1_000;
 
 fn corpus(target: &str) -> Vec<Vec<u8>> {
@@ -35,7 +35,7 @@ fn below(count: usize, random: &mut Pcg32) -> usize {
     random.next_u32() as usize % count.max(1)
 }
 
-/// An input of the corpus changed here and there, or one of random bytes.
+/// An input of the corpus with random changes, or random bytes.
 fn made(corpus: &[Vec<u8>], random: &mut Pcg32) -> Vec<u8> {
     let mut input = match below(4, random) {
         0 => (0..below(300, random)).map(|_| random.next_u32() as u8).collect(),

@@ -1,4 +1,4 @@
-//! Joining what two robots learned: by the text of words and machine tokens, and a common past once.
+//! Joining the models of two robots: words and machine tokens match by their text, and common sessions are kept once.
 
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
@@ -28,7 +28,7 @@ fn model(lessons: &[&Lesson], options: Options, seed: u64) -> Vec<u8> {
     saved(&agent)
 }
 
-/// A model that goes on from another one.
+/// A model that extends another one by these lessons.
 fn grown(from: &[u8], lessons: &[&Lesson], seed: u64) -> Vec<u8> {
     let mut memory = HeapMemory::new(&ROOMY);
     let mut agent = agent(&mut memory, Options::PAPER);
@@ -46,7 +46,7 @@ fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     bytes
 }
 
-/// What each session said, oldest first.
+/// The command of each session, oldest first.
 fn commands(agent: &Agent<impl AgentMemory>) -> Vec<String> {
     let language = agent.language();
     let text = |session| language.bitext().sentence(session).iter().map(|&word| language.words().text(word)).collect::<Vec<_>>().join(" ");
@@ -73,7 +73,7 @@ fn two_robots_that_learned_half_the_course_each_know_all_of_it_together() {
 #[test]
 fn a_common_past_is_kept_once_wherever_it_stands() {
     let lessons = school::lessons();
-    // The role model keeps whole words, and takes words that begin alike for one; Model 2 cuts them, or takes them as they are.
+    // The role model keeps whole words and treats words with the same beginning as one; Model 2 cuts them, or keeps them whole.
     for options in [Options::PAPER, Options { language: Settings::SMOOTHED, ..Options::PAPER }, Options::default()] {
         let past = model(&[&lessons[0], &lessons[5]], options, 1);
         let one = grown(&past, &[&lessons[2]], 2);
@@ -85,7 +85,7 @@ fn a_common_past_is_kept_once_wherever_it_stands() {
         assert_eq!(agent.join(&other), Ok(1), "{options:?}");
         let joined = commands(&agent);
         assert_eq!((joined.len(), &joined[..3]), (4, here.as_slice()));
-        // Once more adds nothing, though the past has other positions now.
+        // Joining again adds nothing, though the common sessions now have other positions.
         assert_eq!(agent.join(&other), Ok(0));
         assert_eq!(agent.join(&one), Ok(0));
         agent.learn_fully();
@@ -96,7 +96,7 @@ fn a_common_past_is_kept_once_wherever_it_stands() {
 #[test]
 fn what_was_taught_twice_counts_twice() {
     let lessons = school::lessons();
-    // Without a doubt left, both sessions have the same weights to the last bit.
+    // Without any doubt left, both sessions have the same weights to the last bit.
     let sure = Options { least_weight: 0.5, ..Options::PAPER };
     let twice = model(&[&lessons[0], &lessons[0], &lessons[0]], sure, 1);
     let mut memory = HeapMemory::new(&ROOMY);

@@ -1,4 +1,4 @@
-//! Homes whose joint state space is out of reach are planned for approximately, where exact plans do not reach, and say so.
+//! In homes whose joint state space is too large, plans that cannot be exact are approximate, and are marked so.
 
 use goodbot::home::{self, Moves};
 use goodbot::oomdp::{Action, Domain, PushGrid, apply};
@@ -10,12 +10,12 @@ use goodbot_tests::random_homes::{Size, below, random_home};
 use goodbot_tests::sweep::Sweep;
 use rand_pcg::Pcg32;
 
-/// What the plans say, in states of random walks in random homes of three rooms and two blocks.
+/// Counts of the plans during random walks through random homes of three rooms and two blocks.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
     /// Sets that are exact.
     exact: usize,
-    /// Judgements of an action by approximate sets, and those equal to exact ones.
+    /// Single actions judged by approximate sets, and how many of them exact sets judge alike.
     judged: usize,
     equal: usize,
     unknown: usize,
@@ -72,7 +72,7 @@ fn near_goals_are_found_exactly_and_approximate_plans_are_nearly_right() {
     println!("{all:?}");
     assert!(all.exact > 1_000, "{all:?}");
     assert!(all.judged > 400 && all.equal as f64 >= 0.95 * all.judged as f64, "{all:?}");
-    // There is no room here for the other block to move too, where it is in the way.
+    // The memory has no room for the second block to move as well, where it is in the way.
     assert!(all.unknown * 6 < all.exact + all.judged / 4, "{all:?}");
 }
 

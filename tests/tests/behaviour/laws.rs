@@ -103,7 +103,7 @@ proptest! {
         let (home, state) = lesson.home(&mut home_memory.home);
         prop_assume!(agent.hear(&home, &state, &lesson.command).is_ok());
         agent.plan_fully(&home, &state).unwrap();
-        // Nothing is reached by doing nothing: it is wrong for all tasks whose goal can still be reached.
+        // Doing nothing reaches no goal: it is wrong for all tasks whose goal can still be reached.
         let apart = |task| !matches!(agent.planned().optimal(task), OptimalSet::Toward(_));
         prop_assume!(!(0..agent.tasks().len()).any(apart));
         let before = posterior(&agent);
@@ -211,7 +211,7 @@ fn distance<D: Domain>(domain: &D, start: &D::State, holds: impl Fn(&D::State) -
     None
 }
 
-/// The logarithm of what EM maximises: the weighted likelihood of the data, and the priors that the pseudo-counts express.
+/// The logarithm of EM's objective: the weighted likelihood of the data times the priors that the pseudo-counts express.
 fn objective(model: goodbot::language::LanguageRef<'_>) -> f64 {
     let (tables, bitext, settings) = (model.tables(), model.bitext(), model.settings());
     let rows = || std::iter::once(None).chain(model.tokens().iter().map(|(token, _)| Some(token)));

@@ -1,4 +1,4 @@
-//! The least capacities for a robot and its lessons: with them nothing is refused and nothing gives way, and with less something is.
+//! The least capacities for a robot and its lessons: with them nothing is refused or dropped; with less, something is.
 
 use crate::arm;
 use crate::lamps;
@@ -16,10 +16,10 @@ use goodbot_course::{Homes, TESTS};
 use lamps::{House, Lamps};
 use teach::{obey, teach};
 
-/// What a robot is taught.
+/// The lessons of a robot: start state, command, meaning.
 type Taught<'a, S> = [(S, &'a str, &'a str)];
 
-/// Numbers for these commands, as whoever plans the memory knows them.
+/// The numbers of these commands, by which memory is planned.
 fn lessons<S>(taught: &Taught<'_, S>) -> Lessons {
     let words = || taught.iter().flat_map(|(_, command, _)| command.split(' ')).collect::<std::collections::BTreeSet<_>>();
     let longest = taught.iter().map(|(_, command, _)| command.split(' ').count()).max().unwrap();
@@ -42,7 +42,7 @@ fn least<D: Domain>(domain: &D, tasks: &[LiftedTask], options: Options, taught: 
     least
 }
 
-/// Teaches everything in memory of these capacities. Returns how many sessions are kept, and how full the tables were at most.
+/// Teaches all lessons with these capacities. Returns the number of sessions kept, and the highest use of each table.
 fn live<D: Domain>(
     domain: &D,
     tasks: &[LiftedTask],
@@ -60,8 +60,8 @@ fn live<D: Domain>(
     Ok((agent.language().bitext().sessions(), agent.most_used()))
 }
 
-/// In exactly the least capacities everything is kept. Where a table is full to its last entry then, one entry less is refused by its name,
-/// lets another session give way, or leaves something out elsewhere.
+/// With exactly the least capacities everything is kept. Of each table that is then full, one entry less is refused by the table's name,
+/// drops another session, or leaves something out in another table.
 fn check<D: Domain>(
     domain: &D,
     tasks: &[LiftedTask],

@@ -1,4 +1,4 @@
-//! What the project promises as a whole, tested from outside.
+//! The promises of the whole project, tested from outside.
 
 #[path = "../../../core/examples/arm/domain.rs"]
 mod arm;

@@ -1,4 +1,4 @@
-//! A life of many sessions in the memory of a controller: what is full gives way, and learning goes on.
+//! A life of many sessions in the memory of a controller: full tables drop old sessions, and learning goes on.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Strategy;
@@ -10,7 +10,7 @@ use goodbot_tests::school::{self, Lesson, tests_passed, train};
 use rand_core::Rng;
 use rand_pcg::Pcg32;
 
-/// Sessions of one life in every test run, many times what memory holds, and those of the published figures.
+/// Sessions of one life in every test run, many times more than memory holds, and in the published figures.
 const SESSIONS: usize = 200;
 const PUBLISHED: usize = 1_000;
 
@@ -18,7 +18,7 @@ fn draw(count: usize, random: &mut Pcg32) -> usize {
     (random.next_u32() as usize) % count
 }
 
-/// A life: which lesson comes next.
+/// A life: chooses the next lesson.
 type Life = fn(usize, &mut Pcg32) -> Lesson;
 
 fn any_lesson(_: usize, random: &mut Pcg32) -> Lesson {
@@ -26,14 +26,14 @@ fn any_lesson(_: usize, random: &mut Pcg32) -> Lesson {
     lessons.swap_remove(draw(lessons.len(), random))
 }
 
-/// The course once, and ever after the same two commands.
+/// The course once, and from then on the same two commands.
 fn course_then_the_same(session: usize, random: &mut Pcg32) -> Lesson {
     let mut lessons = school::lessons();
     let position = if session < lessons.len() { session } else { draw(2, random) };
     lessons.swap_remove(position)
 }
 
-/// Three commands in ten have a word that never comes again.
+/// Three commands in ten have a word that never occurs again.
 fn with_slips(session: usize, random: &mut Pcg32) -> Lesson {
     let mut lesson = any_lesson(session, random);
     if draw(10, random) < 3 {
@@ -42,7 +42,7 @@ fn with_slips(session: usize, random: &mut Pcg32) -> Lesson {
     lesson
 }
 
-/// Half of the commands are all words that never come again.
+/// Half of the commands consist of words that never occur again.
 fn half_of_it_noise(session: usize, random: &mut Pcg32) -> Lesson {
     let mut lesson = any_lesson(session, random);
     if draw(2, random) == 0 {
@@ -51,7 +51,7 @@ fn half_of_it_noise(session: usize, random: &mut Pcg32) -> Lesson {
     lesson
 }
 
-/// Each life, and the tests of five that a robot passes after it at least.
+/// Each life, and how many of the five tests a robot passes after it at least.
 const LIVES: [(&str, Life, usize); 4] = [
     ("the seven commands in any order", any_lesson, 5),
     ("the course, then two commands for ever", course_then_the_same, 5),
@@ -59,7 +59,7 @@ const LIVES: [(&str, Life, usize); 4] = [
     ("half of the commands all new words", half_of_it_noise, 4),
 ];
 
-/// How many robots live each life.
+/// The robots that live each life.
 const ROBOTS: u64 = 10;
 
 fn live(name: &str, life: Life, options: Options, seed: u64, sessions: usize) -> usize {
@@ -75,7 +75,7 @@ fn live(name: &str, life: Life, options: Options, seed: u64, sessions: usize) ->
     tests_passed(&mut agent)
 }
 
-/// All lives, under the paper's settings and the default's, for fewer robots.
+/// All lives, with the paper's settings, and with the default ones for fewer robots.
 fn live_all(sessions: usize) {
     for (options, called, robots) in [(Options::PAPER, "the paper's", ROBOTS), (Options::DEFAULT, "the default", ROBOTS / 2)] {
         for (name, life, least) in LIVES {
@@ -97,7 +97,7 @@ fn after_a_thousand_sessions_in_the_small_preset_the_five_tests_pass() {
     live_all(PUBLISHED);
 }
 
-/// All that a robot has learned, as it would be saved.
+/// The robot's model, as saved.
 fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     let mut bytes = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut bytes).unwrap();
@@ -132,7 +132,7 @@ fn a_home_with_more_new_things_than_there_is_room_for_is_lived_in_and_learned() 
             train(&mut agent, &lesson, Strategy::BALANCED, &mut random).unwrap();
         }
     }
-    // What was not known when it first came is when it is met again.
+    // A token that had no room at first is learned when it is met again.
     for lesson in [&school::lessons()[0], &school::lessons()[1]] {
         for _ in 0..6 {
             train(&mut agent, lesson, Strategy::BALANCED, &mut random).unwrap();

@@ -15,7 +15,7 @@ use rand_pcg::Pcg32;
 
 const ROOMY: Capacities = Capacities { states: 1 << 15, hashed_states: 1 << 15, ..Capacities::STANDARD };
 
-/// How many optimal sets were compared.
+/// Compares the optimal sets of all tasks that `start` permits, in every `every`th state. Returns how many were compared.
 fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every: usize) -> usize {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(domain, lifted, start, &mut tasks).unwrap();
@@ -26,7 +26,7 @@ fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every
 fn compare_all<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], tasks: &[GroundedTask], every: usize) -> usize {
     let count = tasks.len();
     let truth = BruteForce::new(domain, start, lifted, tasks);
-    // State numbers that lie far apart have no room in a sweep.
+    // A sweep has no room for state numbers that lie far apart.
     let sweep = (domain.state_count() < 1 << 24).then(|| Sweep::new(domain, start, lifted, tasks));
     let (mut planner, mut compared) = (OwnPlanner::new(&ROOMY, domain, lifted, tasks), 0);
     for (position, state) in truth.states.iter().enumerate().step_by(every) {
@@ -83,7 +83,7 @@ fn what_shall_not_be_is_planned_as_exactly_as_what_shall() {
         let (home, start) = random_home(&mut random, size, moves, &mut memory.home);
         let tasks = with_opposites(&home, &start, &lifted);
         assert!(compare_all(&home, &start, &lifted, &tasks, 5) > 0, "{size:?}");
-        // With little memory it may not know, but it is never wrong.
+        // With little memory the planner may answer `Unknown`, but is never wrong.
         let truth = BruteForce::new(&home, &start, &lifted, &tasks);
         for states in [64, 256, 1_024] {
             let little = Capacities { states, hashed_states: 64, ..ROOMY };

@@ -1,4 +1,4 @@
-//! Parameters without sessions: who restores them understands as the one who learned them, to the bit.
+//! Parameters without sessions: a robot that restores them understands like the robot that learned them, to the bit.
 
 use crate::arm::Arm;
 use crate::bit_flips::sign;
@@ -14,7 +14,7 @@ use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, posterior_bits, tests_passed, train};
 use rand_pcg::Pcg32;
 
-/// Without what a controller has not: then it does the same.
+/// Without `telling`, which an agent without the feature `asking`, as on a controller, ignores.
 const OPTIONS: Options = Options { telling: false, ..Options::DEFAULT };
 
 fn agent(capacities: &Capacities, tasks: &[LiftedTask], options: Options) -> Agent<AgentHeap> {
@@ -64,7 +64,7 @@ fn a_robot_forgets_what_it_knew_for_the_parameters() {
     assert_eq!((obeying.language().words().len(), obeying.language().bitext().sessions()), (0, 0));
     obeying.restore_parameters(&parameters(&taught(new()))).unwrap();
     assert_eq!(tests_passed(&mut obeying), tests_passed(&mut taught(new())));
-    // A lesson takes the place of what the file said: there are no sessions behind that.
+    // The first lesson replaces the restored parameters, because no sessions support them.
     let (again, whole) = (taught(obeying), taught(new()));
     assert_eq!(again.language().bitext().sessions(), whole.language().bitext().sessions());
     assert_eq!(again.language().words().len(), whole.language().words().len());

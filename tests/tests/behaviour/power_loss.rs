@@ -1,4 +1,4 @@
-//! The power goes at every single byte that a simulated flash writes or erases: the robot comes up with the last complete model.
+//! Power is cut at every single byte that a simulated flash writes or erases: the robot loads the last complete model.
 
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::feedback::Strategy;
@@ -11,13 +11,13 @@ use rand_pcg::Pcg32;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
-/// A NOR flash of `ERASE`-byte blocks that is written `WRITE` bytes at a time and read `READ` at a time, and whose power goes after this many
+/// A NOR flash of `ERASE`-byte blocks, written `WRITE` bytes at a time and read `READ` bytes at a time. Its power is cut after `power`
 /// bytes of writing and erasing.
 struct Flash<const READ: usize, const WRITE: usize, const ERASE: usize> {
     bytes: Vec<u8>,
-    /// Which bytes were written since they were erased.
+    /// Whether each byte was written since it was erased.
     written: Vec<bool>,
-    /// Bytes until the power goes.
+    /// Bytes until the power is cut.
     power: Option<u64>,
     /// Bytes written and erased so far.
     worn: u64,
@@ -43,7 +43,7 @@ impl NorFlashError for Refusal {
 }
 
 impl<const READ: usize, const WRITE: usize, const ERASE: usize> Flash<READ, WRITE, ERASE> {
-    /// A flash as a robot finds it: nobody erased it.
+    /// A new flash, not erased yet.
     fn new(blocks: usize) -> Self {
         let mut random = Pcg32::new(11, 13);
         let bytes = (0..blocks * ERASE).map(|_| random.next_u32() as u8).collect();
@@ -57,7 +57,7 @@ impl<const READ: usize, const WRITE: usize, const ERASE: usize> Flash<READ, WRIT
         if !from.is_multiple_of(unit) || !length.is_multiple_of(unit) { Err(Refusal::NotAligned) } else { Ok(()) }
     }
 
-    /// Spends the power that one byte takes.
+    /// Spends the power for one byte.
     fn spend(&mut self) -> Result<(), Refusal> {
         if self.power == Some(0) {
             return Err(Refusal::NoPower);
@@ -96,7 +96,7 @@ impl<const READ: usize, const WRITE: usize, const ERASE: usize> NorFlash for Fla
         self.check(from, to - from, ERASE)?;
         for at in from..to {
             if let Err(refusal) = self.spend() {
-                // The rest of the block is neither erased nor what it was.
+                // The rest of the block is neither erased nor unchanged.
                 for byte in &mut self.bytes[at..at.next_multiple_of(ERASE)] {
                     *byte |= self.random.next_u32() as u8;
                 }
@@ -143,7 +143,7 @@ fn models(count: usize) -> Vec<Vec<u8>> {
     models
 }
 
-/// What the robot comes up with.
+/// The model that the robot loads.
 fn load<F: NorFlash<Error = Refusal>>(slots: &mut TwoSlots<F>) -> Option<Vec<u8>> {
     let mut buffer = vec![0; 4_096];
     let length = slots.load(&mut buffer).expect("the flash can be read")?;
@@ -151,12 +151,12 @@ fn load<F: NorFlash<Error = Refusal>>(slots: &mut TwoSlots<F>) -> Option<Vec<u8>
     Some(buffer)
 }
 
-/// Cuts the power at every byte of storing the last model after the others. Gives the number of cuts.
+/// Cuts the power at every byte while the next model is stored. Returns the number of cuts.
 fn cut_everywhere<const READ: usize, const WRITE: usize, const ERASE: usize>(blocks: usize) -> u64 {
     let models = models(3);
     let slot_bytes = (blocks * ERASE) as u32;
     let mut cuts = 0;
-    // From an empty flash on, then over one model, then over two.
+    // Into an empty flash, then over one model, then over two.
     for stored in 0..models.len() {
         let prepared = || {
             let mut slots = TwoSlots::new(Flash::<READ, WRITE, ERASE>::new(2 * blocks + 2), ERASE as u32, slot_bytes).unwrap();
@@ -177,7 +177,7 @@ fn cut_everywhere<const READ: usize, const WRITE: usize, const ERASE: usize>(blo
             flash.power = Some(power);
             let mut slots = TwoSlots::new(flash, ERASE as u32, slot_bytes).unwrap();
             assert_eq!(slots.store(new), Err(StorageError::Flash(Refusal::NoPower)));
-            // The power comes back.
+            // The power is back.
             let mut flash = slots.into_flash();
             flash.power = None;
             flash.random = Pcg32::new(power, 1);
@@ -255,7 +255,7 @@ fn slots_off_the_erase_blocks_or_beyond_the_flash_are_refused() {
     }
 }
 
-/// The same flash as a controller has it that goes on with other things while the flash is at work: every call is waited for once.
+/// The same flash with asynchronous calls, as a controller uses it that works on while the flash is busy: every call is pending once.
 struct Slow(Flash<1, 4, 256>);
 
 async fn wait() {
@@ -299,7 +299,7 @@ impl embedded_storage_async::nor_flash::NorFlash for Slow {
     }
 }
 
-/// Polls at most this many times; nothing where that was not enough.
+/// Polls at most this many times. `None` if that was not enough.
 fn poll<T>(future: impl Future<Output = T>, times: usize) -> Option<T> {
     let mut future = pin!(future);
     let mut context = Context::from_waker(Waker::noop());

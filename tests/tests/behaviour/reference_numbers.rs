@@ -61,7 +61,7 @@ fn weighted_model_2_gives_the_reference_tables() {
         for query in fit["queries"].as_array().unwrap() {
             let command = symbols(&mut model, query[0].as_str().unwrap());
             let sentence = model.hear(query[1].as_str().unwrap()).unwrap();
-            // With the length factor, the reference gives 1 to a length never seen with a known l, where the definition gives 0.
+            // For a length never seen with a known l, the reference's length factor is 1, the definition's 0.
             if settings.length && query[1] == "go there" {
                 continue;
             }
@@ -83,12 +83,12 @@ fn plans_from_every_state_are_the_reference_plans() {
         agent.hear(&home, &start, case["command"].as_str().unwrap()).unwrap();
         let states = reachable(&home, &start);
         assert_eq!(states.len() as u64, case["reachable"].as_u64().unwrap());
-        // From each state of the largest home in turn would take too long: there, its start.
+        // The largest home has too many states to start from each: only its start is compared.
         let every = states.len() < 10_000;
         let mut sums = vec![PlanSums::default(); agent.tasks().len()];
         let mut from_start = vec![0; agent.tasks().len()];
         for state in states.values().filter(|&&state| every || state == start) {
-            // A dead end is for ever, so each state needs a session of its own.
+            // A dead end lasts for the session, so each state needs a session of its own.
             agent.hear_again(&home, &start).unwrap();
             agent.plan_fully(&home, state).unwrap();
             for (task, sums) in sums.iter_mut().enumerate() {

@@ -1,5 +1,4 @@
-//! A robot comes back: what was learned in some memory is restored into the same memory with the same bits, and smaller memory refuses it
-//! by the name of a table.
+//! A model restored into memory of the same capacities has the same bits; memory that is too small refuses it and names a table.
 
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::feedback::Feedback;
@@ -31,7 +30,7 @@ fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     bytes
 }
 
-/// The tables that learned things lie in are as large as `saved`, the others as in `rest`.
+/// The capacities of `saved` for the tables that a model fills, and those of `rest` for the others.
 fn with_saved(rest: Capacities, saved: &Capacities) -> Capacities {
     SAVED.into_iter().fold(rest, |mut capacities, table| {
         capacities.set(table, saved.get(table));
@@ -43,7 +42,7 @@ fn pick(random: &mut Pcg32, below: usize) -> usize {
     random.next_u32() as usize % below
 }
 
-/// A lesson's home, with a command of one to nine words.
+/// A lesson's home, with its own command or one of one to nine random words.
 fn random_lesson(random: &mut Pcg32) -> Lesson {
     let command = if pick(random, 3) == 0 {
         None
@@ -55,7 +54,7 @@ fn random_lesson(random: &mut Pcg32) -> Lesson {
     Lesson { command: command.unwrap_or(lesson.command.clone()), ..lesson }
 }
 
-/// Hears a lesson, takes a step, is told something, and learns.
+/// Hears a lesson, takes a step, gets feedback, and learns.
 fn experience(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, random: &mut Pcg32) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let (home, state) = lesson.home(&mut memory.home);
@@ -68,12 +67,12 @@ fn experience(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, random: &mut
     agent.learn_fully();
 }
 
-/// What it believes on hearing each lesson's command, bit by bit.
+/// The bits of its posterior after each lesson's command.
 fn beliefs(agent: &mut Agent<impl AgentMemory>) -> Vec<Vec<u32>> {
     school::lessons().iter().map(|lesson| posterior_bits(agent, lesson)).collect()
 }
 
-/// Restores the agent's model into new memory of these capacities. Checks that it comes back to the bit.
+/// Restores the agent's model into new memory of these capacities. Checks that no bit differs.
 fn comes_back(agent: &mut Agent<impl AgentMemory>, capacities: &Capacities, told: &str) {
     let bytes = saved(agent);
     let mut restored = self::agent(capacities, Options::DEFAULT);
@@ -116,7 +115,7 @@ fn any_robot_restores_its_own_model_in_the_least_capacities() {
             let mut taught = agent(&least, options);
             lessons.iter().for_each(|lesson| experience(&mut taught, lesson, &mut random));
             assert_eq!(taught.language().bitext().sessions(), lessons.len(), "nothing gave way");
-            // Commands that were not counted on need room for their words, so ask in roomy memory.
+            // Further commands need room for their words, so their posteriors are compared in roomy memory.
             let bytes = saved(&taught);
             let mut restored = agent(&least, options);
             restored.restore(&bytes).unwrap_or_else(|error| panic!("{name}, seed {seed}: {error}"));
@@ -130,7 +129,7 @@ fn any_robot_restores_its_own_model_in_the_least_capacities() {
     }
 }
 
-/// A robot with what two others learned.
+/// A robot with the joined models of two others.
 fn joined(capacities: &Capacities, options: Options, seed: u64) -> Agent<AgentHeap> {
     let mut random = Pcg32::new(seed, 7);
     let [mut one, mut other] = [agent(capacities, options), agent(capacities, options)];
@@ -285,7 +284,7 @@ fn what_is_refused_at_once_is_refused_in_parts_and_the_robot_is_as_before() {
         let at = pick(&mut random, damaged.len());
         damaged[at] ^= 1 << pick(&mut random, 8);
         if random.next_u32().is_multiple_of(2) {
-            // The check is right: what is said is wrong, or is another model.
+            // With a valid checksum, the content is wrong or is another model.
             super::bit_flips::sign(&mut damaged);
         }
         damaged
@@ -365,7 +364,7 @@ fn a_model_that_is_given_up_half_way_leaves_a_robot_that_can_learn() {
             assert_eq!(saved(&agent), bytes);
         }
     }
-    // Two at the same time: the one that began last comes back.
+    // Two restores at the same time: the one begun last is completed.
     let mut agent = taught(Options::DEFAULT, 10);
     let [mut first, mut second] = [Restoring::of(&bytes), Restoring::of(&other)];
     while agent.phase() != Phase::Restoring {

@@ -1,4 +1,4 @@
-//! The search that expands whole rows of states finds what the search finds that expands them one by one.
+//! The search that expands whole rows of states finds the same plans as the search that expands single states.
 
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::oomdp::{Action, Domain, apply};
@@ -67,11 +67,11 @@ fn rows_and_states_one_by_one_give_equal_sets_and_distances_in_random_homes() {
         Size { columns: 1, rows: 1, side: 4, blocks: 1 },
         Size { columns: 3, rows: 1, side: 3, blocks: 0 },
         Size { columns: 2, rows: 2, side: 3, blocks: 1 },
-        // 71, 95 and 167 bits a row.
+        // 71, 95 and 167 bits per row.
         Size { columns: 2, rows: 2, side: 4, blocks: 2 },
         Size { columns: 3, rows: 2, side: 3, blocks: 2 },
         Size { columns: 6, rows: 2, side: 3, blocks: 1 },
-        // A line of rooms in which north and south lead nowhere, and one that is broader than a word.
+        // A line of rooms without ways north or south, and one that is wider than a word.
         Size { columns: 8, rows: 1, side: 1, blocks: 2 },
         Size { columns: 15, rows: 1, side: 4, blocks: 1 },
     ];
@@ -83,8 +83,8 @@ fn rows_and_states_one_by_one_give_equal_sets_and_distances_in_random_homes() {
     assert!(seen.goals > 30 && seen.ways > 500 && seen.dead_ends > 100 && seen.fewer_expansions > 100, "{seen:?}");
 }
 
-/// Plans with a budget of 50 for the robot to go from one room of a home to the other. Gives the distance, the expansions, the calls, and
-/// how many words a row has and how many cells the home.
+/// Plans, with a budget of 50, how the robot goes from one room of a home to the other. Returns the distance, the expansions, the calls,
+/// the words of a row and the cells of the home.
 fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
     let mut memory = HeapMemory::new(&Capacities { cells: 4_096, ..ROOMY });
     let mut builder = HomeBuilder::new(&mut memory.home);
@@ -106,7 +106,7 @@ fn go_to_the_other_room(areas: [Area; 2], door: Cell) -> [u32; 5] {
     let plan = planner.plan();
     let distance = (0..count).filter_map(|task| plan.distance(task)).max().unwrap();
     let box_of = |one: Area, other: Area| {
-        // Without the walls around; one bit more between two lines.
+        // Without the outer walls; one extra bit separates two lines.
         let width = one.right.max(other.right) - one.left.min(other.left);
         (width * (one.top.max(other.top) - one.bottom.min(other.bottom) - 1) - 1) as u32
     };
@@ -118,14 +118,14 @@ fn a_row_takes_as_many_expansions_as_it_has_words_so_that_a_budget_bounds_the_ti
     let [distance, expansions, calls, words, _] =
         go_to_the_other_room([Area::new(-200, 0, 0, 5), Area::new(0, 0, 200, 5)], Cell::new(0, 2));
     assert!(words > 20 && distance > 190);
-    // One row, at each distance.
+    // One row per distance.
     assert_eq!(expansions, words * distance);
     assert!(calls >= expansions / (50 + words), "{calls} calls");
 }
 
 #[test]
 fn where_few_cells_of_the_box_are_places_states_are_expanded_one_by_one() {
-    // Two corridors, one to the east, one north from its end.
+    // Two corridors: one leads east, the other north from its end.
     let [distance, expansions, _, words, places] =
         go_to_the_other_room([Area::new(0, 0, 202, 2), Area::new(200, 2, 202, 204)], Cell::new(201, 2));
     assert!(words > 600 && distance > 200);

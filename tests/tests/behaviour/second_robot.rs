@@ -1,4 +1,4 @@
-//! The seam between the core and a robot: another kind of robot in the same rooms understands what the first one learned.
+//! The interface between core and robot: another kind of robot in the same rooms understands by the first one's model.
 
 use crate::turning_robot;
 
@@ -26,7 +26,7 @@ fn three_rooms<M: HomeMemory>(memory: M, colors: [&str; 3], block: Option<(&str,
     builder.build(Moves::Push).unwrap()
 }
 
-/// Lets the trainer judge by the object that the task brings to the room, and the room's name.
+/// Trains with a trainer who means the task that brings `subject` into `room`.
 fn train(agent: &mut Agent<impl AgentMemory>, command: &str, colors: [&str; 3], block: Option<(&str, &str)>, subject: &str, room: &str) {
     let mut memory = HeapMemory::new(&Capacities::STANDARD);
     let (home, mut state) = three_rooms(&mut memory.home, colors, block);

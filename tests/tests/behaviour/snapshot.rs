@@ -1,4 +1,4 @@
-//! Saving and restoring: what is learned is kept, to the last bit.
+//! Saving and restoring keep the model to the last bit.
 
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Strategy;
@@ -28,7 +28,7 @@ fn saved(agent: &Agent<impl AgentMemory>) -> Vec<u8> {
     buffer
 }
 
-/// All that the agent has learned, as bits: the parameters, the trainer beliefs, and what it makes of the tests.
+/// The agent's parameters, its trainer beliefs and its posteriors of the tests, as bits.
 fn mind(agent: &mut Agent<impl AgentMemory>) -> Vec<u32> {
     let mut bits: Vec<u32> = (0..3).map(|strategy| agent.belief().strategy_probability(strategy).to_bits()).collect();
     for (token, _) in agent.language().tokens().iter() {
@@ -46,7 +46,7 @@ fn a_restored_robot_goes_on_as_if_it_had_never_been_switched_off() {
     let mut first_memory = HeapMemory::new(&Capacities::SMALL);
     let mut never_saved = agent(&mut first_memory);
     for lesson in school::lessons() {
-        // One is restored into the same memory, one into a larger one: that changes nothing.
+        // The size of the memory into which a model is restored makes no difference.
         let mut same_memory = HeapMemory::new(&Capacities::SMALL);
         let mut larger_memory = HeapMemory::new(&Capacities::STANDARD);
         let mut restored = [agent(&mut same_memory), agent(&mut larger_memory)];
@@ -75,7 +75,7 @@ fn what_is_restored_is_saved_as_the_same_bytes() {
         assert_eq!(agent.saved_bytes(), Ok(bytes.len()));
         agent.restore(&bytes).unwrap();
         assert_eq!(agent.learn(1), Progress::Working);
-        // Saved and restored in the middle of the training, too.
+        // The same in the middle of training.
         assert_eq!(saved(&agent), bytes);
         agent.restore(&bytes).unwrap();
         agent.learn_fully();

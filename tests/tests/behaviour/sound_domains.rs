@@ -17,7 +17,7 @@ struct Cart {
     objects: Vec<(ClassId, &'static str, &'static [&'static str])>,
     states: u64,
     number: fn(u64) -> u64,
-    /// Where something blue is.
+    /// The places where something blue is.
     blue: u64,
 }
 
@@ -93,12 +93,12 @@ fn on_rail<T>(cart: Cart, wavers: bool, run: impl FnOnce(&OnRail<'_>) -> T) -> T
     run(&OnRail { cart, objects: set.into_objects(), asked: std::cell::Cell::new(0), wavers })
 }
 
-/// What `check` finds in a cart.
+/// The result of `check` for a cart.
 fn found(cart: Cart) -> Result<Checked, DomainFlaw> {
     on_rail(cart, false, |cart| check(cart, 0, 1_000))
 }
 
-/// What is wrong, in words.
+/// The message of the flaw.
 fn refusal(cart: Cart) -> String {
     found(cart).unwrap_err().to_string()
 }
@@ -148,7 +148,7 @@ fn a_step_that_wavers_is_found() {
 
 #[test]
 fn a_proposition_that_holds_nowhere_is_told() {
-    // Of one place it holds, so a task can ask for it.
+    // It holds in one place, so a task can ask for it.
     assert_eq!(found(Cart { blue: 4, ..Cart::default() }).unwrap().never_held, None);
     let nowhere =
         Cart { blue: 4, objects: vec![(CART, "cart0", &[]), (CART, "cart1", &[]), (PLACE, "place3", &["blue"])], ..Cart::default() };

@@ -1,11 +1,11 @@
-//! The options of the language model, each by what it changes.
+//! The options of the language model, each tested by its effect.
 
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::language::Settings;
 use goodbot::task::{LiftedTask, TokenOrder};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
-/// How many machine commands "agent to one room, block to the other" and its exchange have in all.
+/// The number of different machine commands of "agent to one room, block to the other" and of its exchange.
 fn distinct_commands(order: TokenOrder) -> usize {
     let (mut homes, mut minds) = (HeapMemory::new(&Capacities::SMALL), HeapMemory::new(&Capacities::STANDARD));
     let mut builder = HomeBuilder::new(&mut homes.home);

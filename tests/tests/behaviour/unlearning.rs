@@ -1,4 +1,4 @@
-//! Any one session can be taken out of what was learned.
+//! Any single session can be removed from the model.
 
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
@@ -25,7 +25,7 @@ fn taught(count: usize, options: Options) -> (Agent<AgentHeap>, Vec<Vec<u8>>) {
 /// A machine command, and the bits of its weight.
 type Weighted = (Vec<String>, u32);
 
-/// What is learned from: each session's words, and its machine commands with the bits of their weights.
+/// The training data: each session's words, and its machine commands with the bits of their weights.
 fn data(agent: &Agent<AgentHeap>) -> Vec<(String, Vec<Weighted>)> {
     let language = agent.language();
     let (bitext, words, tokens) = (language.bitext(), language.words(), language.tokens());
@@ -55,7 +55,7 @@ fn without_its_last_session_a_robot_is_as_it_was_before() {
             as_before.restore(before).unwrap();
             as_before.learn_fully();
             assert_eq!(data(&agent), data(&as_before), "{last} {options:?}");
-            // The role model knows machine tokens too that no session is about. They go with the session.
+            // The role model also keeps machine tokens that no session uses. They go with the session.
             assert!(options != Options::PAPER || agent.saved().unwrap() == *before, "{last}");
         }
         assert!(!agent.unlearn(0));
@@ -72,7 +72,7 @@ fn the_words_of_an_unlearned_session_go_with_it_and_those_of_others_stay() {
         agent.learn_fully();
         assert!(!knows(&agent, "green") && knows(&agent, "chair"), "{options:?}");
         assert_eq!(agent.language().bitext().sessions(), 4);
-        // What is left is a sound model.
+        // The remaining model is valid.
         let (mut copy, _) = taught(0, options);
         copy.restore(&agent.saved().unwrap()).unwrap();
         copy.learn_fully();

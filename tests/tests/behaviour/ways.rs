@@ -1,4 +1,4 @@
-//! Tasks with a way against brute force over the product of the world and what has happened.
+//! Tasks with a path constraint against brute force over the product of the world and its history.
 
 use goodbot::home::{self, Area, Cell, HomeBuilder, Moves};
 use goodbot::memory::{AgentHeap, HomeMemory};
@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 const ROOMY: Capacities = Capacities { states: 1 << 15, hashed_states: 1 << 15, ..Capacities::STANDARD };
 
-/// What has happened since the command, as far as a task asks for it.
+/// The history since the command, as far as a task depends on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 struct Past {
     /// The clauses `through` that were met, one bit each.
@@ -24,11 +24,11 @@ struct Past {
     reached: u8,
     /// The task was done.
     done: bool,
-    /// What must be avoided was not.
+    /// Something to be avoided was not avoided.
     spoilt: bool,
 }
 
-/// What a task asks, by the definition of its text.
+/// The requirements of a task, by the definition of its text.
 struct Asked {
     goal: Vec<GroundProposition>,
     through: Vec<Vec<GroundProposition>>,
@@ -54,7 +54,7 @@ impl Asked {
         asked
     }
 
-    /// What has happened once the robot is in a state as well.
+    /// The history after the robot has also entered a state.
     fn come_to(&self, mut past: Past, holds: impl Fn(&GroundProposition) -> bool) -> Past {
         if past.done || past.spoilt {
             return past;
@@ -81,13 +81,13 @@ impl Asked {
     }
 }
 
-/// All that can be reached of a task's product, with the truth about each state.
+/// The reachable part of a task's product, with the true distance of each node.
 struct Product<S> {
-    /// World, past, and what the task's own automaton says of the same course of states.
+    /// World state, past, and the state of the task's own automaton after the same world states.
     nodes: Vec<(S, Past, WayState)>,
     edges: Vec<Vec<(Action, u32, usize)>>,
     distances: Vec<Option<u32>>,
-    /// The nodes of each state of the world.
+    /// The nodes of each world state.
     of_state: BTreeMap<u64, Vec<usize>>,
 }
 
@@ -124,7 +124,7 @@ impl<S: Copy + PartialEq> Product<S> {
         product
     }
 
-    /// Distances, backwards from the ends, relaxing until nothing changes.
+    /// Computes distances backwards from the ends, relaxing until nothing changes.
     fn measure(&mut self, is_end: impl Fn(&(S, Past, WayState)) -> bool) {
         let mut into = vec![vec![]; self.nodes.len()];
         for (from, edges) in self.edges.iter().enumerate() {
@@ -157,7 +157,7 @@ impl<S: Copy + PartialEq> Product<S> {
     }
 }
 
-/// What was compared.
+/// Counts of the comparisons.
 #[derive(Debug, Default)]
 struct Compared {
     toward: usize,
@@ -175,7 +175,7 @@ impl Compared {
     }
 }
 
-/// Compares the plans of every `every`th state of the world, with each past that a task can have there.
+/// Compares the plans in every `every`th world state, with each past that a task can have there.
 fn compare<D: Domain>(capacities: &Capacities, domain: &D, start: &D::State, lifted: &[LiftedTask], every: usize) -> Compared {
     let mut tasks = [GroundedTask::UNUSED; 64];
     let count = ground(domain, lifted, start, &mut tasks).unwrap();
@@ -187,7 +187,7 @@ fn compare<D: Domain>(capacities: &Capacities, domain: &D, start: &D::State, lif
     for (position, number) in numbers.into_iter().enumerate().step_by(every) {
         let pasts = products.iter().map(|product| product.of_state[&number].len()).max().unwrap_or(0);
         for past in 0..pasts {
-            // Those with fewer pasts come with one of theirs once more, beside others in another past.
+            // Tasks with fewer pasts repeat theirs, together with other pasts of the other tasks.
             let nodes: Vec<usize> = products
                 .iter()
                 .map(|product| {
@@ -352,7 +352,7 @@ fn nothing_is_known_of_a_way_that_the_planner_is_not_told_of() {
     }
 }
 
-/// Three rooms in a row: the way from the first to the last leads through the middle, or around it by a passage.
+/// Three rooms in a row: the way from the first to the last leads through the middle one, or around it through a passage.
 fn ring<M: HomeMemory>(memory: M) -> (home::Home<M>, home::HomeState) {
     let mut builder = HomeBuilder::new(memory);
     builder.room("room0", Area::new(0, 0, 4, 8), "blue").unwrap();

@@ -1,4 +1,4 @@
-//! Where the memory cannot hold even the robot and one block, plans are made region by region.
+//! Where memory cannot hold the joint states of even the robot and one block, plans are made region by region.
 
 use goodbot::home::{self, Home, HomeState, Moves};
 use goodbot::memory::HomeMemory;
@@ -11,16 +11,16 @@ use goodbot_tests::random_homes::{Size, below, random_home};
 use goodbot_tests::sweep::{Sweep, satisfied};
 use rand_pcg::Pcg32;
 
-/// What the plans in random homes come to.
+/// Counts of the plans in random homes.
 #[derive(Clone, Copy, Debug, Default)]
 struct Seen {
-    /// Judgements of an action, and those equal to exact ones.
+    /// Single actions judged by approximate sets, and how many of them exact sets judge alike.
     judged: u32,
     equal: u32,
     unknown: u32,
     /// Sets that are exact.
     exact: u32,
-    /// Tasks whose goals can be reached, and those that a robot reaches.
+    /// Tasks whose goals can be reached, and those whose goals the robot reached.
     reachable: u32,
     reached: u32,
 }
@@ -53,7 +53,7 @@ impl<M: HomeMemory> Scene<'_, M> {
         }
     }
 
-    /// Whether a robot that does the first action of each plan comes to the goal.
+    /// Whether the robot reaches the goal by doing the first action of each plan.
     fn follow(&mut self, start: &HomeState, task: usize) -> bool {
         let mut state = *start;
         for _ in 0..300 {

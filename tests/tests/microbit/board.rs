@@ -9,10 +9,10 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// What no answer takes.
+/// No answer takes this long.
 const LIMIT: Duration = Duration::from_secs(120);
 
-/// Where the robot stores what it learned.
+/// The flash address of the slots for the robot's model.
 pub const SLOTS: u64 = 0x3_E000;
 pub const SLOTS_BYTES: usize = 0x2000;
 
@@ -20,12 +20,12 @@ pub const SLOTS_BYTES: usize = 0x2000;
 pub const A: u32 = 17;
 pub const B: u32 = 26;
 
-/// What to run, and by which emulator.
+/// The files to run, and the emulator.
 #[derive(Clone, Debug)]
 pub struct Setup {
     pub emulator: PathBuf,
     pub hex: PathBuf,
-    /// The command line, which writes such files.
+    /// The command line, which writes `.hex` files.
     pub goodbot: PathBuf,
     /// The robot among embassy's tasks.
     pub embassy: PathBuf,
@@ -40,18 +40,18 @@ pub struct Board {
 }
 
 impl Board {
-    /// Switches a board on whose flash holds the program and, in the slots, these bytes.
+    /// Switches on a board whose flash holds the program and, in the slots, these bytes.
     pub fn on(setup: &Setup, slots: Option<&[u8]>) -> Self {
         Self::with_file(setup, &setup.hex, slots)
     }
 
-    /// Switches a board on that this file was dragged onto.
+    /// Switches on a board onto which this file was dragged.
     pub fn with_file(setup: &Setup, hex: &Path, slots: Option<&[u8]>) -> Self {
         static COUNT: AtomicU32 = AtomicU32::new(0);
         let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
         let folder = std::env::temp_dir().join(name);
         std::fs::create_dir_all(&folder).unwrap();
-        // It waits for the serial line, so that nothing it says is lost.
+        // It waits for the serial line to be connected, so that no output is lost.
         let socket = |name: &str, wait: &str| format!("unix:{},server=on,wait={wait}", folder.join(name).display());
         let mut emulator = Command::new(&setup.emulator);
         emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none"]);
@@ -69,14 +69,14 @@ impl Board {
         board
     }
 
-    /// The next line that it says.
+    /// The next line from the board.
     pub fn line(&mut self) -> String {
         let mut line = String::new();
         self.serial.read_line(&mut line).unwrap_or_else(|error| panic!("the board says nothing more: {error}"));
         line.trim_end().to_owned()
     }
 
-    /// Lines up to the one that begins so.
+    /// The lines up to the one with this beginning.
     pub fn lines_to(&mut self, beginning: &str) -> Vec<String> {
         let mut lines = Vec::new();
         loop {
@@ -87,12 +87,12 @@ impl Board {
         }
     }
 
-    /// Says a line, without waiting for the answer.
+    /// Sends a line, without waiting for the answer.
     pub fn say(&mut self, line: &str) {
         self.serial.get_mut().write_all(format!("{line}\n").as_bytes()).unwrap();
     }
 
-    /// Says a line, and returns the answer's lines before `ok`, or what is wrong.
+    /// Sends a line. Returns the answer's lines before `ok`, or the error.
     pub fn ask(&mut self, line: &str) -> Result<Vec<String>, String> {
         self.say(line);
         let mut lines = Vec::new();
@@ -106,7 +106,7 @@ impl Board {
         }
     }
 
-    /// The same, where nothing is wrong.
+    /// The same, without an error.
     pub fn must(&mut self, line: &str) -> Vec<String> {
         self.ask(line).unwrap_or_else(|problem| panic!("`{line}`: {problem}"))
     }
@@ -118,12 +118,12 @@ impl Board {
         answer.strip_prefix("OK").unwrap_or_else(|| panic!("`{request}`: {answer}")).trim().to_owned()
     }
 
-    /// Presses a button, or lets it go.
+    /// Presses or releases a button.
     pub fn button(&mut self, pin: u32, down: bool) {
         self.pins(&format!("set_irq_in /machine/nrf51 unnamed-gpio-in {pin} {}", u32::from(!down)));
     }
 
-    /// Presses buttons for a short time of the board's own, which an emulator on a busy machine has at its own pace.
+    /// Presses buttons for a short time on the board's own clock, which may run slowly in an emulator on a busy machine.
     pub fn press(&mut self, buttons: &[u32]) {
         buttons.iter().for_each(|&pin| self.button(pin, true));
         self.wait(60);
@@ -131,7 +131,7 @@ impl Board {
         self.wait(60);
     }
 
-    /// Waits for about this many milliseconds of the board's own time, or longer: each of its rows of lights is on for four of them.
+    /// Waits for about this many milliseconds on the board's clock, or longer: each row of lights is on for four milliseconds.
     fn wait(&mut self, milliseconds: u32) {
         let mut row = self.row();
         for _ in 0..milliseconds / 4 {
@@ -152,7 +152,7 @@ impl Board {
         self.light_pins() >> 13 & 0b111
     }
 
-    /// Waits until the light that blinks has changed this many times.
+    /// Waits until the blinking light has changed this many times.
     pub fn wait_blinks(&mut self, times: u32) {
         let mut lit = self.light_pins() >> 4 & 1;
         for _ in 0..times {
@@ -163,7 +163,7 @@ impl Board {
         }
     }
 
-    /// Looks at the pins of the lights many times.
+    /// Looks at the pins of the lights this many times.
     pub fn look(&mut self, looks: &mut Looks, times: usize) {
         for _ in 0..times {
             let pins = self.light_pins();
@@ -174,7 +174,7 @@ impl Board {
         }
     }
 
-    /// What is in the flash where the robot stores.
+    /// The bytes of the slots in the flash.
     pub fn slots(&mut self) -> Vec<u8> {
         let answer = self.pins(&format!("read {SLOTS:#x} {SLOTS_BYTES:#x}"));
         let digits = answer.trim_start_matches("0x");
@@ -190,7 +190,7 @@ impl Drop for Board {
     }
 }
 
-/// How often each row was seen, and each light of it on.
+/// How often each row was seen, and how often each of its lights was on.
 #[derive(Debug, Default)]
 pub struct Looks {
     rows: BTreeMap<u32, u32>,
@@ -198,7 +198,7 @@ pub struct Looks {
 }
 
 impl Looks {
-    /// How bright each light is, from 0 to 16: rows from the top, each from the left. `None` where its row was not seen.
+    /// The brightness of each light, from 0 to 16: rows from the top, each from the left. `None` if its row was not seen.
     pub fn lights(&self) -> [[Option<f32>; 5]; 5] {
         /// The row's and the column's pin of each light, as the board is wired.
         const WIRED: [[(u32, u32); 5]; 5] = [

@@ -7,7 +7,7 @@ use goodbot_course::Layout;
 use goodbot_course::exercise::LESSONS;
 use goodbot_course::layout::BlockPlan;
 
-/// The home that it has.
+/// The robot's home.
 const HOUSE: Layout = Layout {
     rooms: [Some((Area::new(0, 3, 6, 6), "red")), Some((Area::new(0, 0, 3, 3), "green")), Some((Area::new(3, 0, 6, 3), "blue")), None],
     doors: [Some(Cell::new(2, 3)), Some(Cell::new(4, 3)), None, None],
@@ -34,7 +34,7 @@ pub fn a_lesson_is_given_by_buttons_and_outlives_the_battery(setup: &Setup) {
     board.button(A, true);
     assert!(board.lines_to("lessons 1").iter().all(|line| !line.starts_with("error")));
     let stored = board.lines_to("stored ").pop().unwrap();
-    // The battery is empty; another one is put in.
+    // The battery is empty and is replaced.
     let slots = board.slots();
     drop(board);
     let mut board = Board::with_file(setup, &setup.embassy, Some(&slots));

@@ -1,4 +1,4 @@
-//! The tests. The trainer knows what is right by a robot of its own, which is told what a command means.
+//! The tests. The trainer finds the right actions by a robot of its own, which is told the meaning of each command.
 
 use super::board::{A, B, Board, Looks, SLOTS_BYTES, Setup};
 use goodbot::feedback::Strategy;
@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 goodbot::memory! { struct Memory = Capacities::SMALL; }
 goodbot::memory! { struct TinyMemory = Capacities::TINY; }
 
-/// What a lesson takes at most.
+/// The most actions of a lesson.
 const MOST_ACTIONS: usize = 100;
 
 /// Describes a home to the board.
@@ -36,7 +36,7 @@ fn describe(board: &mut Board, layout: &Layout) {
     board.must("build");
 }
 
-/// The meant task as the board writes it.
+/// The intended task, as the board writes it.
 fn meant(layout: &Layout, intention: &Intention) -> String {
     let room = layout.rooms.iter().flatten().position(|(_, color)| *color == intention.room).unwrap();
     match intention.block {
@@ -48,12 +48,12 @@ fn meant(layout: &Layout, intention: &Intention) -> String {
     }
 }
 
-/// The task that an answer takes for the most likely.
+/// The most likely task of an answer.
 fn believed(answer: &[String]) -> &str {
     answer.iter().find_map(|line| line.strip_prefix("believes ")?.split_once(" % ")).unwrap_or_else(|| panic!("{answer:?}")).1
 }
 
-/// Gives a lesson: each action is judged, until the robot has rested three times where it should.
+/// Teaches a lesson: judges each action until the robot has correctly rested three times.
 fn teach(board: &mut Board, exercise: &Exercise) {
     let layout = Homes::FIXED.layout(exercise.home);
     describe(board, layout);
@@ -64,7 +64,7 @@ fn teach(board: &mut Board, exercise: &Exercise) {
     board.must("finish");
 }
 
-/// Judges one action after the other, until the robot has rested three times where it should.
+/// Judges one action after another until the robot has correctly rested three times.
 pub fn until_done(
     board: &mut Board,
     layout: &Layout,
@@ -99,7 +99,7 @@ fn action<D: Domain>(domain: &D, name: &str) -> Action {
     domain.actions().iter().position(|kind| kind.name == name).map_or(Action::NOOP, |position| Action::new(position as u8))
 }
 
-/// Where everything is, as the board writes it.
+/// The places of all things, as the board writes them.
 fn places(home: &home::Home<impl HomeMemory>, state: &HomeState) -> String {
     let mut text = String::new();
     for &thing in [home.agent()].iter().chain(home.blocks()) {
@@ -127,7 +127,7 @@ pub fn the_papers_course_is_learned_over_the_serial_line(setup: &Setup) {
     for line in board.must("memory") {
         println!("{line}");
     }
-    // The battery is empty; another one is put in.
+    // The battery is empty and is replaced.
     let slots = board.slots();
     drop(board);
     let mut board = Board::on(setup, Some(&slots));
@@ -190,14 +190,14 @@ pub fn what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_comma
         assert_eq!(answer[0], format!("next: {}", test.command));
         assert_eq!(believed(&answer), meant(&homes.test, &test.intention), "{}", test.command);
     }
-    // The list begins again.
+    // The list starts again.
     assert_eq!(board.must("next")[0], format!("next: {}", TESTS[0].command));
 }
 
 pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
     let mut board = Board::on(setup, None);
     board.lines_to("nothing is stored");
-    // A long press chooses the next command, and then the robot acts by itself.
+    // A long press chooses the next command; the robot then acts by itself.
     board.button(B, true);
     assert_eq!(board.line(), "next: go to the green room");
     board.button(B, false);
@@ -209,7 +209,7 @@ pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
     board.press(&[A, B]);
     board.lines_to("lessons 1");
     assert!(board.line().starts_with("stored "));
-    // The list goes on.
+    // The list continues.
     board.button(A, true);
     assert_eq!(board.line(), "next: go to the blue room");
 }
@@ -229,14 +229,14 @@ pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
             (brightest, dimmest) = (brightest.max(block), dimmest.min(block));
         }
     }
-    // The robot is in the corner of the red room, where only the block's light is not steady.
+    // The robot is in the corner of the red room. All lights but the block's are steady.
     assert!(brightest > 12.0 && dimmest < 4.0, "the block's light is between {dimmest} and {brightest}");
     let expected = [[16, 1, 1, 1, 1], [1, 1, 0, 1, 1], [0, 2, 0, 2, 0], [4, 4, 0, 8, 8], [4, 4, 0, 8, 8]];
     for (row, lights) in all.lights().iter().enumerate() {
         for (column, found) in lights.iter().enumerate().filter(|&(column, _)| (row, column) != (1, 2)) {
             let (found, expected) = (found.unwrap(), expected[row][column] as f32);
             let exact = expected == 0.0 || expected == 16.0;
-            // A look may fall into the moment in which the rows change.
+            // A look may happen while the rows change.
             let error = if exact { 0.25 } else { 0.6 + 0.25 * expected };
             assert!((found - expected).abs() <= error, "light {column} of row {row} is {found}, not {expected}");
         }
@@ -260,7 +260,7 @@ pub fn a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before(setup: &
     lesson("go to the green room");
     let before = lesson("go to the blue room");
     let after = lesson("go to the red room");
-    // The older slot is erased page by page; then its model is written word by word, and at last its header.
+    // The older slot is erased page by page; then its model is written word by word, and its header last.
     let slot = if before[..SLOT] == after[..SLOT] { SLOT } else { 0 };
     let length = u32::from_le_bytes(*after[slot + 8..].first_chunk().unwrap()) as usize;
     let model = slot + SLOT_HEADER_BYTES..slot + SLOT_HEADER_BYTES + length;

@@ -1,7 +1,7 @@
-//! The micro:bit's own file, `dist/goodbot.hex`, on an emulated board: lessons by its serial line and its buttons, its lights, and what is left
-//! of its knowledge when a store is torn; and the robot among embassy's tasks.
+//! The micro:bit's file, `dist/goodbot.hex`, on an emulated board: lessons over its serial line and by its buttons, its lights, and its
+//! model after an interrupted store; and the robot among embassy's tasks.
 //!
-//! `cargo xtask test --only microbit` builds the file and says where it and the emulator are; without that, these tests are ignored.
+//! `cargo xtask test --only microbit` builds the file and passes its path and the emulator's; without them, these tests are ignored.
 
 #[cfg(unix)]
 mod board;

@@ -1,7 +1,8 @@
-//! The trainers to expect: a population of strategies, fitted to what real people said.
+//! The trainers to expect: a population of strategies, fitted to the feedback of real people.
 //!
-//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and mistake more. These numbers make the
-//! words of twelve recorded workers most probable (`goodbot fit-trainers`; `docs/trainers.md` describes the fit and its accuracy).
+//! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and make more mistakes. These parameters
+//! maximise the likelihood of the words of twelve recorded workers (`goodbot fit-trainers`; `docs/trainers.md` describes the fit and its
+//! accuracy).
 //!
 //! ```
 //! use goodbot::{Agent, Capacities, Options, feedback::population, home};
@@ -17,16 +18,16 @@ mod fitted;
 use super::strategy::Strategy;
 pub use fitted::{ENDING, STRATEGIES};
 
-/// How often an exact trainer takes right for wrong: a finger slips.
+/// The probability that an exact trainer takes right for wrong: a slip of the finger.
 const SLIP: f32 = 0.02;
 
-/// Trainers who judge nearly every step, and rightly, with their shares of 1: by both words, by "good bot" alone, by "bad bot" alone; and
-/// those who judge every other step. Nobody knows what they take a move inside the goal for: half of it counts as right.
+/// Trainers who judge nearly every step rightly, with their shares of 1: by both words, by "good bot" alone, by "bad bot" alone; and those
+/// who judge every other step. Their judgement of a move inside the goal is unknown: it counts as half right.
 pub fn exact() -> impl Iterator<Item = (Strategy, f32)> {
     let of = |plus, minus| Strategy::of_people([plus, minus, SLIP], [plus, minus, SLIP, 0.5], Strategy::NO_LAG);
     [(of(0.05, 0.05), 0.4), (of(0.05, 1.0), 0.2), (of(1.0, 0.05), 0.2), (of(0.5, 0.5), 0.2)].into_iter()
 }
 
 /// The share by which the belief about a trainer drifts back to the population from one command to the next: people change how they train,
-/// and somebody else may have taken over.
+/// and another person may have taken over.
 pub const DRIFT: f32 = 0.1;

@@ -1,4 +1,4 @@
-//! Room for the training data: a table of alignments for each pair of lengths.
+//! Memory for the training data: one alignment table per pair of lengths.
 
 use super::lengths::SeenLengths;
 use crate::capacity::{Capacities, CapacityError};
@@ -7,10 +7,10 @@ use crate::language::model::LanguageMut;
 use crate::language::tables::TablesRef;
 use crate::symbols::Symbol;
 
-/// Lays the alignment tables out anew for the pairs of lengths that the data have now.
+/// Lays out the alignment tables again, for the pairs of lengths in the present training data.
 ///
 /// # Errors
-/// A [`CapacityError`] where there is no room for one.
+/// A [`CapacityError`] if one does not fit.
 pub(crate) fn rebuild(language: &mut LanguageMut<'_>) -> Result<(), CapacityError> {
     language.tables.trained.wanted.length_pairs = 0;
     let bitext = language.bitext.read();
@@ -20,10 +20,10 @@ pub(crate) fn rebuild(language: &mut LanguageMut<'_>) -> Result<(), CapacityErro
     Ok(())
 }
 
-/// Adds a session. Where the alignment tables are full, its lighter machine commands are left out if they need a table of their own.
+/// Adds a session. If the alignment tables are full, its lighter machine commands are left out if they need a table of their own.
 ///
 /// # Errors
-/// A [`CapacityError`]; some of it may have been added.
+/// A [`CapacityError`]; part of the session may have been added.
 pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
     language: &mut LanguageMut<'_>,
     words: &[Symbol],
@@ -51,7 +51,7 @@ pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
     Ok(())
 }
 
-/// The room that a session takes by itself.
+/// The capacities that a session needs by itself.
 pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
     let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
     for (command, _) in pairs {

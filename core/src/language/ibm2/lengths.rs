@@ -1,4 +1,4 @@
-//! Which pairs of lengths there are, counted without a table: what the alignments of some data will take.
+//! Counts pairs of lengths without a table, to tell how much memory their alignments will take.
 
 use crate::capacity::TOKENS_PER_COMMAND;
 
@@ -6,11 +6,11 @@ use crate::capacity::TOKENS_PER_COMMAND;
 pub(crate) struct SeenLengths {
     /// One bit for each length of an English command from 1 to 64, by the length of the machine command.
     seen: [u64; TOKENS_PER_COMMAND + 1],
-    /// One bit for each length of a machine command that went with no English word.
+    /// One bit for each length of a machine command that came with an empty English command.
     wordless: u64,
-    /// How many.
+    /// The number of pairs.
     pub pairs: usize,
-    /// Cells of their alignment tables together.
+    /// The number of cells of their alignment tables together.
     pub cells: usize,
 }
 

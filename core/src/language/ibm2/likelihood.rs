@@ -4,8 +4,8 @@ use crate::language::tables::TablesRef;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 
-/// Pr(e|m) of an English command given a machine command, times Pr(n|l) with `length`; 1 for an untrained model. A word that the model was
-/// not trained on is skipped: it keeps its place in the sentence and says nothing.
+/// Pr(e|m) of an English command given a machine command, times Pr(n|l) if `length`; 1 for an untrained model. A word that the model was
+/// not trained on is skipped: it counts for the length and for the positions of other words, but has no factor.
 pub(crate) fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], command: &[Symbol], length: bool) -> Scaled {
     let width = command.len().saturating_add(1);
     let uniform = 1.0 / width as f32;
@@ -26,7 +26,7 @@ pub(crate) fn likelihood(tables: TablesRef<'_>, sentence: &[Option<Symbol>], com
     if length { product.scaled_by(length_likelihood(tables, command.len(), sentence.len())) } else { product }
 }
 
-/// The sum over the tokens, NULL first, of the token's alignment times its translation into a word that the model knows.
+/// The sum over the tokens, NULL first, of the token's alignment probability times the probability that it translates into a known word.
 #[inline]
 fn explained(tables: TablesRef<'_>, word: Symbol, command: &[Symbol], mut alignments: impl Iterator<Item = f32>) -> f32 {
     let (column, null) = (tables.column(word), alignments.next().unwrap_or(0.0));
@@ -37,8 +37,8 @@ fn explained(tables: TablesRef<'_>, word: Symbol, command: &[Symbol], mut alignm
         .fold(of_null, |sum, (&token, alignment)| sum + alignment * column.translation(TablesRef::row(Some(token))))
 }
 
-/// Pr(n|l): the weighted share of the English length among the data of this machine length; 0 for lengths never seen together, 1 for an
-/// untrained model.
+/// Pr(n|l): the share, by weight, of this English length among the training pairs of this machine length; 0 for lengths never seen
+/// together, 1 for an untrained model.
 fn length_likelihood(tables: TablesRef<'_>, machine: usize, english: usize) -> f32 {
     if tables.words() == 0 {
         return 1.0;

@@ -5,10 +5,10 @@
 //! ```
 //!
 //! - `tables`: t and a;
-//! - `lengths`: which pairs of lengths some data have;
+//! - `lengths`: counts the pairs of lengths in training data;
 //! - `likelihood`: Pr(e|m), exactly, without underflow;
 //! - `training`: weighted expectation maximisation, in parts;
-//! - `data`: the room that training data take.
+//! - `data`: memory for the training data.
 
 pub(crate) mod data;
 pub(crate) mod lengths;

@@ -1,27 +1,27 @@
-//! The tables of the parameters: translation probabilities t(word | token) and alignment probabilities a(j | i, l, n).
+//! The parameter tables: translation probabilities t(word | token) and alignment probabilities a(j | i, l, n).
 //!
-//! Position 0 of every machine command is NULL. The translation table has a row for NULL and one for each machine token, a column for
-//! each English word. Each pair of lengths l, n that the data have has its own n rows of l + 1 alignment probabilities.
+//! Position 0 of every machine command is NULL. The translation table has one row for NULL and one per machine token, and one column per
+//! English word. Each pair of lengths l, n in the training data has its own n rows of l + 1 alignment probabilities.
 
 use crate::capacity::{Capacity, CapacityError};
 use crate::language::tables::{Tables, TablesRef};
 use crate::symbols::Symbol;
 
-/// A pair of lengths and where its alignment table lies.
+/// A pair of lengths, and the position of its alignment table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthPair {
-    /// l: machine tokens.
+    /// l: the number of machine tokens.
     pub machine: u8,
-    /// n: English words.
+    /// n: the number of English words.
     pub english: u8,
     pub(super) start: u32,
     pub(super) trained: bool,
-    /// The weight of the data of these lengths.
+    /// The total weight of the training pairs of these lengths.
     pub weight: f32,
 }
 
 impl LengthPair {
-    /// What unused memory holds.
+    /// The value of unused memory.
     pub const UNUSED: Self = Self { machine: 0, english: 0, start: 0, trained: false, weight: 0.0 };
 
     pub(super) const fn cells(&self) -> usize {
@@ -51,7 +51,7 @@ impl Column<'_> {
 }
 
 impl Tables<'_> {
-    /// Makes sure that there is an alignment table for a pair of lengths. A new one stays uniform until the next training.
+    /// Adds an alignment table for a pair of lengths if there is none. A new one stays uniform until the next training.
     pub(in crate::language) fn add_lengths(&mut self, machine: usize, english: usize) -> Result<(), CapacityError> {
         if self.read().length_pair(machine, english).is_some() {
             return Ok(());
@@ -68,7 +68,7 @@ impl Tables<'_> {
             return Err(CapacityError::full(Capacity::LengthPairs, limit));
         };
         *slot = pair;
-        // A training under way has not cleared them.
+        // If a training is under way, it has not cleared these counts.
         let (_, a) = self.parts();
         a.counts.get_mut(start..end).unwrap_or(&mut []).fill(0.0);
         self.trained.wanted.length_pairs = self.trained.wanted.length_pairs.saturating_add(1);
@@ -81,12 +81,12 @@ impl Tables<'_> {
 }
 
 impl<'t> TablesRef<'t> {
-    /// Where the alignment tables end.
+    /// The end of the last alignment table.
     pub(in crate::language) fn alignments_end(self) -> usize {
         self.length_pairs().last().map_or(0, |last| (last.start as usize).saturating_add(last.cells()))
     }
 
-    /// The pairs of lengths that the data have.
+    /// The pairs of lengths in the training data.
     pub fn length_pairs(self) -> &'t [LengthPair] {
         self.memory.length_pairs.get(..self.trained.wanted.length_pairs).unwrap_or(&[])
     }
@@ -101,7 +101,7 @@ impl<'t> TablesRef<'t> {
         if word.index() >= self.trained.words { 0.0 } else { self.column(word).translation(Self::row(token)) }
     }
 
-    /// The translations into one word, which the parameters were trained on.
+    /// The translations into one word, which must be one that the parameters were trained on.
     #[inline]
     pub(super) fn column(self, word: Symbol) -> Column<'t> {
         let cells = self.memory.translations.get(word.index()..).unwrap_or(&[]);

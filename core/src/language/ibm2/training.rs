@@ -1,14 +1,15 @@
 //! Weighted expectation maximisation.
 //!
-//! Training starts from t = 1/V and a = 1/(l + 1). In each round, every pair of the data gives its weight's worth of expected counts to the
-//! cells that explain its words; then t = (count + s) / (total + s V) and a = count / total.
+//! Training starts from t = 1/V and a = 1/(l + 1). In each round, every training pair spreads its weight, as expected counts, over the
+//! cells that explain its words; then t = (count + s) / (total + s V) and a = (count + p / (l + 1)) / (total + p), with the smoothing s and
+//! the prior of alignments p.
 
 use crate::language::bitext::BitextRef;
 use crate::language::settings::Settings;
 use crate::language::tables::{Tables, TablesRef};
 use crate::symbols::Symbol;
 
-/// The part of the training that comes next.
+/// The next part of the training.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
     /// The E-step: expected counts, from this pair on.
@@ -21,7 +22,7 @@ pub(crate) enum Part {
     Done,
 }
 
-/// Weighs the pairs of lengths. The counts were cleared.
+/// Sums the weights of each pair of lengths. The counts must be cleared.
 pub(crate) fn start(tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &Settings) -> Part {
     for pair in tables.memory.length_pairs.iter_mut() {
         pair.weight = 0.0;
@@ -36,7 +37,7 @@ pub(crate) fn start(tables: &mut Tables<'_>, bitext: BitextRef<'_>, settings: &S
     if tables.trained.words == 0 || settings.rounds == 0 { Part::Done } else { Part::Expect(0) }
 }
 
-/// One part: how many table cells of work it was, and the part after it.
+/// Does one part. Returns the number of table cells it worked on, and the next part.
 pub(crate) fn advance(tables: &mut Tables<'_>, bitext: BitextRef<'_>, part: Part, round: &mut u32, settings: &Settings) -> (usize, Part) {
     match part {
         Part::Done => (0, Part::Done),
@@ -65,7 +66,7 @@ pub(crate) fn advance(tables: &mut Tables<'_>, bitext: BitextRef<'_>, part: Part
     }
 }
 
-/// Gives one pair's expected counts. In the first round all parameters are uniform, and the tables hold nothing yet.
+/// Adds one pair's expected counts. In the first round all parameters are uniform, and the tables are not filled yet.
 fn expect(tables: &mut Tables<'_>, command: &[Symbol], sentence: &[Symbol], weight: f32, first_round: bool) {
     let width = command.len().saturating_add(1);
     let Some(pair) = tables.read().length_pair(command.len(), sentence.len()) else { return };
@@ -121,7 +122,7 @@ fn maximise_translations(tables: &mut Tables<'_>, row: usize, smoothing: f32) {
     }
 }
 
-/// Sets the alignment table of one pair of lengths from its counts, and clears them. Gives the number of its cells.
+/// Sets the alignment table of one pair of lengths from its counts, and clears them. Returns the number of its cells.
 fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings) -> usize {
     let Some(lengths) = tables.memory.length_pairs.get_mut(pair) else { return 0 };
     lengths.trained = lengths.weight > 0.0;
@@ -131,7 +132,7 @@ fn maximise_alignments(tables: &mut Tables<'_>, pair: usize, settings: &Settings
     let (_, a) = tables.parts();
     let (Some(alignments), Some(counts)) = (a.values.get_mut(range.clone()), a.counts.get_mut(range)) else { return 0 };
     let uniform = 1.0 / width as f32;
-    // Not zipped: where that is not inlined, it has a division that could panic.
+    // Not zipped: where `zip` is not inlined, it contains a division that could panic.
     let mut counts = counts.chunks_mut(width);
     for alignments in alignments.chunks_mut(width) {
         let counts = counts.next().unwrap_or_default();

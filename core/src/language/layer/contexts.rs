@@ -1,4 +1,4 @@
-//! A command as the layer hears it: which words speak of values, and what stands around them.
+//! A command as features for the layer: the words that name values, and their contexts.
 
 use super::parts::Part;
 use super::weights::{Context, Place, of_context, of_kind, of_kind_word, of_task_word, of_told, of_value_word};
@@ -9,9 +9,9 @@ use crate::symbols::Symbol;
 use core::ops::Range;
 use heapless::Vec;
 
-/// A word speaks of a value if it was taken for it in more than this share of the times that it was heard.
+/// A word is a feature of a value if it was taken for it in more than this share of the times it was heard.
 const SPEAKS: f32 = 0.05;
-/// A word is a mention if it was taken for some value in more than this share.
+/// A word is a mention if it was taken for some value in more than this share of those times.
 const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as this many.
 const MOST_COUNTED: usize = 3;
@@ -31,14 +31,14 @@ struct Mention {
 pub(super) struct Command<'s, 't> {
     words: &'s [Option<Symbol>],
     names: Names<'t>,
-    /// Whether it is of a world that is told.
+    /// Whether the words in names are values.
     is_told: bool,
     /// In order.
     mentions: Vec<Mention, WORDS_PER_COMMAND>,
 }
 
 impl<'s, 't> Command<'s, 't> {
-    /// A command, after a training on data of so many words, each as often as it was `said`.
+    /// A command, after a training on data with `said` words, repetitions included.
     pub fn new(tables: TablesRef<'t>, said: f32, words: &'s [Option<Symbol>]) -> Self {
         let names = Names::new(tables, said);
         let mut command = Self { words, names, is_told: tables.layout().has_names(), mentions: Vec::new() };
@@ -47,14 +47,14 @@ impl<'s, 't> Command<'s, 't> {
             let best =
                 names.values().map(|value| (value, names.share(word, value))).reduce(|best, it| if it.1 > best.1 { it } else { best });
             if let Some((value, _)) = best.filter(|&(_, share)| share > MENTIONS) {
-                // As many as words at most.
+                // No more than there are words.
                 let _ = command.mentions.push(Mention { position, value });
             }
         }
         command
     }
 
-    /// The words of a stretch, each once.
+    /// The different words of a stretch.
     fn different(&self, stretch: Range<usize>) -> impl Iterator<Item = Symbol> {
         let words = self.words.get(stretch).unwrap_or(&[]);
         let is_first = move |position: usize, word: Symbol| !words.iter().take(position).any(|&other| other == Some(word));
@@ -111,7 +111,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// The word at a position: nothing for one that training has not seen, and `Some(None)` beyond the ends.
+    /// The word at a position: `None` for one that training has not seen, and `Some(None)` beyond either end.
     fn around(&self, position: Option<usize>) -> Option<Option<Symbol>> {
         match position.and_then(|position| self.words.get(position)) {
             None => Some(None),
@@ -119,7 +119,7 @@ impl<'s, 't> Command<'s, 't> {
         }
     }
 
-    /// Tells what stands around a word that speaks of a value.
+    /// Calls `tell` with each feature of the context of a word that names a value.
     fn each_context(&self, position: usize, value: Symbol, mut tell: impl FnMut(Context)) {
         tell(Context::Any);
         self.around(position.checked_sub(1)).into_iter().for_each(|word| tell(Context::Before(word)));

@@ -1,4 +1,4 @@
-//! What a role model that has not seen a session makes of it.
+//! The posteriors of a role model that has not seen the session.
 
 use super::tables::{LayerRef, Room};
 use crate::capacity::WORDS_PER_COMMAND;
@@ -12,7 +12,7 @@ use alloc::vec;
 use heapless::Vec;
 
 impl LayerRef<'_> {
-    /// How many tasks of a session the layer learns from; 0 where it learns nothing.
+    /// The number of tasks of a session that the layer learns from; 0 if it learns nothing.
     pub(super) fn tasks(self, session: u16) -> usize {
         let count = self.possible.pairs_of(session).len();
         if count < 2 { 0 } else { count }
@@ -20,7 +20,7 @@ impl LayerRef<'_> {
 }
 
 impl Room<'_> {
-    /// Finds out which of so many words the role model in training hears: `bitext` leaves out the others' sessions.
+    /// Finds out which of `words` words the role model in training hears: `bitext` leaves out the others' sessions.
     pub fn hear(&mut self, words: usize, bitext: BitextRef<'_>) {
         self.heard.clear();
         self.heard.resize(words, false);
@@ -33,8 +33,8 @@ impl Room<'_> {
         }
     }
 
-    /// Keeps the posterior over a session's tasks, by a role model that was trained without the session and those left out with it, and the
-    /// shares that the session showed of them. `bitext` leaves out the session. Returns about how many table cells that was.
+    /// Stores the posterior over a session's tasks by a role model trained without it, and the posterior that the session showed. `bitext`
+    /// leaves out the session and the others of its half. Returns the approximate number of table cells visited.
     #[inline(never)]
     pub fn understand(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16) -> usize {
         let possible = self.possible.read();

@@ -1,5 +1,5 @@
-//! The descriptions that the layer has already, found without going through all of them: a world may have thousands of tasks, and each session
-//! there tells them all.
+//! Finds the descriptions that the layer has already, without a search through all: a world may have thousands of tasks, and each session
+//! there adds them all.
 
 use crate::capacity::{Capacity, CapacityError, TOKENS_PER_COMMAND};
 use crate::language::bitext::{Bitext, BitextRef};
@@ -13,15 +13,15 @@ pub(in crate::language) struct Known {
 }
 
 impl Known {
-    /// All commands of the data.
+    /// The index of all commands in the data.
     pub fn of(data: BitextRef<'_>) -> Self {
         Self { commands: (0..data.commands() as u16).map(|command| (hash(data.command(command)), command)).collect() }
     }
 
-    /// Adds a pair of the last session and a machine command, which is kept once, as [`Bitext::add_pair`] does.
+    /// Adds a pair of the last session and a machine command, as [`Bitext::add_pair`] does; equal commands are stored once.
     ///
     /// # Errors
-    /// A [`CapacityError`]; the pair is not added then.
+    /// A [`CapacityError`]; the pair is then not added.
     pub fn add_pair(&mut self, data: &mut Bitext<'_>, tokens: &[Symbol], weight: f32) -> Result<(), CapacityError> {
         if tokens.len() > TOKENS_PER_COMMAND {
             return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
@@ -40,7 +40,7 @@ impl Known {
     }
 }
 
-/// FNV-1a, symbol by symbol.
+/// The FNV-1a hash, symbol by symbol.
 pub(super) fn hash(tokens: &[Symbol]) -> u32 {
     tokens.iter().fold(0x811c_9dc5, |hash, token| (hash ^ u32::from(token.0)).wrapping_mul(0x0100_0193))
 }
@@ -52,12 +52,12 @@ mod tests {
     use crate::memory::BitextTables;
     use alloc::collections::BTreeMap;
 
-    /// Two descriptions of one hash.
+    /// Two descriptions with the same hash.
     fn alike() -> [[Symbol; 2]; 2] {
         let high = |first: u16| hash(&[Symbol(first)]) >> 16;
         let mut firsts = BTreeMap::new();
         let (one, other) = (0..u16::MAX).find_map(|first| Some((firsts.insert(high(first), first)?, first))).unwrap();
-        // The rest of the hash after the first symbols differs by what a second symbol can be.
+        // After the first symbols, the hashes differ in no more bits than a second symbol has.
         let second = hash(&[Symbol(one)]) ^ hash(&[Symbol(other)]);
         [[Symbol(one), Symbol(0)], [Symbol(other), Symbol(second as u16)]]
     }

@@ -28,12 +28,12 @@ pub(super) fn of_description(description: &[Symbol]) -> impl Iterator<Item = Par
     form(description).map(Part::Kind).into_iter().chain(values)
 }
 
-/// The different parts of a session's tasks, and a number for each.
+/// The different parts of a session's tasks, with a number for each.
 #[derive(Clone, Debug)]
 pub(super) struct Parts {
     all: Vec<Part>,
     numbers: Vec<f32>,
-    /// The parts of one task after another, by position among all, and where those of each task end.
+    /// The parts of one task after the other, by position in `all`, and the end of each task's parts.
     of_tasks: Vec<u32>,
     ends: Vec<usize>,
     /// Where each task itself is among all, if it is a part.

@@ -1,4 +1,4 @@
-//! What the layer believes of a command.
+//! The layer's posterior over the tasks of a command.
 
 use super::contexts::Command;
 use super::parts::Parts;
@@ -10,28 +10,28 @@ use crate::probability::{Scaled, exp, total};
 use crate::symbols::Symbol;
 use alloc::vec::Vec;
 
-/// The probability, in equal parts, that is mixed into the role model's.
+/// The probability, in equal parts, that is mixed into the role model's posterior.
 const FLOOR: f32 = 0.03;
 
-/// Tasks that are weighed among themselves, by what is known of their kind.
+/// A group of tasks that are weighed among themselves, by their kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Group {
-    /// It was meant before.
+    /// The kind was meant before.
     #[default]
     Met,
-    /// It was never meant.
+    /// The kind was never meant.
     Unmet,
-    /// No session could mean it.
+    /// No session could mean the kind.
     Impossible,
 }
 
-/// A task as the layer weighs it.
+/// A task with its probabilities.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Weighed {
     pub group: Group,
     /// The role model's posterior.
     pub understood: f32,
-    /// The logarithm of the role model's posterior among the tasks of its group, with the floor.
+    /// The logarithm of the role model's posterior within its group, with the floor.
     pub logarithm: f32,
     /// The sum of U over its parts.
     pub parts: f32,
@@ -46,8 +46,8 @@ pub(super) struct Weighed {
     pub believed: f32,
 }
 
-/// Weighs the tasks against each other, each group among itself. Nothing was learned for or against a kind that was never meant. So the
-/// groups keep the probability that the role model gives them.
+/// Weighs the tasks within each group. Nothing was learned for or against a kind that was never meant, so each group keeps the probability
+/// that the role model gives it.
 pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
     for group in [Group::Met, Group::Unmet, Group::Impossible] {
         let of_group = |task: &&mut Weighed| task.group == group;
@@ -89,8 +89,8 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
 }
 
 impl LayerRef<'_> {
-    /// Makes of the role model's weights of tasks those of the layer. `same` gives the first task of the same description, and `description`
-    /// that one's. A layer that has not learned leaves the weights as they are.
+    /// Turns the role model's weights of tasks into those of the layer. `same` returns the first task with the same description, and
+    /// `description` returns the description of that one. A layer that has not learned leaves the weights unchanged.
     pub fn weigh<'d>(
         self,
         tables: TablesRef<'_>,
@@ -103,7 +103,7 @@ impl LayerRef<'_> {
         if !self.learned.done || whole.is_zero() {
             return;
         }
-        // The tasks of one description follow each other, in order.
+        // Tasks with the same description follow each other, in order.
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));

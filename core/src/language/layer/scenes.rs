@@ -1,5 +1,5 @@
-//! Scenes that were taught often. There, a robot can learn how people speak of each single task. A scene is all the tasks that are possible in
-//! it, with what they speak of: the same home, with all things where they were.
+//! Scenes that were taught often. In these, a robot can learn how people speak of each single task. A scene is the set of all tasks that
+//! are possible in it, with their descriptions: the same home, with everything in the same place.
 
 use super::known::hash;
 use crate::language::bitext::BitextRef;
@@ -7,24 +7,24 @@ use crate::symbols::Symbol;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
-/// A scene was taught often after this number of sessions.
+/// A scene with this many sessions was taught often.
 const OFTEN: usize = 64;
-/// A task was meant in a scene if at least this number of sessions show it more than all others together.
+/// A task was meant in a scene if in at least this many sessions it is more probable than all others together.
 const MEANT: usize = 8;
 const MOSTLY: f32 = 0.5;
 
-/// The scene of tasks of these descriptions, in any order: a hash.
+/// The scene of tasks with these descriptions, in any order: a hash.
 pub(super) fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]>) -> u32 {
     descriptions.fold(0, |sum, description| sum.wrapping_add(hash(description)))
 }
 
-/// A task in a scene: a hash.
+/// The hash of a task in a scene.
 pub(super) fn task(scene: u32, description: &[Symbol]) -> u32 {
     scene ^ hash(description)
 }
 
-/// The tasks that were meant in scenes that were taught often, in order. `possible` has the tasks of all sessions, and `shares` what the
-/// sessions showed of each.
+/// The hashes of the tasks that were meant in scenes that were taught often, sorted. `possible` has the tasks of all sessions, and `shares`
+/// the posterior of each.
 pub(super) fn taught(possible: BitextRef<'_>, shares: &[f32]) -> Vec<u32> {
     let (mut sessions, mut meant): (BTreeMap<u32, usize>, BTreeMap<(u32, u32), usize>) = (BTreeMap::new(), BTreeMap::new());
     let mut shares = shares.iter();

@@ -1,4 +1,4 @@
-//! What speaks for the parts of a session's tasks: found once, for all passes of a training.
+//! The features of the parts of a session's tasks, computed once for all passes of a training.
 
 use super::contexts::Command;
 use super::parts::Parts;
@@ -6,20 +6,20 @@ use crate::language::tables::TablesRef;
 use crate::symbols::Symbol;
 use alloc::vec::Vec;
 
-/// The most weights that are kept for all sessions together: 32 MB. What speaks for the parts of sessions beyond is found anew in each pass.
+/// The most features kept for all sessions together: 32 MB. For sessions beyond, they are computed again in each pass.
 const MOST_KEPT: usize = 1 << 22;
 
-/// The parts of a session's tasks, and the weights that speak for each.
+/// The parts of a session's tasks, and the features of each.
 #[derive(Clone, Debug)]
 pub(super) struct Speaking {
     pub parts: Parts,
-    /// The cells of one part's weights after another's, each with how much it counts, and where those of each part end.
+    /// The weight cell and the value of each feature, part after part, and the end of each part's features.
     weights: Vec<(u32, f32)>,
     ends: Vec<usize>,
 }
 
 impl Speaking {
-    /// What speaks for the parts of tasks of these descriptions, after a training on data of so many words, each as often as it was `said`.
+    /// The features of the parts of tasks with these descriptions, after a training on data with `said` words, repetitions included.
     /// `taught` are the tasks of scenes that were taught often.
     pub fn of<'d>(
         tables: TablesRef<'_>,
@@ -39,7 +39,7 @@ impl Speaking {
         Self { parts, weights, ends }
     }
 
-    /// The weights of each part, with its number.
+    /// The features of each part, with its number.
     pub fn each(&mut self) -> impl Iterator<Item = (&[(u32, f32)], &mut f32)> {
         let Self { parts, weights, ends } = self;
         let starts = core::iter::once(0).chain(ends.iter().copied());
@@ -47,13 +47,13 @@ impl Speaking {
         of_parts.zip(parts.each().map(|(_, number)| number))
     }
 
-    /// How many weights speak.
+    /// The number of features.
     pub const fn len(&self) -> usize {
         self.weights.len()
     }
 }
 
-/// What was found for the sessions of a training, by position.
+/// The features of each training session, by its position.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Found {
     sessions: Vec<Option<Speaking>>,
@@ -61,17 +61,17 @@ pub(super) struct Found {
 }
 
 impl Found {
-    /// Nothing.
+    /// No features.
     pub const NONE: Self = Self { sessions: Vec::new(), weights: 0 };
 
-    /// Takes out what was found for a session.
+    /// Takes out a session's features.
     pub fn take(&mut self, session: u16) -> Option<Speaking> {
         let found = self.sessions.get_mut(usize::from(session))?.take()?;
         self.weights = self.weights.saturating_sub(found.len());
         Some(found)
     }
 
-    /// Keeps what was found for a session, where there is room.
+    /// Keeps a session's features if there is room.
     pub fn keep(&mut self, session: u16, found: Speaking) {
         let weights = self.weights.saturating_add(found.len());
         if weights > MOST_KEPT {

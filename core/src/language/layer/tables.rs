@@ -1,4 +1,4 @@
-//! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
+//! The memory of the layer. It is empty without the feature `layer`, and if a caller provides none.
 
 #[cfg(feature = "layer")]
 use super::posterior::Group;
@@ -30,38 +30,38 @@ use alloc::{vec, vec::Vec};
 #[cfg(not(feature = "layer"))]
 use core::marker::PhantomData;
 
-/// How many numbers the layer learns, three times: each weight, its slope, and the sum of the squares of its slopes.
+/// Three numbers for each weight of the layer: the weight, its gradient, and the sum of its squared gradients.
 #[cfg(feature = "layer")]
 pub const LAYER_WEIGHTS: usize = 3 * CELLS;
 
-/// The memory of the layer: the tasks of all sessions, and what is learned from them.
+/// The memory of the layer: the tasks of all sessions, and the trained weights.
 #[cfg(feature = "layer")]
 #[derive(Clone, Debug)]
 pub struct LayerMemory {
-    /// The tasks of all sessions: each session's machine commands, and the prior of each in place of its weight. The sessions have no words.
+    /// The tasks of all sessions: each session's machine commands, with their prior as weight. The sessions have no words.
     commands: Vec<Span>,
     command_tokens: Vec<Symbol>,
     sessions: Vec<Span>,
     pairs: Vec<Pair>,
     used: Extent,
-    /// One entry a pair: the share that the session showed of it.
+    /// One entry per pair: the posterior that the session showed.
     shares: Vec<f32>,
-    /// One entry a pair: its posterior by a role model that has not seen the session.
+    /// One entry per pair: the posterior of a role model that has not seen the session.
     understood: Vec<f32>,
     /// [`LAYER_WEIGHTS`] numbers.
     weights: Vec<f32>,
     learned: Learned,
-    /// The tasks that were meant in scenes that were taught often, in order.
+    /// The tasks that were meant in scenes that were taught often, sorted.
     taught: Vec<u32>,
     left_out: LeftOut,
-    /// One entry a word, while a role model is asked for the sessions that it has not seen: whether it was heard in those that it has.
+    /// One entry per word, while a role model reads sessions that it has not seen: whether the word was heard in its own.
     heard: Vec<bool>,
     found: Found,
 }
 
 #[cfg(feature = "layer")]
 impl LayerMemory {
-    /// No room.
+    /// No memory.
     pub const NONE: Self = Self {
         commands: Vec::new(),
         command_tokens: Vec::new(),
@@ -78,12 +78,12 @@ impl LayerMemory {
         found: Found::NONE,
     };
 
-    /// Symbols that a task's description has on average, at most.
+    /// The average number of symbols in a task's description, at most.
     const SYMBOLS: usize = 24;
 
-    /// Room for this many tasks of this many sessions.
+    /// Memory for this many sessions and, in all of them, this many tasks.
     pub(crate) fn new(sessions: usize, tasks: usize) -> Self {
-        // More descriptions have no number, however many tasks have them.
+        // More descriptions could not be numbered.
         let commands = tasks.min(usize::from(u16::MAX));
         let tokens = tasks.saturating_mul(Self::SYMBOLS).min(commands.saturating_mul(TOKENS_PER_COMMAND));
         Self {
@@ -106,19 +106,19 @@ pub struct LayerMemory;
 
 #[cfg(not(feature = "layer"))]
 impl LayerMemory {
-    /// No room.
+    /// No memory.
     pub const NONE: Self = Self;
 }
 
-/// From so many sessions on, there is a layer: with fewer it understands less than the role model alone.
+/// The least number of sessions for a layer: with fewer it understands less than the role model alone.
 #[cfg(feature = "layer")]
 const LEAST_SESSIONS: usize = 8;
 
-/// A kind of task was meant if the sessions show it so often, all together.
+/// A kind of task was meant if its weight in all sessions together is at least this.
 #[cfg(feature = "layer")]
 const MET: f32 = 0.5;
 
-/// The share of sessions with a word that no other has, where one with and one without count beside.
+/// The share of sessions with a word that no other has, with one pseudo-count each for sessions with and without.
 #[cfg(feature = "layer")]
 fn new_words(bitext: BitextRef<'_>) -> f32 {
     let mut sessions_of: BTreeMap<Symbol, BTreeSet<u16>> = BTreeMap::new();
@@ -131,17 +131,17 @@ fn new_words(bitext: BitextRef<'_>) -> f32 {
     (alone.len() as f32 + 1.0) / (bitext.sessions() as f32 + 2.0)
 }
 
-/// What a training left.
+/// The results of a training.
 #[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Learned {
     /// Whether the weights are trained.
     pub done: bool,
-    /// How many words were said in the sessions trained on.
+    /// The number of words in the sessions trained on, repetitions included.
     pub said: f32,
     /// The share of sessions with a word that no other has.
     pub new_words: f32,
-    /// Whether the words of names tell the tasks.
+    /// Whether the words in names are values.
     is_told: bool,
     /// The kinds of task that were meant, by their tokens.
     met: [Option<Symbol>; LIFTED_TASKS],
@@ -154,7 +154,7 @@ impl Learned {
     const NOTHING: Self =
         Self { done: false, said: 0.0, new_words: 0.0, is_told: false, met: [None; LIFTED_TASKS], possible: [None; LIFTED_TASKS] };
 
-    /// A training begins on these data. `possible` has the tasks of all sessions.
+    /// Begins a training on these data. `possible` has the tasks of all sessions.
     pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>, possible: BitextRef<'_>) {
         *self = Self { said: layout.words_said(bitext), new_words: new_words(bitext), is_told: layout.has_names(), ..Self::NOTHING };
         let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
@@ -162,7 +162,7 @@ impl Learned {
             let Some(form) = form(bitext.command(pair.command)) else { continue };
             match meant.iter_mut().find(|(other, _)| *other == form) {
                 Some((_, times)) => *times += pair.weight,
-                // As many as there are kinds.
+                // No more than there are kinds.
                 None => {
                     let _ = meant.push((form, pair.weight));
                 }
@@ -174,7 +174,8 @@ impl Learned {
         self.possible.iter_mut().zip(possible).for_each(|(slot, form)| *slot = form);
     }
 
-    /// The group of a task: words can speak for or against a kind that was meant before. Where tasks are told, a new kind may have known words.
+    /// The group of a task. Words can speak for or against a kind that was meant before. If the words in names are values, a new kind may
+    /// have known words.
     pub fn group(&self, description: &[Symbol]) -> Group {
         match form(description) {
             form if form.is_none() || self.met.contains(&form) => Group::Met,
@@ -184,7 +185,7 @@ impl Learned {
     }
 }
 
-/// The layer, to be taught, if there is memory for it.
+/// The layer for training, if there is memory for it.
 #[derive(Debug)]
 pub(in crate::language) struct Layer<'t> {
     #[cfg(feature = "layer")]
@@ -194,7 +195,7 @@ pub(in crate::language) struct Layer<'t> {
 }
 
 impl<'t> Layer<'t> {
-    /// The layer in its memory, of which there is one entry or none.
+    /// The layer in `memory`, a slice with one element or none.
     #[cfg_attr(not(feature = "layer"), expect(clippy::missing_const_for_fn, unused_variables, reason = "as with the feature"))]
     pub fn new(memory: &'t mut [LayerMemory]) -> Self {
         Self {
@@ -209,7 +210,7 @@ impl<'t> Layer<'t> {
 #[cfg(not(feature = "layer"))]
 #[expect(clippy::unused_self, reason = "as with the feature")]
 impl Layer<'_> {
-    /// The sessions that the role model in training is not to see.
+    /// The sessions that the role model in training must not see.
     pub const fn left_out(&self) -> LeftOut {
         LeftOut::NONE
     }
@@ -217,12 +218,12 @@ impl Layer<'_> {
 
 #[cfg(feature = "layer")]
 impl Layer<'_> {
-    /// The sessions that the role model in training is not to see.
+    /// The sessions that the role model in training must not see.
     pub fn left_out(&self) -> LeftOut {
         self.room.as_ref().map_or(LeftOut::NONE, |room| *room.left_out)
     }
 
-    /// A training begins: what was learned says nothing any more.
+    /// Begins a training: the old weights are not used any more.
     pub fn begin(&mut self, settings: &Settings) {
         if let Some(room) = &mut self.room {
             let left_out = if room.is_wanted(settings) { LeftOut::FIRST } else { LeftOut::NONE };
@@ -230,7 +231,7 @@ impl Layer<'_> {
         }
     }
 
-    /// The layer, to be read, if there is memory for it.
+    /// The read-only layer, if there is memory for it.
     pub const fn read(&self) -> Option<LayerRef<'_>> {
         match &self.room {
             Some(room) => Some(room.read()),
@@ -254,7 +255,7 @@ pub(in crate::language) struct Room<'t> {
     pub(super) found: &'t mut Found,
 }
 
-/// The layer in its memory, to be read.
+/// The read-only layer in its memory.
 #[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
 pub(in crate::language) struct LayerRef<'t> {
@@ -266,7 +267,7 @@ pub(in crate::language) struct LayerRef<'t> {
 
 #[cfg(feature = "layer")]
 impl<'t> LayerRef<'t> {
-    /// The layer in its memory, of which there is one entry or none.
+    /// The read-only layer in `memory`, a slice with one element or none.
     pub fn new(memory: &'t [LayerMemory]) -> Option<Self> {
         let memory = memory.first()?;
         let possible = BitextTablesRef {
@@ -309,12 +310,12 @@ impl<'t> Room<'t> {
         })
     }
 
-    /// The same, to be read.
+    /// The same, read-only.
     pub const fn read(&self) -> LayerRef<'_> {
         LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned, taught: self.taught.as_slice() }
     }
 
-    /// Whether there is enough to train it on.
+    /// Whether the layer is used and has enough sessions to train on.
     pub fn is_wanted(&self, settings: &Settings) -> bool {
         let is_on = settings.has_layer() && self.weights.len() >= LAYER_WEIGHTS;
         let layer = self.read();
@@ -322,8 +323,8 @@ impl<'t> Room<'t> {
         is_on && (0..layer.possible.sessions() as u16).filter(teaches).nth(LEAST_SESSIONS.saturating_sub(1)).is_some()
     }
 
-    /// A machine token is forgotten, and those after it move up by one. Where a session's task has it, the layer forgets all sessions: it
-    /// learns anew from those to come.
+    /// Adjusts the symbols after a machine token was removed. If a session's task uses it, the layer forgets all sessions and learns again
+    /// from later ones.
     pub fn remove_token(&mut self, token: Symbol) {
         if self.possible.tokens_mut().contains(&token) {
             self.clear();

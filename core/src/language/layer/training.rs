@@ -1,15 +1,15 @@
-//! How the weights are learned: in 30 passes over the sessions, one step of `AdaGrad` a session.
+//! Training of the weights: 30 passes over the sessions, with one step of `AdaGrad` per session.
 //!
-//! With p(t) what the layer believes of a session's tasks now, q(t) the share that the session showed of each, and pi(t) its prior, a step
+//! With p(t) the layer's present posterior of a session's tasks, q(t) the posterior that the session showed, and pi(t) the prior, a step
 //! goes from p towards
 //!
 //! ```text
 //! r(t) proportional to (q(t) + 0.1 pi(t)) p(t)
 //! ```
 //!
-//! Words may say what the trainer's acts leave open, and one session of some shows another task than was meant: what no act speaks for keeps
-//! a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. Each pass has shorter steps
-//! than the one before, but where tasks are told.
+//! The words may decide what the trainer's actions leave open, and some sessions show another task than was meant; so a task that the
+//! actions refute keeps a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
+//! with each pass, unless the words in names are values.
 //!
 //! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
 //! there were none of them.
@@ -25,15 +25,15 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 const PASSES: u8 = 30;
-/// The share of a task's prior that the acts of a session cannot refute.
+/// The share of a task's prior that the actions of a session cannot refute.
 const UNREFUTED: f32 = 0.1;
-/// The least belief, so that none is lost for good.
+/// The smallest probability, so that no task is lost for good.
 const LEAST: f32 = 1e-9;
 
-/// Where the training of the layer stands.
+/// The next step in training the layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// The weights are not there yet.
+    /// Clear the weights.
     Clear,
     /// A pass, from this session on.
     Pass(u8, u16),
@@ -42,7 +42,7 @@ pub(crate) enum Part {
 }
 
 impl Room<'_> {
-    /// One part: about how many table cells it was, and where the training stands after it.
+    /// Does one part. Returns the approximate number of table cells visited, and the next part.
     pub fn advance(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, part: Part) -> (usize, Part) {
         match part {
             Part::Clear => {
@@ -70,7 +70,7 @@ impl Room<'_> {
         }
     }
 
-    /// One step towards what a session shows.
+    /// One step towards the posterior that a session showed.
     #[inline(never)]
     fn learn_session(&mut self, tables: TablesRef<'_>, bitext: BitextRef<'_>, session: u16, pass: u8) -> usize {
         let count = self.read().tasks(session);
@@ -106,7 +106,7 @@ impl Room<'_> {
             *slot = (shown + UNREFUTED * pair.weight) * (task.trusted + LEAST);
         }
         normalise(wanted);
-        // The words cannot change what is wanted of each group.
+        // The words cannot change the target of a whole group.
         let is_met = |task: &Weighed| task.group == Group::Met;
         let wanted_of =
             |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| is_met(task) == met).map(|(_, wanted)| wanted).sum::<f32>();
@@ -114,7 +114,7 @@ impl Room<'_> {
         let of_scene: f32 = tasks.iter().zip(&*wanted).filter(|(task, _)| task.itself.is_some()).map(|(_, wanted)| wanted).sum();
 
         parts.each().for_each(|(_, number)| *number = 0.0);
-        // Where tasks are told, a meaning counts as the root of how often it was told, as it does for the role model.
+        // If the words in names are values, a meaning counts as the root of the number of times it was told, as in the role model.
         let sum = |weight: &dyn Fn(&Pair) -> f32| bitext.pairs_of(session).iter().map(weight).sum::<f32>();
         let (counts, whole) = (sum(&|pair| tables.layout().weight(bitext, pair)), sum(&|pair| pair.weight));
         let counts = if whole > 0.0 { counts / whole } else { 1.0 };
@@ -139,7 +139,7 @@ impl Room<'_> {
         cells
     }
 
-    /// One step of the pulls.
+    /// One step that pulls all weights.
     fn pull(&mut self, tables: TablesRef<'_>, pass: u8) -> usize {
         let mut weights = Weights::of(self.weights, rate(tables, pass));
         for (range, pull) in PULLS {
@@ -154,7 +154,7 @@ impl Room<'_> {
     }
 }
 
-/// Makes the numbers' sum 1.
+/// Divides the numbers by their sum.
 fn normalise(numbers: &mut [f32]) {
     let whole: f32 = numbers.iter().sum();
     if whole > 0.0 {
@@ -162,8 +162,8 @@ fn normalise(numbers: &mut [f32]) {
     }
 }
 
-/// How long a step of a pass is: the later, the shorter, so that the last sessions count no more than the first. Where tasks are told, all
-/// are as long: there, shorter ones understood no more.
+/// The step size of a pass. It shrinks, so that the last sessions count no more than the first. If the words in names are values, it stays
+/// the same: smaller steps did not improve understanding there.
 fn rate(tables: TablesRef<'_>, pass: u8) -> f32 {
     const FIRST: f32 = 0.15;
     const TOLD: f32 = 0.1;

@@ -1,35 +1,35 @@
-//! Kinds of task that were never meant, beside those that were.
+//! Kinds of task that were never meant, compared with those that were.
 //!
-//! **Ways.** The role model gives a kind that was never meant what one session would. It also divides each kind's Pr(e|t) by three quarters of
-//! what they are together, so that how well the words fit a kind counts little against how often it was meant. That is right where the lessons
-//! were given. In another scene, where only ways were heard before, "move to the red room" would avoid some room that nobody named. There
-//! two things are known better:
+//! **Ways.** For the role model, a kind that was never meant counts as one session. It also divides Pr(e|t) by Z_l^(3/4), so that how well
+//! the words fit a kind counts little against how often it was meant. That is right in the scenes of the lessons. In another scene, if only
+//! commands with ways were heard before, "move to the red room" would avoid some room that nobody named. There, two things are known
+//! better:
 //!
-//! - A way comes on top of a goal. A kind without a way is as probable as a kind that adds a way to its goals is on average.
-//! - How much of a task the words name is the same question for all kinds, and counts whole.
+//! - A way is added to a goal. A kind without a way is as probable as the kinds that add a way to its goals are on average.
+//! - How much of a task the words name is the same question for all kinds, and counts in full.
 //!
-//! With q the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
-//! posterior, and n(t) how probable it is that so much of t is named as the words do, all tasks of a kind l without a way that was never meant
-//! are multiplied by
+//! Let q be the probability of a kind by the words alone, K the kinds that were meant and add a way to the goals of l, a the role model's
+//! posterior, and n(t) the probability that commands name as much of t as these words do. All tasks of a kind l without a way that was
+//! never meant are multiplied by
 //!
 //! ```text
 //! n(t) max(1, mean of q(k) over K / q(l)),
 //! ```
 //!
-//! and all others by the mean of f over what was meant, f(l) = (sum of a(t) / sum of a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that
-//! were never meant are also multiplied by n(t). Kinds that were meant keep their shares of what they have together: the layer has learned to
-//! tell those apart.
+//! if there are any K, and all others by the mean of f over the tasks that were meant, weighted by a, with f(l) = (sum of a(t) / sum of
+//! a(t) / n(t))^(3/4) over the tasks t of l. Other kinds that were never meant are also multiplied by n(t). Kinds that were meant keep
+//! their shares of their common probability: the layer has learned to tell those apart.
 //!
-//! **Things.** A kind may be one that no session could mean, because it speaks of things that were in no scene. Nothing was learned of their
-//! words, so those are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and k the
-//! number of all others, they have together, after a command with a new word,
+//! **Things.** A kind may be one that no session could mean, because it needs things that were in no scene. The words for them were not
+//! learned either, so they are new. With r the share of sessions with a word that no other session has, n the number of such kinds here and
+//! k the number of all others, the probability of these kinds together, after a command with a new word, is
 //!
 //! ```text
 //! n (1 - r) / (n (1 - r) + k r),
 //! ```
 //!
-//! and after one without, the same with r and 1 - r exchanged. What those with a way have together is shared out as among the kinds that were
-//! meant with the same ways, after the layer has weighed them.
+//! and after a command without one, the same with r and 1 - r exchanged. After the layer has weighed the tasks, those of these kinds that
+//! have a way divide their common probability as the kinds that were meant do with the same ways.
 
 use super::posterior::{Group, Weighed};
 use crate::language::bitext::BitextRef;
@@ -43,23 +43,23 @@ use crate::task::role::{Role, RoleKind};
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec::Vec;
 
-/// What is known of a kind of task.
+/// A kind of task in a new scene.
 struct Kind<'d> {
-    /// A task of it.
+    /// One of its tasks.
     example: &'d [Symbol],
     group: Group,
-    /// What its tasks have together.
+    /// The posterior of its tasks together.
     whole: f32,
-    /// What they would have if the words named of each as much as they do for sure.
+    /// The same, each divided by the probability of how much of the task is named.
     without_naming: f32,
-    /// What the kind is weighed by.
+    /// The factor of the kind.
     factor: f32,
-    /// Whether it is a kind that was never meant, without a way, and one that was meant adds a way to its goals.
+    /// Whether the kind was never meant, has no way, and some kind that was meant adds a way to its goals.
     is_without_its_way: bool,
 }
 
-/// Weighs anew what the role model makes of kinds that were never meant. `description` gives the description of the task at a position, and
-/// `possible` has the tasks of all sessions.
+/// Corrects the role model's posterior for kinds that were never meant. `description` returns the description of the task at a position,
+/// and `possible` has the tasks of all sessions.
 pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
@@ -80,7 +80,7 @@ pub(super) fn weigh_ways<'d>(
     for (position, task) in tasks.iter_mut().enumerate() {
         let example = description(position);
         let naming = named(tables.layout(), tables.cells(), sentence, example).max(f32::MIN_POSITIVE);
-        // The role model knows only of a kind that was meant how much of it is named.
+        // The role model includes naming only for a kind that was meant.
         if task.group != Group::Met {
             task.understood *= naming;
         }
@@ -112,7 +112,7 @@ pub(super) fn weigh_ways<'d>(
         let count = of_same_goals().count();
         if kind.group != Group::Met && !has_way(kind.example) && count > 0 {
             let of_one = of_same_goals().sum::<f32>() / count as f32;
-            // A share may be too small for an f32.
+            // The share may be 0 in an f32.
             kind.factor *= (of_one / share(form).max(f32::MIN_POSITIVE)).max(1.0);
             kind.is_without_its_way = true;
         }
@@ -135,8 +135,8 @@ pub(super) fn weigh_ways<'d>(
     }
 }
 
-/// Weighs kinds that no session could mean against all others, by whether there is a new word. `new_words` is the share of sessions with a
-/// word that no other has, and `description` gives the description of the task at a position.
+/// Divides the probability between kinds that no session could mean and all others, by whether there is a new word. `new_words` is the
+/// share of sessions with a word that no other has, and `description` returns the description of the task at a position.
 pub(super) fn weigh_impossible<'d>(
     tables: TablesRef<'_>,
     new_words: f32,
@@ -163,13 +163,12 @@ pub(super) fn weigh_impossible<'d>(
     }
     for task in tasks {
         let (share, whole) = if is_impossible(task) { (these, of_these) } else { (others, of_others) };
-        // A part of what is very little is a number still.
+        // In this order a tiny probability does not become 0 or NaN.
         task.understood = task.understood / whole * share / (these + others);
     }
 }
 
-/// Makes the ways of kinds that no session could mean as probable among themselves as the same ways of kinds that were meant, by what is
-/// believed of those.
+/// Divides the probability of the ways of kinds that no session could mean as it is divided among the same ways of kinds that were meant.
 pub(super) fn share_ways<'d>(description: impl Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
     let mut ways: BTreeMap<Vec<Role>, [f32; 2]> = BTreeMap::new();
     let way = |position: usize| way(description(position)).collect::<Vec<Role>>();
@@ -200,13 +199,13 @@ fn way(description: &[Symbol]) -> impl Iterator<Item = Role> {
     roles(description, |kind| kind.index() >= RoleKind::WITHOUT_WAYS)
 }
 
-/// The roles of some kinds.
+/// The roles whose kind is wanted, each once.
 fn roles(description: &[Symbol], is_wanted: impl Fn(RoleKind) -> bool) -> impl Iterator<Item = Role> {
     let mut last = None;
     groups(description).map(|group| group.marker.role).filter(move |&role| is_wanted(role.kind()) && last.replace(role) != Some(role))
 }
 
-/// Whether a task says how.
+/// Whether a task has a way.
 fn has_way(description: &[Symbol]) -> bool {
     way(description).next().is_some()
 }

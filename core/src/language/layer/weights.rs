@@ -1,4 +1,4 @@
-//! Where the weights stand: each thing that is told of a command and a part of a task has a cell, by a hash. Two things may share one.
+//! The cells of the weights: each feature of a command and a part of a task has a cell, found by a hash. Two features may share one.
 
 use crate::probability::square_root;
 use crate::symbols::Symbol;
@@ -8,20 +8,20 @@ use core::ops::Range;
 const KINDS: Range<usize> = 0..2_048;
 /// Weights of a word together with a value in a role.
 const VALUES: Range<usize> = KINDS.end..KINDS.end + 2_048;
-/// Weights of what stands around the words that speak of a role.
+/// Weights of the contexts of words that name a value in a role.
 const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 /// A constant for each kind of task.
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
-/// a - 1, where a is how much the role model counts.
+/// a - 1, with a the exponent of the role model's posterior.
 pub(super) const TRUST: usize = CONSTANTS.end;
 /// In worlds that are told: a constant for each value in a role, and a weight of each word together with it. Elsewhere, weights of a word
 /// together with a task of a scene that was taught often.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
-/// How many weights there are.
+/// The number of weights.
 pub(super) const CELLS: usize = WORDS.end;
 
-/// How strongly each range is pulled towards 0: the more, the more sessions it takes to learn one. What a value has for itself is pulled most,
-/// so that what all values of a role share is learned first.
+/// How strongly each range is pulled towards 0: the stronger, the more sessions it takes to learn a weight. A value's own weights are
+/// pulled most, so that the weights that all values of a role share are learned first.
 pub(super) const PULLS: [(Range<usize>, f32); 6] =
     [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (WORDS, 10.0)];
 
@@ -37,21 +37,21 @@ pub(super) enum Place {
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Context {
-    /// Whatever it is.
+    /// Any context.
     Any,
     /// The word before; `None` at the beginning of the command.
     Before(Option<Symbol>),
-    /// The word before that; `None` at the beginning.
+    /// The word before [`Before`](Self::Before); `None` at the beginning of the command.
     SecondBefore(Option<Symbol>),
-    /// The word after; `None` at its end.
+    /// The word after; `None` at the end of the command.
     After(Option<Symbol>),
-    /// How many mentions are before it: 3 for more.
+    /// The number of mentions before it, at most 3.
     Earlier(u16),
-    /// How many are after it.
+    /// The number of mentions after it, at most 3.
     Later(u16),
-    /// No word after it is a mention, and this one is one of them.
+    /// A word after it, if no mention follows.
     Tail(Symbol),
-    /// The mention before it and the one after: 0 for none, 1 for one of another value, 2 for one of the same.
+    /// The mentions next before and after it: 0 for none, 1 for another value, 2 for the same value.
     Between(u16, u16),
 }
 
@@ -82,7 +82,7 @@ pub(super) fn of_value_word(role: Symbol, value: Symbol, word: Symbol) -> usize 
     cell(VALUES, [role.0, value.0, word.0])
 }
 
-/// The cell of a value in a role, alone or with a word that need not speak of it.
+/// The cell of a value in a role, alone or with any word of the command.
 pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usize {
     cell(WORDS, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
 }
@@ -118,33 +118,33 @@ fn cell<const PARTS: usize>(range: Range<usize>, parts: [u16; PARTS]) -> usize {
     range.start.saturating_add((hash as usize).checked_rem(range.len()).unwrap_or(0))
 }
 
-/// The weights, and what is known of each while they are trained.
+/// The weights, and the state of their training.
 pub(super) struct Weights<'t> {
     pub values: &'t mut [f32],
-    /// The slope at the session under way; 0 between sessions.
+    /// The gradient of the current session; 0 between sessions.
     pub slopes: &'t mut [f32],
-    /// The sum of the squares of all slopes before.
+    /// 1 plus the sum of the squares of all gradients so far.
     pub squares: &'t mut [f32],
-    /// How long a step is.
+    /// The step size.
     pub rate: f32,
 }
 
 impl<'t> Weights<'t> {
-    /// The parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
+    /// The three parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
     pub fn of(all: &'t mut [f32], rate: f32) -> Self {
         let (values, rest) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
         let (slopes, squares) = rest.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
         Self { values, slopes, squares, rate }
     }
 
-    /// Before anything is learned.
+    /// Resets everything to before training.
     pub fn clear(&mut self) {
         self.values.fill(0.0);
         self.slopes.fill(0.0);
         self.squares.fill(1.0);
     }
 
-    /// One step down a weight's slope (`AdaGrad`).
+    /// One `AdaGrad` step of a weight against this slope.
     pub fn step(&mut self, cell: usize, slope: f32) {
         if let (Some(value), Some(square)) = (self.values.get_mut(cell), self.squares.get_mut(cell)) {
             *square += slope * slope;
@@ -152,14 +152,14 @@ impl<'t> Weights<'t> {
         }
     }
 
-    /// Adds to a slope.
+    /// Adds to a weight's gradient.
     pub fn lean(&mut self, cell: usize, slope: f32) {
         if let Some(slot) = self.slopes.get_mut(cell) {
             *slot += slope;
         }
     }
 
-    /// One step down a weight's slope, which is 0 again.
+    /// One step of a weight against its gradient, which becomes 0.
     pub fn settle(&mut self, cell: usize) {
         let slope = self.slopes.get_mut(cell).map_or(0.0, core::mem::take);
         if slope != 0.0 {

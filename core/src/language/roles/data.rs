@@ -1,4 +1,4 @@
-//! Room for the training data: the parameters of all that their descriptions speak of.
+//! Memory for the training data: the parameters that their descriptions need.
 
 use super::layout::Layout;
 use crate::capacity::{Capacities, Capacity, CapacityError};
@@ -8,14 +8,14 @@ use crate::language::tables::Tables;
 use crate::symbols::Symbol;
 
 impl LanguageMut<'_> {
-    /// The parameters of all data.
+    /// The layout of the parameters for all training data.
     pub(in crate::language) fn layout_of_data(&self) -> Layout {
         Layout::of(self.bitext.read(), self.words.len(), self.tokens.len())
     }
 }
 
 impl Tables<'_> {
-    /// Whether there is room for these parameters.
+    /// Checks that these parameters fit.
     pub(in crate::language) fn fits(&self, layout: &Layout) -> Result<(), CapacityError> {
         self.fits_rows(layout.tokens(), layout.words())?;
         let (room, cells) = (self.memory.alignments.len(), layout.cells());
@@ -23,10 +23,10 @@ impl Tables<'_> {
     }
 }
 
-/// Makes room for a description of a command of this many words.
+/// Extends the layout by a description and a command of this many words.
 ///
 /// # Errors
-/// A [`CapacityError`] where there is none; nothing has changed then.
+/// A [`CapacityError`] if it does not fit; nothing has changed then.
 pub(crate) fn want(language: &mut LanguageMut<'_>, description: &[Symbol], words: usize) -> Result<(), CapacityError> {
     let mut wanted = language.tables.trained.wanted.layout;
     wanted.see(description);
@@ -37,10 +37,11 @@ pub(crate) fn want(language: &mut LanguageMut<'_>, description: &[Symbol], words
     Ok(())
 }
 
-/// Adds a session. Its lighter descriptions are left out where not all have room. The parameters get room together with the vocabulary.
+/// Adds a session. If not all of its descriptions fit, the lighter ones are left out. Memory for the parameters is checked later, together
+/// with the vocabulary.
 ///
 /// # Errors
-/// A [`CapacityError`]; some of it may have been added.
+/// A [`CapacityError`]; part of the session may have been added.
 pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
     language: &mut LanguageMut<'_>,
     words: &[Symbol],
@@ -66,7 +67,7 @@ fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         .try_for_each(|(description, weight)| language.bitext.add_pair(description, weight / whole))
 }
 
-/// The room that a session takes by itself, with one of its descriptions.
+/// The capacities that a session needs by itself, with only its longest description.
 pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
     let mut layout = Layout::NONE.with(alone.words, alone.tokens);
     layout.see_length(alone.sentence);

@@ -13,12 +13,12 @@ pub enum Meaning {
     Background,
     /// The kind of task.
     Task,
-    /// A value of what has this role; the value by its machine token.
+    /// A value of something in this role; the value by its machine token.
     Value(Role, Symbol),
 }
 
-/// Tells for each word, the last first, how probable each of its meanings is: the word's position, the meaning, and its share of 1. Word V of
-/// `sentence` is one that is not known; `trellis` has room for two rows of memories more than words.
+/// Calls `tell` for each word, the last first, with the word's position and the probability of each of its meanings. An unknown word of
+/// `sentence` is V; `trellis` holds two rows of memories more than words.
 pub(crate) fn explain(
     layout: &Layout,
     translations: &[f32],

@@ -7,38 +7,38 @@ use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind};
 use heapless::Vec;
 
-/// The most groups of a description that are read.
+/// The largest number of groups of a description that are read.
 const MOST_GROUPS: usize = 24;
-/// Before anything is learned: the probability of background, and of the end of a command.
+/// Before training: the probability of background, and of the end of a command.
 const BACKGROUND: f32 = 0.5;
 pub(super) const END: f32 = 0.1;
 
-/// Memories less probable than this, of 1 for all together, are dropped: most of the work is on them, and they change next to nothing.
+/// Memories with a smaller share of the probability are dropped: they take most of the work and change next to nothing.
 const LEAST_MASS: f32 = 1.0 / 1024.0;
 
-/// A memory's mass as a share of all, 0 where it is dropped. Shares are not negative, so their bits have the same order; without a
+/// A memory's share of the probability, or 0 if it is dropped. Shares are not negative, so their bits have the same order; without a
 /// floating-point unit, bits are compared faster.
 pub(super) fn kept(share: f32) -> f32 {
     if share.to_bits() < LEAST_MASS.to_bits() { 0.0 } else { share }
 }
 
-/// Whether a share is more than 0.
+/// Whether a share is greater than 0.
 fn is_positive(share: f32) -> bool {
     share.to_bits() != 0
 }
 
-/// One number for each memory: none, or the role that was named last.
+/// One number per memory: none, or the role that was named last.
 pub(super) type Memories = [f32; MOST_ROLES + 1];
-/// One number for each role.
+/// One number per role.
 pub(super) type Roles = [f32; MOST_ROLES];
-/// One number for each thing that a word can be: background, a word of the task, a role.
+/// One number per possible reading of a word: background, a word of the task, or a role.
 pub(super) type Moves = [f32; MOST_ROLES + 2];
 
-/// A role that the task has.
+/// A role of the task.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Present {
     pub role: Role,
-    /// The column of its probability in a row of p0: by its row if training has seen the lifted task, by its position otherwise.
+    /// The column of its probability in a row of p0: by its row if training has seen the lifted task, otherwise by its position.
     column: u8,
 }
 
@@ -51,13 +51,13 @@ impl Present {
 /// One group of values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GroupShare {
-    /// The role, by its position among those present.
+    /// The role, by its position in `present`.
     present: u8,
     sort: u8,
-    /// Where its values begin in the description, and how many there are.
+    /// The position of its first value in the description, and the number of values.
     first: u8,
     count: u8,
-    /// What the group has of its role, spread evenly over its values.
+    /// The group's share of its role, spread evenly over its values.
     pub share: f32,
 }
 
@@ -71,7 +71,7 @@ impl GroupShare {
     }
 }
 
-/// A description, ready to explain words. It is kept small, for the stack of a microcontroller.
+/// A description, prepared to compute the probabilities of words. It is kept small, for a microcontroller's stack.
 pub(super) struct Reader<'t, 'd> {
     layout: &'t Layout,
     translations: &'t [f32],
@@ -79,24 +79,24 @@ pub(super) struct Reader<'t, 'd> {
     description: &'d [Symbol],
     pub form: Option<usize>,
     form_row: &'t [f32],
-    /// p0 of the lifted task, one row a memory, and the probabilities of the end; nothing where training has not seen the lifted task.
+    /// p0 of the lifted task, one row per memory, and the probabilities of the end; empty if training has not seen the lifted task.
     p0: &'t [f32],
     ends: &'t [f32],
     pub present: Vec<Present, MOST_ROLES, u8>,
     pub groups: Vec<GroupShare, MOST_GROUPS, u8>,
-    /// How probable a new word is in the background, where that is not what training has found.
+    /// The probability of a new word in the background, if it replaces the trained one.
     #[cfg(feature = "talk")]
     pub new_in_background: Option<f32>,
 }
 
-/// The farthest word before another that is a cue for it.
+/// The largest distance of a cue from its word.
 const FARTHEST_CUE: usize = 4;
 
 /// The context before a word.
 pub(super) struct Before {
     /// The word before it.
     pub previous: Option<usize>,
-    /// Where tasks have ways: the words before that one, back to one that names something.
+    /// Where tasks have ways: the nearest words before it, up to [`FARTHEST_CUE`], back to one that names something.
     pub cues: Vec<u16, FARTHEST_CUE, u8>,
 }
 
@@ -114,7 +114,7 @@ impl Scratch {
 }
 
 impl<'t, 'd> Reader<'t, 'd> {
-    /// A reader for [`take_groups`](Self::take_groups) to fill in place: returned by a function, it would be on the stack twice.
+    /// A reader that [`take_groups`](Self::take_groups) fills in place: returned by a function, it would be on the stack twice.
     #[inline(always)]
     pub fn new(layout: &'t Layout, translations: &'t [f32], alignments: &'t [f32], description: &'d [Symbol]) -> Self {
         let token = form(description);
@@ -147,7 +147,7 @@ impl<'t, 'd> Reader<'t, 'd> {
                 Some(before) => self.known(before),
                 None => self.layout.role(role),
             };
-            // A role that no training has seen says nothing of a lifted task that training knows.
+            // A role that training has not seen says nothing about a lifted task that it has seen.
             if known.is_none() && self.form.is_some() {
                 continue;
             }
@@ -171,7 +171,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
         for group in &mut self.groups {
             let whole = cell(&whole, group.present());
-            // The only value of its role has all of it. This saves a division, which is slow without a floating-point unit.
+            // The only value of its role has the whole share. This saves a division, which is slow without a floating-point unit.
             let is_all = group.count == 1 && group.share.to_bits() == whole.to_bits();
             group.share = match is_positive(whole) {
                 true if is_all => 1.0,
@@ -187,13 +187,13 @@ impl<'t, 'd> Reader<'t, 'd> {
         self.description.get(first..first.saturating_add(usize::from(group.count))).unwrap_or(&[])
     }
 
-    /// The row of a role of those present, which it has if training has seen the lifted task.
+    /// The row of a present role; `None` unless training has seen the lifted task.
     pub fn known(&self, present: usize) -> Option<usize> {
         let column = self.present.get(present).filter(|_| self.form.is_some())?.column;
         usize::from(column).checked_sub(2)
     }
 
-    /// The row of a memory: 0 for none, otherwise the role present at the position before.
+    /// The row of a memory: 0 for none, otherwise that of the present role at the position before.
     pub fn memory(&self, memory: usize) -> Option<usize> {
         match memory.checked_sub(1) {
             None => Some(0),
@@ -209,7 +209,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         self.present.len().saturating_add(1)
     }
 
-    /// The probability of the end of the command.
+    /// The probability that the command ends after this memory.
     pub fn end(&self, memory: usize) -> f32 {
         match self.memory(memory) {
             Some(row) if self.form.is_some() => cell(self.ends, row),
@@ -217,7 +217,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// How probable a new word is for a token.
+    /// The probability of a new word for a token.
     fn novelty(&self, token: Option<Symbol>) -> f32 {
         match token.map_or(0, |token| token.index().saturating_add(1)) {
             row if row <= self.layout.tokens() => cell(self.alignments, self.layout.novelty(row)),
@@ -225,7 +225,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// T[v](w). A value that training has not seen has the words that are common.
+    /// T[v](w). A value that training has not seen has the frequencies of all words.
     #[inline(never)]
     pub fn value(&self, token: Symbol, word: usize) -> f32 {
         if word >= self.layout.words() {
@@ -262,7 +262,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     pub fn emissions(&self, word: usize, emissions: &mut Roles) {
         emissions.iter_mut().take(self.present.len()).for_each(|slot| *slot = 0.0);
         let (words, tokens) = (self.layout.words(), self.layout.tokens());
-        // The word's column, from the first value's row to the last's: the common case of `value`, without a call.
+        // The word's column, from the first value's row to the last's. It saves calls of `value` in the common case.
         let first = words.saturating_add(word);
         let last = if word < words { words.saturating_mul(tokens.saturating_add(1)) } else { 0 };
         let column = get(self.translations, first..last);
@@ -283,7 +283,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let at = |back: usize| position.checked_sub(back).and_then(&word);
         let mut before = Before { previous: at(1), cues: Vec::new() };
         if self.layout.has_ways() {
-            // The words before a word that names something spoke of that.
+            // Words farther back belong to the thing that is named there.
             for cue in (1..=FARTHEST_CUE).map_while(at) {
                 let _ = before.cues.push(cue as u16);
                 if self.names(cue) {
@@ -294,14 +294,14 @@ impl<'t, 'd> Reader<'t, 'd> {
         before
     }
 
-    /// Whether a word names a value of the description sooner than anything else.
+    /// Whether a word is likelier as a value of the description than as background or a word of the task.
     fn names(&self, word: usize) -> bool {
         let (background, task) = self.background_and_task(word);
         let most = background.max(task);
         word < self.layout.words() && self.groups.iter().any(|group| self.values(group).iter().any(|&value| self.value(value, word) > most))
     }
 
-    /// The value that a word names, if it names one sooner than anything else.
+    /// The value that a word names, if that is likelier than background or a word of the task.
     fn value_named(&self, word: usize) -> Option<Symbol> {
         let (background, task) = self.background_and_task(word);
         let (mut best, mut most) = (None, background.max(task));
@@ -316,7 +316,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         best
     }
 
-    /// Tells a column of a row of `naming` for each kind of role that the task has: the share of it that the words name.
+    /// Calls `tell`, for each kind of role that the task has, with a column of `naming`: how much of it the words name.
     pub fn naming(&self, words: impl Iterator<Item = usize>, mut tell: impl FnMut(usize)) {
         let mut named: Vec<Symbol, 8, u8> = Vec::new();
         for value in words.filter_map(|word| self.value_named(word)) {
@@ -349,7 +349,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         product
     }
 
-    /// The same, where a kind of task that was never meant names as the others do, on average.
+    /// The same; a kind of task that was never meant is named like the average of the others.
     #[cfg(feature = "layer")]
     fn naming_of_any(&self, words: impl Iterator<Item = usize>) -> f32 {
         if self.form.is_some() || !self.layout.has_ways() {
@@ -362,7 +362,7 @@ impl<'t, 'd> Reader<'t, 'd> {
             for form in 0..forms {
                 let row = get(self.alignments, self.layout.naming(form));
                 let shares = get(row, first..first.saturating_add(SHARES_NAMED));
-                // A kind of task without the role has seen none of its shares, so all are equal.
+                // A kind of task without the role has no counts for it, so all its shares are equal.
                 if shares.windows(2).any(|pair| cell(pair, 0) != cell(pair, 1)) {
                     (sum, count) = (sum + cell(row, at), count + 1.0);
                 }
@@ -372,7 +372,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         product
     }
 
-    /// Fills in what p0 is multiplied by after these words, for background, a word of the task, and each role present.
+    /// Fills in the factors of p0 after these words, for background, a word of the task, and each present role.
     #[inline(always)]
     pub fn lifts(&self, before: &Before, lifts: &mut Moves) {
         let lift = self.lift(before.previous);
@@ -389,7 +389,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// The lift after a word, at the beginning for none, and 1 after a word that is not known.
+    /// The lift after a word or, for `None`, at the beginning; 1 after an unknown word.
     fn lift(&self, previous: Option<usize>) -> &'t [f32] {
         match previous {
             Some(word) if word >= self.layout.words() => &[1.0; KINDS],
@@ -397,13 +397,13 @@ impl<'t, 'd> Reader<'t, 'd> {
         }
     }
 
-    /// The row of p0 for a lifted task that training has not seen.
+    /// A row of p0 for a lifted task that training has not seen.
     fn untrained_row(&self) -> Moves {
         prior(self.layout, self.present.iter().map(|present| present.kind()))
     }
 
-    /// Fills in how a memory moves on with these lifts, background, a word of the task and each role present, and returns their scale:
-    /// (1 - end) / (the sum of all moves).
+    /// Fills in the weights of background, a word of the task and each present role after a memory, with these lifts. Returns their scale,
+    /// (1 - end) / (the sum of the weights).
     #[inline(never)]
     pub fn step(&self, memory: usize, lifts: &Moves, moves: &mut Moves) -> f32 {
         let untrained;
@@ -416,7 +416,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         self.scaled_moves(row, end, lifts, moves)
     }
 
-    /// Fills in a memory's moves from its row of p0, and returns their scale.
+    /// Fills in a memory's weights from its row of p0, and returns their scale.
     #[inline(always)]
     fn scaled_moves(&self, row: &[f32], end: f32, lifts: &Moves, moves: &mut Moves) -> f32 {
         let ([background, task, roles @ ..], [of_background, of_task, of_roles @ ..]) = (moves, lifts);
@@ -430,8 +430,8 @@ impl<'t, 'd> Reader<'t, 'd> {
         if sum > 0.0 { (1.0 - end) / sum } else { 0.0 }
     }
 
-    /// A memory's row of p0, and the probability of the end after it, where training has seen the lifted task: then it knows all roles
-    /// present, and a role's row is the one after its column.
+    /// A memory's row of p0 and the probability of the end after it, for a lifted task that training has seen. Its present roles are then
+    /// known, and a role's row is the one after its column.
     #[inline(always)]
     fn trained_row(&self, memory: usize) -> (&'t [f32], f32) {
         let present = memory.checked_sub(1).and_then(|present| self.present.get(present));
@@ -441,13 +441,13 @@ impl<'t, 'd> Reader<'t, 'd> {
         (get(self.p0, start..start.saturating_add(width)), cell(self.ends, row))
     }
 
-    /// Explains one word: from how probable each memory is before it to after it. Returns the sum of the latter.
+    /// Reads one word: computes the probability of each memory after it from that before it. Returns the sum over the memories.
     pub fn advance(&self, word: usize, words: &Before, before: &Memories, after: &mut Memories, scratch: &mut Scratch) -> f32 {
         let Scratch { lifts, emissions, moves, into } = scratch;
         self.lifts(words, lifts);
         let (background, task) = self.background_and_task(word);
         self.emissions(word, emissions);
-        // Where training has not seen the lifted task, every memory moves on in the same way.
+        // If training has not seen the lifted task, all memories have the same weights.
         let untrained = self.form.is_none().then(|| self.step(0, lifts, moves));
         let count = self.present.len();
         into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
@@ -480,7 +480,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 }
 
-/// What a word can be, before anything is learned: background, a word of the task, each of these roles.
+/// The probabilities of background, a word of the task and each of these roles before training.
 pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind>) -> Moves {
     let mut prior: Moves = [0.0; MOST_ROLES + 2];
     let (mut count, [background, task, of_roles @ ..]) = (0_usize, &mut prior);
@@ -492,7 +492,8 @@ pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind>) -> M
     prior
 }
 
-/// Gives each role its part of what is no background, by its weight. Returns the part of a word of the task, whose weight is 1.
+/// Divides the probability that is not background among the roles by their weights. Returns the share of a word of the task, whose weight
+/// is 1.
 #[inline(never)]
 fn share_among(weights: &mut [f32]) -> f32 {
     let whole: f32 = 1.0 + weights.iter().sum::<f32>();
@@ -501,7 +502,7 @@ fn share_among(weights: &mut [f32]) -> f32 {
     rest
 }
 
-/// The words of a command; V marks each that the parameters do not know.
+/// The words of a command, with V for each unknown word.
 pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> impl Iterator<Item = usize> {
     sentence.iter().map(|&word| number(layout, word))
 }
@@ -510,21 +511,21 @@ fn number(layout: &Layout, word: Option<Symbol>) -> usize {
     word.map_or(layout.words(), |word| word.index().min(layout.words()))
 }
 
-/// How far a command was read, where a task was meant.
+/// The state of reading a command for one task.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Reading {
-    /// How many words.
+    /// The number of words read.
     pub words: u16,
-    /// How probable they are; at the end of the command, Pr(e|t).
+    /// Their probability; at the end of the command, Pr(e|t).
     pub probability: Scaled,
 }
 
 impl Reading {
-    /// Nothing yet.
+    /// Before the first word.
     pub const START: Self = Self { words: 0, probability: Scaled::ONE };
 
-    /// Reads on, `most` words at most. Returns whether the command was read to its end. `masses` keeps how probable each memory is from
-    /// one time to the next; `tell` is told the position of each word, and the probability of it after those before.
+    /// Reads at most `most` more words. Returns `true` at the end of the command. `masses` keeps the probability of each memory between
+    /// calls; `tell` gets each word's position and its probability after the words before it.
     pub(super) fn go_on(
         &mut self,
         reader: &Reader<'_, '_>,
@@ -568,7 +569,7 @@ impl Reading {
     }
 }
 
-/// Pr(e|t); 1 for an untrained model. `tell` is told the position of each word, and the probability of it after those before.
+/// Pr(e|t); 1 for an untrained model. `tell` gets each word's position and its probability after the words before it.
 #[inline(never)]
 pub(crate) fn likelihood(
     layout: &Layout,
@@ -587,7 +588,7 @@ pub(crate) fn likelihood(
     reading.probability
 }
 
-/// The probability that commands name as much of each role of a task as these words do. Without ways, 1.
+/// The probability that commands name as much of each role of a task as these words do; 1 without ways.
 #[cfg(feature = "layer")]
 pub(crate) fn named(
     layout: &Layout,
@@ -600,7 +601,7 @@ pub(crate) fn named(
     reader.naming_of_any(heard(layout, sentence))
 }
 
-/// Goes on with Pr(e|t) of a trained model, `most` words at most, as [`Reading::go_on`]. `masses` follows the parameters.
+/// Continues Pr(e|t) of a trained model by at most `most` words, as [`Reading::go_on`]. The masses are kept after the parameters.
 #[inline(never)]
 pub(crate) fn likelihood_on(
     layout: &Layout,
@@ -614,7 +615,7 @@ pub(crate) fn likelihood_on(
     let Some((parameters, masses)) = alignments.split_at_mut_checked(layout.trellis()) else { return true };
     let mut reader = Reader::new(layout, translations, parameters, description);
     reader.take_groups();
-    // What could not be kept from one time to the next is not cut.
+    // If the masses do not fit there, the command is read at once.
     let most = if masses.len() < reader.memories() { usize::MAX } else { most };
     reading.go_on(&reader, sentence, masses, most, |_, _| {})
 }

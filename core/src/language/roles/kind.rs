@@ -1,10 +1,9 @@
-//! Which kind of task the words speak of: a log-linear model over the words, their number and the lifted task. The scene has no part in
-//! it.
+//! The kind of task that the words speak of: a log-linear model over the words, their number and the lifted task. It ignores the scene.
 //!
-//! q_l(e) is proportional to exp(b_l + u_l n / 8 + the sum of w_l over the command's different words), n the number of its words: to tell of
-//! two goals takes more of them. It is trained by batches of all sessions towards each session's share of the lifted task, with a step of its
-//! own for every weight (AdaGrad) and a pull towards 0. The role model then only says which of a kind's tasks is meant, and half as much
-//! about the kind:
+//! q_l(e) is proportional to exp(b_l + u_l n / 8 + the sum of w_l over the command's different words), with n the number of its words: a
+//! command with two goals is longer. Training takes batches of all sessions, with each session's posterior of the lifted tasks as target, a
+//! step size of its own for every weight (AdaGrad) and a pull towards 0. The role model then decides among the tasks of a kind, and counts
+//! only half about the kind:
 //!
 //! ```text
 //! Pr(t|e,s) proportional to q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind
@@ -19,24 +18,24 @@ use crate::symbols::Symbol;
 use crate::task::description::form;
 use heapless::Vec;
 
-/// Batches: more change little. After 30 the weights of rare words still move.
+/// The number of batches: more change little. After 30 the weights of rare words still move.
 pub(super) const BATCHES: u32 = 100;
-/// The same in a model that leaves out sessions: more do not help the [layer](crate::language::layer).
+/// The number in a model that leaves out sessions: more do not help the [layer](crate::language::layer).
 pub(super) const BATCHES_OF_A_FOLD: u32 = 30;
 const RATE: f32 = 0.3;
-/// A weight is a priori normal around 0 with the variance 1 / PULL. With more, the kinds that seven lessons teach are too unsure.
+/// The prior of a weight is normal around 0 with variance 1 / PULL. With a higher PULL, seven lessons leave the kinds too uncertain.
 const PULL: f32 = 0.5;
 
 /// The number of words whose length term weighs as much as one different word.
 const WORDS_OF_LENGTH: f32 = 8.0;
-/// The weight of an unknown word, relative to a word that says nothing of the task.
+/// The weight of an unknown word, relative to a word that says nothing about the task.
 const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
-/// The columns of each row after its words: the constant, and the weight of the length.
+/// The extra columns of each row after its words: the constant and the weight of the length.
 pub(super) const BESIDE_WORDS: usize = 2;
 
 type Forms = [f32; LIFTED_TASKS];
 
-/// q_l(e) for each lifted task that training has seen.
+/// q_l(e) for each lifted task of the training data.
 fn shares(layout: &Layout, alignments: &[f32], words: &[Symbol], length: f32) -> Forms {
     let mut shares: Forms = [0.0; LIFTED_TASKS];
     let (count, constant) = (layout.forms().len(), layout.words());
@@ -60,7 +59,7 @@ fn different(sentence: &[Symbol]) -> Vec<Symbol, WORDS_PER_COMMAND> {
     let mut different: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
     for &word in sentence {
         if !different.contains(&word) {
-            // As many as the command has, so they fit.
+            // No more than the command has, so they fit.
             let _ = different.push(word);
         }
     }
@@ -71,11 +70,11 @@ fn length(words: usize) -> f32 {
     words as f32 / WORDS_OF_LENGTH
 }
 
-/// Which kinds of task a command speaks of.
+/// The kinds of task that a command may speak of.
 pub(crate) struct Kinds {
-    /// q_l(e) for each lifted task that training has seen.
+    /// q_l(e) for each lifted task of the training data.
     shares: Forms,
-    /// Words that training has not seen.
+    /// The number of words that training has not seen.
     new: f32,
 }
 
@@ -89,7 +88,8 @@ impl Kinds {
         Self { shares, new: new as f32 }
     }
 
-    /// q_l(e) of the lifted task of a token. One that training has not seen counts as one more session, and one for each new word.
+    /// q_l(e) of the lifted task of a token. A lifted task that training has not seen counts as one more session, plus one for each new
+    /// word.
     pub fn share(&self, layout: &Layout, token: Symbol) -> f32 {
         match layout.form(token) {
             Some(form) => cell(&self.shares, form),
@@ -98,13 +98,13 @@ impl Kinds {
     }
 }
 
-/// With weights of pi_t Pr(e|t) for tasks of lifted tasks with these tokens, turns them into
+/// With weights pi_t Pr(e|t) and the lifted-task token of each task, turns the weights into
 ///
 /// ```text
 /// q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind,
 /// ```
 ///
-/// with Z_l^(3/4) where tasks have ways, whose kinds differ by few words. An untrained model leaves the weights as they are.
+/// with Z_l^(3/4) if tasks have ways, because their kinds differ by few words. An untrained model leaves the weights unchanged.
 pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: impl Fn(usize) -> Symbol, weights: &mut [Scaled]) {
     let (count, layout) = (weights.len(), tables.layout());
     if layout.words() == 0 {
@@ -115,7 +115,7 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
     let kinds = Kinds::of(layout, tables.cells().1, &known, sentence.len().saturating_sub(known.len()));
     for first in 0..count {
         let token = form(first);
-        // From the nearest on: tasks of one kind follow each other, and there may be thousands.
+        // Searched backwards from the nearest: tasks of one kind follow each other, and there may be thousands.
         if (0..first).rev().any(|before| form(before) == token) {
             continue;
         }
@@ -129,8 +129,8 @@ pub(crate) fn weigh(tables: TablesRef<'_>, sentence: &[Option<Symbol>], form: im
     }
 }
 
-/// Half the share of unknown words falls back to the task prior. Where the words in names are values, an unknown word is only taken for
-/// a value that was never named.
+/// Half the share of unknown words falls back to the task prior; but not if the words in names are values, when an unknown word is only
+/// taken for a value that was never named.
 pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: impl Fn(usize) -> f32, weights: &mut [Scaled]) {
     if tables.words() == 0 || tables.layout().has_names() {
         return;
@@ -144,7 +144,8 @@ pub(crate) fn dilute(tables: TablesRef<'_>, sentence: &[Option<Symbol>], prior: 
     }
 }
 
-/// Adds one session's part of the batch. Gradients accumulate in the lifted tasks' count rows; bias and length reuse the counts of `common`.
+/// Adds one session's gradient. Gradients accumulate in the lifted tasks' count rows; those of constant and length reuse the counts of
+/// `common`.
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let sentence = bitext.sentence(session);
     let length = length(sentence.len());
@@ -166,13 +167,13 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, session: u16, t: &mu
     }
 }
 
-/// Where the gradient of the constant and of the length is kept. A vocabulary too small for it teaches no kinds anyway.
+/// The cells for the gradients of the constant and the length. A vocabulary too small for them teaches no kinds anyway.
 fn beside_words(layout: &Layout, position: usize) -> core::ops::Range<usize> {
     let (common, start) = (layout.common(), position.saturating_mul(BESIDE_WORDS));
     start.min(common.end)..start.saturating_add(BESIDE_WORDS).min(common.end)
 }
 
-/// One step of a lifted task's weights, from the counts.
+/// One step of a lifted task's weights, from the accumulated gradient.
 pub(super) fn step(layout: &Layout, position: usize, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let Some(&token) = layout.forms().get(position) else { return };
     let mut beside = [0.0; BESIDE_WORDS];

@@ -1,14 +1,14 @@
-//! Where each parameter is in the tables.
+//! The position of each parameter in the tables.
 //!
-//! `translations` has a row of V words for the background, then one for each machine token: for a value `T[v]`, for a lifted task `A[l]`.
+//! `translations` has one row of V words for the background, then one per machine token: `T[v]` for a value, `A[l]` for a lifted task.
 //! `alignments` has, in this order:
 //!
-//! | part | rows | of |
+//! | part | rows | columns |
 //! |---|---|---|
-//! | how common each word is | 1 | V |
+//! | frequency of each word | 1 | V |
 //! | lift | V words before, and the beginning | kinds |
-//! | cue, where tasks have ways | V words | kinds of roles |
-//! | kind of task | lifted tasks | V, a constant and the length's |
+//! | cue, where tasks have ways | V words | kinds of roles, seen and expected |
+//! | kind of task | lifted tasks | V words, a constant, the length |
 //! | p0 | lifted tasks times memories | background, task, roles |
 //! | end | lifted tasks | memories |
 //! | lambda | roles | sorts of values |
@@ -24,19 +24,19 @@ use crate::task::description::{form, groups};
 use crate::task::role::{Role, RoleKind, VALUE_SORTS};
 use core::ops::Range;
 
-/// The most roles that are told apart; those that come later are left out.
+/// The largest number of different roles; any after these are left out.
 pub const MOST_ROLES: usize = 16;
-/// What a word can be at most: background, a word of the task, or a kind of role. See [`Layout::kinds`].
+/// The largest number of columns of a lift: background, a word of the task, or a kind of role. See [`Layout::kinds`].
 pub const KINDS: usize = 2 + RoleKind::COUNT;
-/// What a cue tells apart: the kinds of roles.
+/// The number of columns of a cue: the counts of each kind of role, seen and expected. The parameters use the first half.
 pub const CUES: usize = 2 * RoleKind::COUNT;
-/// The coverages of a role: none of it named, a part, all.
+/// The coverages of a role: none of it named, a part, or all.
 pub(super) const SHARES_NAMED: usize = 3;
 const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 /// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
 
-/// Which parameters there are.
+/// The dimensions of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Layout {
     words: usize,
@@ -46,7 +46,7 @@ pub struct Layout {
     roles: [Role; MOST_ROLES],
     role_count: u8,
     longest: u8,
-    /// Whether a role is one of a way.
+    /// Whether a role belongs to a way.
     has_ways: bool,
     /// Whether the words in the names of propositions are values.
     #[cfg(feature = "alloc")]
@@ -55,7 +55,7 @@ pub struct Layout {
     starts: Starts,
 }
 
-/// Where the parts of `alignments` begin, kept because every step of every word asks for it.
+/// The positions at which the parts of `alignments` begin, stored because every step of every word needs them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Starts {
     cues: usize,
@@ -96,7 +96,7 @@ impl Layout {
         layout.settled()
     }
 
-    /// Makes room for what a description speaks of.
+    /// Extends the layout by a description's lifted task and roles.
     pub(crate) fn see(&mut self, description: &[Symbol]) {
         if let Some(form) = form(description) {
             self.add_form(form);
@@ -130,7 +130,8 @@ impl Layout {
         }
     }
 
-    /// The parameters of another robot, for this many words and machine tokens: it had these lifted tasks and roles, and this many sessions.
+    /// The layout of another robot's parameters: for this many words and machine tokens, with its lifted tasks, its roles and its number of
+    /// sessions.
     #[cfg(feature = "snapshot")]
     pub(crate) fn of_others(
         words: usize,
@@ -145,7 +146,7 @@ impl Layout {
         layout.settled()
     }
 
-    /// The same parameters, with where their parts begin.
+    /// The same layout, with the beginnings of its parts computed.
     const fn settled(mut self) -> Self {
         let (forms, roles) = (self.form_count as usize, self.role_count as usize);
         let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
@@ -160,55 +161,55 @@ impl Layout {
         self
     }
 
-    /// Makes room for a command of this many words.
+    /// Extends the layout to a command of this many words.
     pub(crate) fn see_length(&mut self, words: usize) {
         self.longest = self.longest.max(words.min(usize::from(u8::MAX)) as u8);
     }
 
-    /// The same parameters for this many words and machine tokens.
+    /// The same layout for this many words and machine tokens.
     pub(crate) const fn with(self, words: usize, tokens: usize) -> Self {
         Self { words, tokens, ..self }.settled()
     }
 
-    /// How many machine tokens.
+    /// The number of machine tokens.
     pub const fn tokens(&self) -> usize {
         self.tokens
     }
 
-    /// V: how many words.
+    /// V, the number of words.
     pub const fn words(&self) -> usize {
         self.words
     }
 
-    /// Whether a role is one of a way.
+    /// Whether a role belongs to a way.
     pub const fn has_ways(&self) -> bool {
         cfg!(feature = "ways") && self.has_ways
     }
 
-    /// Whether tasks are told by the words in the names of their propositions, as in worlds where no robot acts. Only hosts learn in such
-    /// worlds.
+    /// Whether the words in the names of propositions are values that tell tasks apart, as in worlds in which no robot acts. Only hosts
+    /// learn in such worlds.
     #[cfg(feature = "alloc")]
     pub const fn has_names(&self) -> bool {
         self.has_names
     }
 
-    /// Only hosts learn in such worlds.
+    /// Always `false`: only hosts learn in worlds in which words in names are values.
     #[cfg(not(feature = "alloc"))]
     pub const fn has_names(&self) -> bool {
         false
     }
 
-    /// What a word can be: background, a word of the task, or a kind of role, those of ways only where there are such.
+    /// The number of columns of a lift: background, a word of the task, and the kinds of roles, those of ways only if there are ways.
     pub const fn kinds(&self) -> usize {
         if self.has_ways() { KINDS } else { 2 + RoleKind::WITHOUT_WAYS }
     }
 
-    /// How much a pair counts.
+    /// The weight of a pair in training.
     pub(in crate::language) fn weight(&self, bitext: BitextRef<'_>, pair: &Pair) -> f32 {
         if self.has_names() { bitext.weight_of_meaning(pair) } else { pair.weight }
     }
 
-    /// How many words all sessions have together, each as often as it was said and as much as its session counts.
+    /// The number of words of all sessions, repetitions included, each times the weight of its session.
     #[cfg(feature = "layer")]
     pub(crate) fn words_said(&self, bitext: BitextRef<'_>) -> f32 {
         if !self.has_names() {
@@ -221,7 +222,7 @@ impl Layout {
         (0..bitext.sessions() as u16).map(of_session).sum()
     }
 
-    /// How many sessions.
+    /// The number of sessions.
     pub(crate) const fn sessions(&self) -> f32 {
         self.sessions
     }
@@ -263,12 +264,12 @@ impl Layout {
         row(0, 0, self.words)
     }
 
-    /// The lift after a word, `words` for the beginning of a command.
+    /// The row of the lift after a word; `words` means the beginning of a command.
     pub(super) fn lift(&self, word: usize) -> Range<usize> {
         row(self.words, word, self.kinds())
     }
 
-    /// The cue that a word is, where there are roles of ways.
+    /// The row of a word as a cue; empty without roles of ways.
     pub(super) fn cue(&self, word: usize) -> Range<usize> {
         row(self.starts.cues, word, if self.has_ways() { CUES } else { 0 })
     }
@@ -294,56 +295,56 @@ impl Layout {
         row(self.starts.lambda, role, VALUE_SORTS)
     }
 
-    /// How often each kind of role is named, where there are roles of ways.
+    /// The row of how much of each kind of role is named; empty without roles of ways.
     pub(super) fn naming(&self, form: usize) -> Range<usize> {
         row(self.starts.naming, form, if self.has_ways() { NAMING } else { 0 })
     }
 
-    /// How much of a row's words would be new, in a command to come: 1 for a token that was never named.
+    /// The cell of a row's novelty: the probability that its next word is a new one; 1 for a token that was never named.
     pub(super) fn novelty(&self, row: usize) -> usize {
         self.starts.novelty.saturating_add(row)
     }
 
-    /// Cells of `translations` that are taken.
+    /// The number of cells of `translations` in use.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn translations(&self) -> usize {
         self.tokens.saturating_add(1).saturating_mul(self.words)
     }
 
-    /// Where the trellis begins: before it are the parameters.
+    /// The position at which the trellis begins, after all parameters.
     pub(crate) fn trellis(&self) -> usize {
         self.novelty(self.tokens.saturating_add(1))
     }
 
-    /// Cells of `alignments` that are taken.
+    /// The number of cells of `alignments` in use.
     pub(crate) fn cells(&self) -> usize {
         let rows = usize::from(self.longest).saturating_add(2);
         if self.words == 0 { 0 } else { self.trellis().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
     }
 
-    /// How probable a role is, before anything is learned, against a goal's 1.
+    /// The weight of a role in the prior, relative to 1 for a goal.
     pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
         if kind.is_of_task() { 1.0 } else { 0.5 * self.many() }
     }
 
-    /// How far the sessions are many, from 0 to 1.
+    /// How far the number of sessions counts as many, from 0 to 1.
     pub(super) fn many(&self) -> f32 {
         self.sessions / (self.sessions + HALF_OF_MANY)
     }
 }
 
-/// The numbers are those of tables with at most 65,535 words and tokens, so nothing wraps; to ask at each cell takes flash and time.
+/// The tables have at most 65,535 words and tokens, so nothing wraps; checking each cell would take flash and time.
 const fn row(start: usize, position: usize, width: usize) -> Range<usize> {
     let from = start.wrapping_add(position.wrapping_mul(width));
     from..from.wrapping_add(width)
 }
 
-/// A row of a table; empty where the table is too short.
+/// A row of a table; empty if the table is too short.
 pub(super) fn get(cells: &[f32], range: Range<usize>) -> &[f32] {
     cells.get(range).unwrap_or(&[])
 }
 
-/// A row of a table, to be written.
+/// A row of a table, to write to; empty if the table is too short.
 pub(super) fn get_mut(cells: &mut [f32], range: Range<usize>) -> &mut [f32] {
     cells.get_mut(range).unwrap_or(&mut [])
 }

@@ -1,28 +1,29 @@
-//! The role model: a word is background, speaks of the kind of task, or names a value of something in a role.
+//! The role model: each word is background, speaks of the kind of task, or names a value of something in a role.
 //!
-//! Which role depends on the word before ("to", "from", "through") and on the role that was named last, the memory. With m the memory, w' the
-//! word before and l the lifted task:
+//! The role depends on the word before ("to", "from", "through") and on the *memory*, the role that was named last. With m the memory, w'
+//! the word before and l the lifted task:
 //!
 //! ```text
-//! Pr(r | m, w', l)  = (1 - end[l,m]) p0[l,m,r] lift[w',kind(r)] / (sum of p0 lift over the roles that the task has)
+//! Pr(r | m, w', l)  = (1 - end[l,m]) p0[l,m,r] lift[w',kind(r)] / (sum of p0 lift over background, task and the task's roles)
 //! Pr(w | background) = F(w)      Pr(w | task) = A[l](w)
 //! Pr(w | role r)    = sum over the groups g of r of lambda[r,g] / (sum of r's lambda) times the mean of T[v](w) over the group's values v
 //! ```
 //!
-//! Background and task words leave the memory as it is; a role becomes the memory. Pr(e|t) is the sum over all ways to read the words, the
-//! last memory times `end[l,m]`.
+//! Background and task words leave the memory unchanged; a role becomes the memory. Pr(e|t) is the sum over all ways to read the words,
+//! times `end[l,m]` for the last memory. If tasks have ways, a few more words before also have a factor (their cues), and so does how much
+//! of each role is named (naming).
 //!
-//! A word that was never heard is as probable for each row of F, A and T as the row is open to new words, 1 / (sum of its counts + 1): a value that
-//! nobody has named yet takes it first.
+//! The probability of an unseen word in a row of F, A or T is the row's novelty, 1 / (sum of its counts + 1), so it most likely names a
+//! value that nobody has named yet.
 //!
-//! - [`layout`]: where each parameter is in the two tables;
-//! - [`forward`]: Pr(e|t), word by word. Memories of less than a thousandth of all are dropped after each word: they take most of the work
-//!   and change next to nothing;
-//! - `start`: where training begins, from how often words and values come together;
+//! - [`layout`]: the position of each parameter in the two tables;
+//! - [`forward`]: Pr(e|t), word by word. After each word, memories with less than a thousandth of the probability are dropped: they take
+//!   most of the work and change next to nothing;
+//! - `start`: the parameters that training starts from, computed from how often words and values occur together;
 //! - [`training`]: expectation maximisation, in parts;
-//! - [`kind`]: which kind of task the words speak of, whatever is in the scene;
-//! - `data`: the room that training data take;
-//! - `talk`: with words around the command, and how much of a task is named;
+//! - [`kind`]: the kind of task that the words speak of, whatever is in the scene;
+//! - `data`: memory for the training data;
+//! - `talk`: commands with words around them, and how much of a task is named;
 //! - `names`: how often a word was taken for a value;
 //! - [`explanation`]: what each word was taken for.
 

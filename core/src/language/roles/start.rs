@@ -1,13 +1,13 @@
-//! Where training begins.
+//! The parameters that training starts from.
 //!
-//! A value's words are those that occur in more of the commands with the value than of the others: with p_v the weight of commands with
-//! value v that contain word w, n_v of all with v, and p and n of all commands,
+//! A value's words are those that occur in a larger share of the commands with the value than of the others. With p_v the weight of
+//! commands with value v that contain word w, n_v of all commands with v, and p and n the same over all commands,
 //!
 //! ```text
 //! d(w) = max(0, p_v / (n_v + 1) - (p - p_v) / (n - n_v + 1)),   T[v] = .95 d / (sum of d) + .05 common
 //! ```
 //!
-//! and likewise for each lifted task. Where no word stands out, T[v] is how common each word is.
+//! and likewise for each lifted task. If no word stands out, T[v] is the frequency of each word.
 
 use super::layout::{Layout, cell, get, get_mut};
 use crate::language::bitext::{BitextRef, Pair};
@@ -17,7 +17,7 @@ use crate::task::description::{form, groups, has_value};
 
 const STANDING_OUT: f32 = 0.95;
 
-/// Counts which words and values one pair brings together.
+/// Counts the words and values that occur together in one pair.
 pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: bool, t: &mut Cells<'_>, a: &mut Cells<'_>) {
     let (sentence, description) = (bitext.sentence(pair.session), bitext.command(pair.command));
     let weight = layout.weight(bitext, pair);
@@ -51,14 +51,14 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: 
     }
 }
 
-/// Turns the counts into how common each word is.
+/// Turns the counts of words into their frequencies.
 pub(super) fn set_common(layout: &Layout, values: &mut [f32]) {
     let common = get_mut(values, layout.common());
     let whole = common.iter().sum::<f32>() + 0.5 * common.len() as f32;
     common.iter_mut().for_each(|slot| *slot = (*slot + 0.5) / whole);
 }
 
-/// The weight of the pairs with a token and of all pairs, as far as they were weighed.
+/// The weight of the pairs that have a token, and of all pairs, among those weighed so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Share {
     pairs: u32,
@@ -67,12 +67,12 @@ pub(crate) struct Share {
 }
 
 impl Share {
-    /// How many pairs were weighed.
+    /// The number of pairs weighed so far.
     pub(super) const fn pairs(&self) -> usize {
         self.pairs as usize
     }
 
-    /// Weighs at most `most` more pairs. Returns how many.
+    /// Weighs at most `most` more pairs. Returns their number.
     pub(super) fn weigh(&mut self, layout: &Layout, bitext: BitextRef<'_>, token: Symbol, most: usize) -> usize {
         let before = self.pairs();
         for pair in bitext.pairs().iter().skip(before).take(most) {
@@ -91,7 +91,7 @@ impl Share {
     }
 }
 
-/// Turns the counts into a token's row, once all pairs are weighed; the background's is set last.
+/// Turns the counts into a token's row, once all pairs are weighed. The background's row must be set last.
 pub(super) fn set_row(layout: &Layout, token: Option<Symbol>, share: &Share, t: &mut Cells<'_>, common: &[f32]) {
     let Some(token) = token else {
         get_mut(t.values, layout.row(None)).copy_from_slice_checked(common);

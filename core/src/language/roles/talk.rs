@@ -1,10 +1,10 @@
 //! How well a task explains an utterance with words around the command, and how much of the task it names.
 //!
 //! Chatter is a state before and after the words of the command: "would you be so kind as to" and "please, thank you". The command's own
-//! words are read as [`forward`](super::forward) reads them.
+//! words are read as in [`forward`](super::forward).
 //!
-//! Coverage is how much is named of each thing that a task is about: nothing, something or all. People who mean the red bag of two bags
-//! say "red", and so a task whose things stay unnamed explains the words less well.
+//! Coverage is how much of each thing of a task is named: nothing, something or all. Of two bags, people call the red one "red"; so a task
+//! whose things stay unnamed explains the words less well.
 
 use super::forward::{Memories, Reader, Scratch, heard};
 use super::layout::{Layout, MOST_ROLES, SHARES_NAMED, get};
@@ -17,40 +17,40 @@ use crate::task::description::{form, groups};
 use crate::task::role::RoleKind;
 use heapless::Vec;
 
-/// The probability of chatter before and after a command, and of its going on.
+/// The probabilities that there is chatter before or after a command, and that it continues.
 const ENTER: f32 = 0.15;
 const STAY: f32 = 0.85;
 
-/// Pseudo-counts of a thing that is not named, named in part, and named.
+/// Pseudo-counts of a thing that is not named, partly named, and fully named.
 const PSEUDO_COUNTS: [f32; SHARES_NAMED] = [0.5, 2.0, 4.0];
-/// A word is a sign of a kind of task if this share of the commands with it are of the kind.
+/// A word is a sign of a kind of task if at least this share of the commands with it are of that kind.
 const SIGN: f32 = 0.85;
 
-/// A word that one value explains this many times better than another does not name the other.
+/// If one value explains a word this many times better than another, the word does not name the other.
 const FOREIGN: f32 = 5.0;
 
-/// A word is of a task if it is this many times more probable there than in the background.
+/// A word belongs to a task if it is this many times more probable there than in the background.
 const OF_TASK: f32 = 2.0;
 
 /// A word of an utterance.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Said {
     pub symbol: Option<Symbol>,
-    /// How probable it is beside tasks.
+    /// Its probability as chatter.
     pub chatter: f32,
 }
 
-/// How common a word is in commands; nothing for a word that was never heard.
+/// The frequency of a word in commands; `None` for a word that was never heard.
 pub(crate) fn common(tables: TablesRef<'_>, word: Option<Symbol>) -> Option<f32> {
     get(tables.cells().1, tables.layout().common()).get(word?.index()).copied()
 }
 
-/// F(w): how probable a word is in the background.
+/// F(w), the probability of a word in the background.
 pub(crate) fn background(tables: TablesRef<'_>, word: Option<Symbol>) -> Option<f32> {
     get(tables.cells().0, tables.layout().row(None)).get(word?.index()).copied()
 }
 
-/// Pr(words | t), with chatter around the command. `new` is how probable a new word is in the background.
+/// Pr(words | t), with chatter around the command. `new` is the probability of a new word in the background.
 pub(crate) fn likelihood(tables: TablesRef<'_>, said: &[Said], description: &[Symbol], new: f32) -> Scaled {
     let (layout, (translations, alignments)) = (tables.layout(), tables.cells());
     let mut reader = Reader::new(layout, translations, alignments, description);
@@ -85,18 +85,18 @@ pub(crate) fn likelihood(tables: TablesRef<'_>, said: &[Said], description: &[Sy
     whole.scaled_by(stop * (1.0 - ENTER) + chatter_after * (1.0 - STAY))
 }
 
-/// What the training data say of each word: the value that it names, and the kinds of task that it is a sign of.
+/// The meaning of each word in the training data: the value that it names, and the kinds of task that it is a sign of.
 pub(crate) struct Senses<'t> {
     tables: TablesRef<'t>,
     bitext: BitextRef<'t>,
-    /// Whether a word speaks of no task, whatever lessons say.
+    /// Whether a word belongs to no task, whatever the lessons say.
     is_plain: &'t dyn Fn(Symbol) -> bool,
     known: Vec<Option<Sense>, MOST_WORDS>,
-    /// The sort of derived facts: nobody needs to name one.
+    /// The sort of derived facts, which nobody needs to name.
     facts: u8,
 }
 
-/// The number of words that are looked up once; the others are looked up each time.
+/// The number of words whose meaning is stored; that of the others is computed each time.
 const MOST_WORDS: usize = 256;
 
 #[derive(Clone, Copy)]
@@ -127,12 +127,12 @@ impl<'t> Senses<'t> {
     }
 }
 
-/// If the second word of this share of a kind's commands is the next word, the word before it may be a word of the kind.
+/// A new word may be a word of a kind of task if in this share of the kind's commands the second word is the one that follows the new word.
 const SIGN_BEFORE_NEXT: f32 = 0.3;
 
 impl Senses<'_> {
-    /// The kinds of task that a new word before `next` may be a word of: one bit each. `is_alike` tells words that can take the place of `next`:
-    /// "towards" for "to".
+    /// The kinds of task that a new word before `next` may belong to, one bit each. `is_alike` accepts words that can replace `next`, such
+    /// as "towards" for "to".
     pub fn acts_before(&mut self, next: Option<Symbol>, is_alike: Option<&dyn Fn(Symbol) -> bool>) -> u8 {
         let next = next.filter(|word| word.index() < self.tables.words());
         if next.is_none() && is_alike.is_none() {
@@ -160,12 +160,12 @@ impl Senses<'_> {
     }
 }
 
-/// The values that an utterance names, and which kinds of task it has a sign of.
+/// The values that an utterance names, and the kinds of task of which it has a sign.
 pub(crate) struct Named {
-    /// The words that name a value, and the values.
+    /// The words that name a value, and their values.
     words: Vec<Symbol, WORDS_PER_COMMAND>,
     values: Vec<Symbol, WORDS_PER_COMMAND>,
-    /// Words that were never heard.
+    /// The number of words that were never heard.
     new: usize,
     acts: u8,
     facts: u8,
@@ -201,22 +201,22 @@ impl Named {
         places
     }
 
-    /// Whether all is named that a task is about.
+    /// Whether every thing of the task is fully named.
     pub fn is_whole(&self, layout: &Layout, description: &[Symbol]) -> bool {
         let mut whole = true;
         named_of(layout, self, description, None, &mut |role, share| whole &= role == 0 || share == 2);
         whole
     }
 
-    /// Whether no word names anything that the task is not about.
+    /// Whether no word names a thing outside the task.
     pub fn is_own(&self, tables: TablesRef<'_>, bitext: BitextRef<'_>, description: &[Symbol]) -> bool {
         let (layout, (rows, _)) = (tables.layout(), tables.cells());
         let cell = |value: Symbol, word: Symbol| get(rows, layout.row(Some(value))).get(word.index()).copied().unwrap_or(0.0);
-        // A word of a task may go with a value by chance.
+        // A word of a task may occur with a value by chance.
         let is_name = |word: Symbol, value: Symbol| beside_values(tables, word) * FOREIGN < cell(value, word);
         let of_task = |kind: RoleKind| matches!(kind, RoleKind::Goal | RoleKind::Subject);
         let own = || groups(description).filter(|group| of_task(group.marker.role.kind()) && group.marker.sort & 1 == 0);
-        // An article goes with several values.
+        // An article occurs with several values.
         let is_own = |&(word, value): &(Symbol, Symbol)| {
             let most = own().flat_map(|group| group.values).map(|&value| cell(value, word)).fold(0.0, f32::max);
             let said = self.words.iter().filter(|&&other| other == word).count();
@@ -227,12 +227,12 @@ impl Named {
         self.words.iter().copied().zip(self.values.iter().copied()).all(|named| is_own(&named))
     }
 
-    /// Whether there is a sign of a task's kind.
+    /// Whether there is a sign of the task's kind.
     pub fn acts_for(&self, layout: &Layout, description: &[Symbol]) -> bool {
         form(description).and_then(|token| layout.form(token)).is_some_and(|row| self.acts & 1 << row != 0)
     }
 
-    /// Other words tell the place, or the thing.
+    /// Records that other words tell the place, or the thing.
     pub fn cover(&mut self, place: bool, thing: bool) {
         self.covers = [place, thing];
     }
@@ -242,24 +242,24 @@ impl Named {
         place && kind == RoleKind::Goal || thing && kind == RoleKind::Subject
     }
 
-    /// How many words may be new names.
+    /// Sets the number of words that may be new names.
     pub const fn has_new(&mut self, words: usize) {
         self.new = words;
     }
 
-    /// A new word may be the sign of some kinds of task.
+    /// Records that a new word may be the sign of these kinds of task.
     pub const fn may_act(&mut self, kinds: u8) {
         self.acts |= kinds;
     }
 
-    /// Another word is the sign of a task, of whatever kind.
+    /// Records that another word is the sign of a task, of any kind, unless a kind is known.
     pub fn act(&mut self) {
         if self.acts == 0 {
             self.acts = u8::MAX;
         }
     }
 
-    /// The words tell a task without a sign of its kind.
+    /// Records that the words tell a task without a sign of its kind.
     pub const fn act_in_any_way(&mut self) {
         self.acts = u8::MAX;
     }
@@ -270,14 +270,14 @@ impl Named {
     }
 }
 
-/// How probable a word is as what it is at most, no value: a word of a task, or of the background.
+/// The highest probability of a word outside values: as a word of a task or of the background.
 fn beside_values(tables: TablesRef<'_>, word: Symbol) -> f32 {
     let (layout, (rows, _)) = (tables.layout(), tables.cells());
     let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
     layout.forms().iter().map(|&form| cell(Some(form))).fold(cell(None), f32::max)
 }
 
-/// Whether a word is of some task sooner than of the background.
+/// Whether a word belongs to a task rather than to the background.
 pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
     word.is_some_and(|word| {
         let background = background(tables, Some(word)).unwrap_or(f32::MAX);
@@ -285,12 +285,12 @@ pub(crate) fn is_of_task(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
     })
 }
 
-/// Whether a word names a value sooner than anything else.
+/// Whether a word is likelier as the name of a value than as a word of a task or of the background.
 pub(crate) fn is_name(tables: TablesRef<'_>, word: Option<Symbol>) -> bool {
     word.is_some_and(|word| value_of(tables, word).is_some())
 }
 
-/// The value that a word names sooner than anything else.
+/// The value that a word names, if that is likelier than a word of a task or of the background.
 fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
     let (layout, (rows, _)) = (tables.layout(), tables.cells());
     let cell = |token: Option<Symbol>| get(rows, layout.row(token)).get(word.index()).copied().unwrap_or(0.0);
@@ -304,11 +304,12 @@ fn value_of(tables: TablesRef<'_>, word: Symbol) -> Option<Symbol> {
     best
 }
 
-/// Of the commands that have the name of a value, this share is about something with it at least. A verb that was often said of bags names none.
+/// More than this share of the commands with the name of a value are about something with that value. A verb that was often said of bags
+/// names none.
 const NAME: f32 = 0.8;
 
-/// Whether nearly all commands that have a word are about something with this value. In lessons that all start in one place, a word of
-/// every command goes with that place, and does not name it.
+/// Whether nearly all commands that have a word are about something with this value. If all lessons start in one place, words of every
+/// command occur with that place and do not name it.
 fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
     let (mut with, mut all) = (0.0_f32, 0.0_f32);
     for session in (0..bitext.sessions() as u16).filter(|&session| bitext.sentence(session).contains(&word)) {
@@ -341,13 +342,13 @@ fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
     with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_sign(counts)) << row)
 }
 
-/// The probability of each coverage, for each lifted task: of the task itself, and of each role of a goal or a subject.
+/// The probability of each coverage, per lifted task: of the task itself, and of each role of a goal or a subject.
 pub(crate) struct Coverage {
     counts: [[[f32; SHARES_NAMED]; MOST_ROLES + 1]; LIFTED_TASKS],
 }
 
 impl Coverage {
-    /// Counts what the training data name.
+    /// Counts the coverages in the training data.
     pub fn of(senses: &mut Senses<'_>) -> Self {
         let (layout, bitext) = (senses.tables.layout(), senses.bitext);
         let mut coverage = Self { counts: [[PSEUDO_COUNTS; MOST_ROLES + 1]; LIFTED_TASKS] };
@@ -371,7 +372,8 @@ impl Coverage {
         coverage
     }
 
-    /// The probability of this coverage of the task and its things. A new word may name a thing that is not here.
+    /// The probability of this coverage of the task and its things. With `ghost`, a new word may name a thing in this role that is not
+    /// here.
     pub fn share(&self, layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>) -> Scaled {
         let Some(row) = form(description).and_then(|token| layout.form(token)) else { return Scaled::ONE };
         let Some(counts) = self.counts.get(row) else { return Scaled::ONE };
@@ -381,11 +383,11 @@ impl Coverage {
             let probability = counts.get(share).copied().unwrap_or(0.0) / counts.iter().sum::<f32>();
             if role == 0 { of_task = probability } else { of_roles = of_roles.scaled_by(probability) }
         });
-        // A role counts half.
+        // The roles together count half.
         of_roles.square_root().scaled_by(of_task)
     }
 
-    /// The largest factor of a command, of any kind, without a word of its task.
+    /// The largest probability, over all kinds, that a command has no word of its task.
     pub fn least_without_task(&self, layout: &Layout) -> f32 {
         let without = |counts: &[[f32; SHARES_NAMED]; MOST_ROLES + 1]| {
             counts.first().map_or(0.0, |counts| counts.first().copied().unwrap_or(0.0) / counts.iter().sum::<f32>())
@@ -394,8 +396,8 @@ impl Coverage {
     }
 }
 
-/// Tells how much the words name: 0 for nothing, 1 for a part, 2 for all. The task itself is at position 0, its roles follow.
-/// One word names one thing.
+/// Calls `tell` with a position and its coverage: 0 for nothing named, 1 for a part, 2 for all. The task itself is at position 0, its roles
+/// follow. One word names one thing.
 fn named_of(layout: &Layout, named: &Named, description: &[Symbol], ghost: Option<RoleKind>, tell: &mut dyn FnMut(usize, usize)) {
     tell(0, if named.acts_for(layout, description) { 2 } else { 0 });
     let mut left = named.values.clone();

@@ -1,7 +1,7 @@
 //! Expectation maximisation, in parts.
 //!
-//! After the start, in each round every pair of the data gives its weight's worth of expected counts, by the forward and
-//! backward sums over all ways to read the words. With c the expected counts,
+//! After the start, in each round every training pair adds expected counts of its weight, by forward and backward sums over all ways to
+//! read the words. With c the expected counts,
 //!
 //! ```text
 //! F             = (c + common) / (sum of c + 1)
@@ -10,25 +10,25 @@
 //! lambda        = c + 1
 //! pool[l,r]     = (sum over m of c[l,m,r] + 4 prior[r]) / (... + 4)
 //! p0[l,m,r]     = (c[l,m,r] + 4 pool[l,r]) / (sum over r of c[l,m,r] + 4)
-//! lift[w',k]    = ((c[w',k] + 8 share[k]) / (sum over k of c[w',k] + 8)) / share[k],   share[k] what kind k has of all counts
+//! lift[w',k]    = ((c[w',k] + 8 share[k]) / (sum over k of c[w',k] + 8)) / share[k],   share[k] the share of kind k in all counts
 //! end[l,m]      = (stops + 1) / (moves + stops + 5)
 //! ```
 //!
-//! A word heard once with a value is no sure sign of it: of each of its words the part d goes to all words that name values (absolute
-//! discounting), so that a word heard once, with one color, is a hint of that color and no proof. `kinds[v]` is the sum of min(c, 1) over the
-//! words of v, `named(w)` what w has of such sums over all values, and d = once / (once + 2 twice + 100), Ney's estimate from how many pairs
-//! of a value and a word were seen about once and about twice, with 100 pairs seen more often, so that a few lessons, where all is seen once,
-//! are believed. Words of the task are treated alike: `spoken(w)` is what w has of such sums over all lifted tasks, and d is estimated from
-//! their own pairs, with 1,000 seen more often.
+//! A word heard once with a value is weak evidence for it: of each of the value's words the part d is given to all words that name values
+//! (absolute discounting), so that a word heard once, with one color, is a hint of that color but no proof. `kinds[v]` sums min(c, 1) over
+//! the words of v; `named(w)` is the share of w in these sums over all values; and d = once / (once + 2 twice + 100), Ney's estimate from
+//! the numbers of pairs of a value and a word that were seen about once and about twice. The 100 stands for pairs seen more often, so that
+//! a few lessons, in which every pair is seen once, are believed. Words of the task are treated alike: `spoken(w)` is the share of w in
+//! such sums over all lifted tasks, and d is estimated from their own pairs, with 1,000 in place of 100.
 //!
-//! Where tasks have ways, max(0, c - 1.5) replaces c and the discount in T, and max(0, c - 1) in A; ten rounds in place of eight.
+//! If tasks have ways, max(0, c - 1.5) replaces c and the discount in T, and max(0, c - 1) in A, and there are ten rounds instead of eight.
 //!
-//! Where the words in the names of propositions are values, a pair counts 1 / the root of how often its machine command was told, and a tenth of
-//! `common` is added for a token.
+//! If the words in the names of propositions are values, a pair counts its weight / the root of how often its machine command was told, and
+//! a token's row adds only a tenth of `common`.
 //!
-//! `lift` multiplies `p0` and is set from the same counts, and pseudo-counts draw each row, so a round may lose likelihood where a plain EM
-//! would not. On none of four sets of recorded commands did one of 16 rounds lose any. After the rounds the [kind of task](super::kind) is
-//! trained.
+//! A round may lose likelihood where plain EM would not: `lift` multiplies `p0` and is set from the same counts, and pseudo-counts pull
+//! each row towards its prior. On four sets of recorded commands none of 16 rounds lost any. After the rounds the [kind of
+//! task](super::kind) is trained.
 
 use super::forward::{Before, END, Memories, Moves, Reader, Roles, Scratch, kept, prior};
 use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
@@ -41,12 +41,12 @@ use crate::task::role::{RoleKind, VALUE_SORTS};
 use core::ops::Range;
 
 const OF_COMMON: f32 = 1.0;
-/// The same where the words in names are values. There are many values then, each told in few words, and a new meaning is put together
-/// from them: a value's own counts must outweigh how common its words are.
+/// The same if the words in names are values. There are then many values, each named by few words, and a new meaning is composed from them:
+/// a value's own counts must outweigh the frequencies of its words.
 const OF_COMMON_WITH_NAMES: f32 = 0.1;
-/// The pairs of a value and a word that count as seen more than twice before any are seen. With fewer, the paper's course ends less sure.
+/// The number of pairs of a value and a word assumed to be seen more than twice. With fewer, the paper's course ends less certain.
 const OFTEN_NAMED: f32 = 100.0;
-/// The same for pairs of a lifted task and a word, which are more: most words occur with a lifted task.
+/// The same for pairs of a lifted task and a word. There are more of them: most words occur with a lifted task.
 const OFTEN_SPOKEN: f32 = 1000.0;
 const OF_LAMBDA: f32 = 1.0;
 const OF_POOL: f32 = 4.0;
@@ -54,11 +54,11 @@ const OF_SHARE: f32 = 8.0;
 const LEAST_SHARE: f32 = 0.001;
 const OF_CUE: f32 = 1.0;
 const OF_NAMING: f32 = 0.5;
-/// Where tasks have ways, the discount of each expected count of a word, for a value and for a kind of task: hearing a word once with one
-/// says nothing of it.
+/// If tasks have ways, the discount of each expected count of a word, for a value and for a kind of task: a word heard once with one says
+/// nothing about it.
 const OF_VALUES: f32 = 1.5;
 const OF_FORMS: f32 = 1.0;
-/// Where tasks have ways, the factor of the rounds that are set.
+/// If tasks have ways, the factor of the configured number of rounds.
 const ROUNDS_WITH_WAYS: f32 = 1.25;
 const OF_STOP: f32 = 1.0;
 const OF_MOVES: f32 = 4.0;
@@ -66,21 +66,21 @@ const OF_MOVES: f32 = 4.0;
 /// The next step of the training.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Part {
-    /// Counting words and values, from this pair on.
+    /// Count words and values, from this pair on.
     Count(usize),
-    /// The rows' beginning, from this one on, with what is known of its token; the background's is the last.
+    /// Set the rows to begin with, from this one on, with the share of its token; the background's row is the last.
     Begin(usize, start::Share),
-    /// Expected counts, from this pair on, and from here in it.
+    /// Expected counts, from this pair on, and from this point in it.
     Expect(usize, Pass),
-    /// How often words were seen together with values and lifted tasks, from this row on.
+    /// Count how often words were seen with values and lifted tasks, from this row on.
     Seen(usize, Seen),
-    /// The rows, from this one on.
+    /// Set the rows, from this one on.
     Rows(usize, Seen),
-    /// The lifts, from this word on, with what each kind has of all counts.
+    /// Set the lifts, from this word on, with the share of each kind in all counts.
     Lifts(usize, [f32; KINDS]),
-    /// p0 and end, from this lifted task on, and from this step of it: first what its memories have together, then memory by memory.
+    /// Set p0 and end, from this lifted task on, and from this step of it: first the pool of its memories, then each memory.
     Moves(usize, usize),
-    /// lambda.
+    /// Set lambda and naming.
     Lambdas,
     /// The kind of task: a batch, from this session on.
     Kinds(u32, usize),
@@ -90,28 +90,28 @@ pub(crate) enum Part {
     Done,
 }
 
-/// The direction in which the words of a pair are read, and the next word.
+/// The direction in which the words of a pair are read, and the next position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Pass {
-    /// From this word on.
+    /// Forward, from this word on.
     Forward(u8),
-    /// Back from this word and this memory on.
+    /// Backward, from this word and this memory on.
     Backward { word: u8, memory: u8 },
 }
 
 impl Pass {
-    /// From the first word on.
+    /// The first word.
     const START: Self = Self::Forward(0);
 }
 
-/// How often words were seen together with values, and with lifted tasks.
+/// The numbers of words seen with values, and with lifted tasks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Seen {
     values: Pairs,
     forms: Pairs,
 }
 
-/// How many pairs were seen about once and about twice, and the sum of min(c, 1) over all.
+/// The number of pairs seen about once and about twice, and the sum of min(c, 1) over all.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Pairs {
     once: f32,
@@ -120,7 +120,7 @@ struct Pairs {
 }
 
 impl Pairs {
-    /// Takes in one row, and adds to `of_words` what each word has of the sum.
+    /// Adds one row to the sums, and each word's part to `of_words`.
     fn see(&mut self, counts: &[f32], of_words: &mut [f32]) {
         for (&count, of_word) in counts.iter().zip(of_words) {
             let kind = count.min(1.0);
@@ -131,13 +131,14 @@ impl Pairs {
         }
     }
 
-    /// d: the discount of each word of a row, shared by all words of such rows; `often` pairs were seen more than twice.
+    /// d, the discount of each word of a row, which is shared by all words of such rows; `often` is the number of pairs assumed to be seen
+    /// more than twice.
     fn discount(self, often: f32) -> f32 {
         if self.all > 0.0 { self.once / (self.once + 2.0 * self.twice + often) } else { 0.0 }
     }
 }
 
-/// The tables and the data that a training works on.
+/// The tables and the training data that a training works on.
 pub(crate) struct Work<'t, 'b> {
     pub layout: &'t Layout,
     pub tokens: usize,
@@ -147,7 +148,7 @@ pub(crate) struct Work<'t, 'b> {
 }
 
 impl Work<'_, '_> {
-    /// Before the first part: no parameters yet. The counts were cleared.
+    /// Sets the parameters before the first part to those of no training. The counts must be cleared.
     pub fn clear(&mut self) {
         let layout = self.layout;
         get_mut(self.a.values, 0..layout.trellis()).fill(0.0);
@@ -177,7 +178,7 @@ impl Work<'_, '_> {
         prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
     }
 
-    /// One part, of at most about `left` table cells of work where it can be cut: how many it was, and the step after it.
+    /// Does one part, or about `left` table cells of it if it can be cut. Returns the number of cells and the next part.
     pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32, left: usize) -> (usize, Part) {
         let layout = self.layout;
         let pairs = self.bitext.pairs();
@@ -197,7 +198,7 @@ impl Work<'_, '_> {
                 }
             },
             Part::Begin(row, mut share) if row < rows => {
-                // The first row's counts are those of all commands: it goes last.
+                // The first row counts all commands and is still needed, so it goes last.
                 let token = row.saturating_add(1).checked_rem(rows).unwrap_or(0).checked_sub(1).map(|token| Symbol(token as u16));
                 if let Some(token) = token.filter(|_| share.pairs() < pairs.len()) {
                     return (share.weigh(layout, self.bitext, token, left), Part::Begin(row, share));
@@ -289,14 +290,14 @@ impl Work<'_, '_> {
         }
     }
 
-    /// How many rounds: with many sessions half as many again, in which few would be learned by heart. Models that tell ways have as many
-    /// with few sessions.
+    /// The number of rounds: with many sessions, which are not so easily learned by heart, up to half as many again; with ways, always a
+    /// quarter more.
     fn rounds(&self, rounds: u32) -> u32 {
         let of_each = if self.layout.has_ways() { ROUNDS_WITH_WAYS } else { 1.0 + 0.5 * self.layout.many() };
         (rounds as f32 * of_each) as u32
     }
 
-    /// How many batches the kind of task takes: fewer in a model that is asked once, for the sessions that it leaves out.
+    /// The number of batches for the kind of task: fewer in a model that serves only the sessions it leaves out.
     fn batches(&self) -> u32 {
         if self.bitext.leaves_out_any() { kind::BATCHES_OF_A_FOLD } else { kind::BATCHES }
     }
@@ -305,8 +306,9 @@ impl Work<'_, '_> {
         self.bitext.command(pair.command).len().saturating_mul(self.bitext.sentence(pair.session).len())
     }
 
-    /// The expected counts of one pair, from somewhere in it on, with at most about `left` table cells of work and at least one memory of a
-    /// word: how many it was, and where to go on, `None` where the pair is done. In between, the trellis and the cells after it are kept.
+    /// Adds the expected counts of one pair, from `pass` on, with at most about `left` table cells of work but at least one memory of a
+    /// word. Returns the number of cells, and where to continue, or `None` if the pair is done. Between calls, the trellis and the cells
+    /// after it must be kept.
     #[inline(never)]
     fn expect(&mut self, pair: &Pair, mut pass: Pass, left: usize) -> (usize, Option<Pass>) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
@@ -352,7 +354,7 @@ impl Work<'_, '_> {
         (cells, Some(pass))
     }
 
-    /// Where `named` and `spoken` of each word are kept: in counts that nothing else needs at that time.
+    /// The range that holds `named` or `spoken` of each word, among counts that are not in use at that time.
     fn of_words(&self, is_form: bool) -> Range<usize> {
         if is_form { self.layout.kind_of_task(0) } else { self.layout.common() }
     }
@@ -374,7 +376,7 @@ impl Work<'_, '_> {
         let (common, of_words) = (get(self.a.values, self.layout.common()), get(self.a.counts, of_words));
         let (pairs, often) = if is_form { (seen.forms, OFTEN_SPOKEN) } else { (seen.values, OFTEN_NAMED) };
         let mut discount = if token.is_some() { pairs.discount(often) } else { 0.0 };
-        // Models that tell ways have a discount of their own, which goes to no other word.
+        // If there are ways, the discount is fixed and goes to no other word.
         if token.is_some() && self.layout.has_ways() {
             let once = if is_form { OF_FORMS } else { OF_VALUES };
             counts.iter_mut().for_each(|count| *count = (*count - once).max(0.0));
@@ -397,7 +399,7 @@ impl Work<'_, '_> {
         }
     }
 
-    /// What each kind has of all counts.
+    /// The share of each kind in all counts.
     fn shares(&self) -> [f32; KINDS] {
         let mut shares = [LEAST_SHARE; KINDS];
         for word in 0..=self.layout.words() {
@@ -418,7 +420,7 @@ impl Work<'_, '_> {
         }
     }
 
-    /// A cue moves by as much as what follows it differs from what was expected to.
+    /// Multiplies a cue by (seen / expected)^(3/4), for each kind of role after it.
     fn set_cue(&mut self, word: usize) {
         let range = self.layout.cue(word);
         let (values, counts) = (get_mut(self.a.values, range.clone()), get_mut(self.a.counts, range));
@@ -439,13 +441,13 @@ impl Work<'_, '_> {
         }
     }
 
-    /// Where the pool of a lifted task's moves is kept: in the trellis, which nothing else needs at that time.
+    /// The range that holds the pool of a lifted task's moves, in the trellis, which is not in use at that time.
     fn pool(&self) -> Range<usize> {
         let start = self.layout.trellis();
         start..start.saturating_add(self.layout.moves())
     }
 
-    /// What all memories of a lifted task have together of each move.
+    /// Sums the moves of all memories of a lifted task.
     fn pool_moves(&mut self, form: usize) {
         let mut pool = self.prior();
         pool.iter_mut().for_each(|slot| *slot *= OF_POOL);
@@ -477,42 +479,42 @@ impl Work<'_, '_> {
     }
 }
 
-/// What is known of a way to read a command.
+/// A posterior probability in reading a command.
 pub(super) enum Event<'e> {
     /// The command ends with this memory.
     Stop {
         /// The memory.
         memory: usize,
-        /// The probability of that.
+        /// Its probability.
         share: f32,
     },
-    /// A word, from a memory.
+    /// A word, read from one memory.
     Word {
-        /// Which word.
+        /// The position of the word.
         position: usize,
         /// The memory before it.
         memory: usize,
-        /// The probability of that memory and the word as background, as a word of the task, and as each role.
+        /// The probability of that memory with the word as background, as a word of the task, and as each role.
         background: f32,
         task: f32,
         roles: &'e Roles,
         /// The context before it.
         before: &'e Before,
-        /// How probable each role was, in no unit, before the word was heard.
+        /// The unnormalised probability of each role before the word was heard.
         expected: &'e [f32],
     },
-    /// A word, from all memories together.
+    /// A word, over all memories.
     Values {
-        /// Which word.
+        /// The position of the word.
         position: usize,
         /// Pr(w | role).
         emissions: &'e Roles,
-        /// The probability of each role present.
+        /// The probability of each present role.
         roles: &'e [f32],
     },
 }
 
-/// Where the expected counts of one pair go.
+/// Adds the expected counts of one pair to the tables.
 struct Counts<'r, 't> {
     reader: &'r Reader<'t, 't>,
     sentence: &'r [Symbol],
@@ -603,8 +605,8 @@ fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
     start..start.saturating_add(width)
 }
 
-/// Fills the trellis for one word: how probable each memory is after it, followed by what the memories before it were divided by.
-/// Returns nothing where the command is impossible or the trellis too short.
+/// Fills the trellis for one word: the probability of each memory after it. The divisor of these is stored at the end of the row of the
+/// memories before it. `None` if the command is impossible or the trellis too short.
 fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32]) -> Option<()> {
     let mut before: Memories = [0.0; MOST_ROLES + 1];
     let mut after: Memories = [0.0; MOST_ROLES + 1];
@@ -627,7 +629,8 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
     Some(())
 }
 
-/// Begins to go back through a filled trellis: tells how the command ends, and writes after it how probable the rest is for each memory.
+/// Begins the way back through a filled trellis: tells the ends of the command, and writes the probability of the rest for each memory
+/// after the trellis.
 fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
     let (filled, after) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end)?;
     let last = get(filled, row_of(reader, sentence.len()));
@@ -637,18 +640,18 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
     }
     for (memory, slot) in after.get_mut(..reader.memories())?.iter_mut().enumerate() {
         let mass = cell(last, memory);
-        // No way leads to a memory that was dropped.
+        // No reading leads to a memory that was dropped.
         *slot = if mass > 0.0 { reader.end(memory) / whole } else { 0.0 };
         tell(Event::Stop { memory, share: mass * *slot });
     }
     Some(())
 }
 
-/// Goes back by one word, and tells the expected counts of it: from a memory on, through at most `most` probable memories, and at last
-/// from all together. Returns how many they were, and the next memory; the word is done where there is no such.
+/// Goes back by one word and tells its expected counts: through at most `most` memories that were not dropped, beginning with `first`, and
+/// after the last one over all memories together. Returns how many memories it did, and the next one; the word is done if there is none.
 ///
-/// The forward values of the word and of the one after it are not needed again. So the word's row is reused for the probability of the
-/// rest by memory, and the row after it for the probability of each role.
+/// The forward values of the word and of the one after it are not needed again. The word's row is reused for the probability of the rest by
+/// memory, and the row after it for the probability of each role.
 fn backward_word(
     reader: &Reader<'_, '_>,
     sentence: &[Symbol],
@@ -717,8 +720,8 @@ fn backward_word(
     (done, memories)
 }
 
-/// Goes forward through a command and back again, and tells what is known of each word, the last first. Returns nothing where the command is
-/// impossible or the trellis too short.
+/// Goes forward through a command and back again, and tells the events of each word, the last first. `None` if the command is impossible or
+/// the trellis too short.
 pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
     for position in 0..sentence.len() {
         forward_word(reader, sentence, position, trellis)?;

@@ -1,23 +1,23 @@
-//! The way of one piece alone, from cell to cell, found and kept in borrowed words.
+//! The path of a single piece, cell by cell, found and stored in borrowed words.
 //!
-//! Two arrays of 16-bit entries: for each cell the one before it (once the way is found, the next on it), and the cells in the order in
-//! which they were met. Entries are one more than a cell; 0 is none.
+//! Two arrays of 16-bit entries: for each cell the previous one (once the path is found, the next one), and the cells in the order in which
+//! they were met. Entries are one more than a cell; 0 is none.
 
 use crate::oomdp::CellId;
 use crate::planning::bits::{entry, entry_words, set_entry};
 
-/// A way that is kept in words, which hold zeros otherwise, or the search for it.
+/// A path stored in words that otherwise hold zeros, or the search for it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trail {
     from: CellId,
     cells: usize,
-    /// The cells in the second array that were gone on from, and those that were met.
+    /// The positions in the second array after the expanded cells, and after all met cells.
     taken: usize,
     met: usize,
 }
 
 impl Trail {
-    /// Begins to find a shortest way on a floor of `cells` cells. `None` where the words are too few.
+    /// Begins the search for a shortest path on a floor of `cells` cells. `None` if there are too few words.
     pub(super) fn begin(words: &mut [u64], cells: usize, from: CellId) -> Option<Self> {
         if entry_words(cells.saturating_mul(2)) > words.len() || from.index() >= cells {
             return None;
@@ -27,7 +27,8 @@ impl Trail {
         Some(Self { from, cells, taken: cells, met: cells.wrapping_add(1) })
     }
 
-    /// Goes on to find one to a cell where `is_goal` holds, with at most `left` cells. Returns whether there is one, once that is known.
+    /// Continues the search for a cell where `is_goal` holds, with at most `left` cells. Returns whether there is a path, once that is
+    /// known.
     pub(super) fn find_on<I: Iterator<Item = CellId>>(
         &mut self,
         words: &mut [u64],
@@ -57,7 +58,7 @@ impl Trail {
         Some(false)
     }
 
-    /// Each cell of the way points to the next, no longer to the one before.
+    /// Turns the pointers: each cell of the path then points to the next one.
     fn turn(self, words: &mut [u64], to: CellId) {
         let (mut cell, mut after) = (to, None);
         while let Some(before) = get(words, cell.index()) {
@@ -69,17 +70,17 @@ impl Trail {
         }
     }
 
-    /// The next cell of the way.
+    /// The next cell of the path.
     pub(super) fn next(self, words: &[u64], cell: CellId) -> Option<CellId> {
         get(words, cell.index())
     }
 
-    /// The cells of the way, from its start.
+    /// The cells of the path, from its start.
     pub(super) fn cells(self, words: &[u64]) -> impl Iterator<Item = CellId> {
         core::iter::successors(Some(self.from), move |&cell| self.next(words, cell))
     }
 
-    /// Leaves zeros in the words.
+    /// Fills the words with zeros.
     pub(super) fn clear(self, words: &mut [u64]) {
         words.get_mut(..entry_words(self.cells.saturating_mul(2))).unwrap_or(&mut []).fill(0);
     }

@@ -1,11 +1,10 @@
 //! Plans within a window of regions, for memories that cannot hold the robot and one piece on the whole floor.
 //!
-//! A piece's way to the goal is first looked for as if the robot were wherever it has to be. Then one search moves the robot and that piece
-//! within a window: the regions of the two, those on the piece's way for as long as they fit the memory, and then what lies around. The
-//! piece is to come to the goal where that is in the window, else to the last cell of its way there. Where the robot is too far off for one
-//! window, it first goes behind the piece on its own. Where the window has no way, the robot goes there too, and then moves the piece by
-//! one cell. All other pieces stay where they are. Such a plan is good for the next action, not for the whole way: its distance is that to
-//! the subgoal.
+//! First, a piece's path to the goal is found as if the robot could stand anywhere. Then one search moves the robot and that piece within a
+//! window: the regions of the two, the regions along the piece's path as far as they fit the memory, and then those around. The subgoal of
+//! the piece is its goal if that is in the window, else the last cell of its path in the window. If the robot is too far away for one
+//! window, it first goes behind the piece alone. If the window has no plan, the robot goes there too, and then moves the piece by one cell.
+//! All other pieces stay in place. Such a plan is good for the next action, not for the whole task: its distance is that to the subgoal.
 
 use super::trail::Trail;
 use crate::oomdp::{CellId, Piece, PushGrid};
@@ -14,29 +13,28 @@ use crate::planning::deadlock::moves;
 use crate::planning::goals::Goals;
 use crate::task::TaskSet;
 
-/// What a task's windows are found in.
+/// The input for finding a task's windows.
 pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
     pub(super) grid: &'d G,
     pub(super) goals: &'d Goals<'d>,
     pub(super) state: &'d G::State,
 }
 
-/// What a call comes to: no search, one that is not found yet, or this one.
+/// The outcome of a call: no search, one that is not ready yet, or this one.
 pub(super) type Found = Option<Option<(RowSearch, Subgoal)>>;
 
-/// A task to do next from a state: the search for it is being found.
+/// The preparation of a search for a task from a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Errand {
     task: usize,
-    /// The piece that is to be moved on; `None` before it is known.
+    /// The piece to move; `None` before it is chosen.
     piece: Option<Piece>,
-    /// Whether it is another try to move the piece on: the robot goes to the cell behind it, or moves it to the next cell where the robot is
-    /// there.
+    /// Whether it is another try to move the piece: the robot goes to the cell behind it, or, if it is there, moves it to the next cell.
     pub(super) is_retry: bool,
     step: Step,
 }
 
-/// A piece on its way in a window.
+/// A piece, its window, and its subgoal.
 #[derive(Clone, Copy, Debug)]
 struct Leg {
     piece: Piece,
@@ -44,20 +42,20 @@ struct Leg {
     to: Option<CellId>,
 }
 
-/// What is done next.
+/// The next step.
 #[derive(Clone, Copy, Debug)]
 enum Step {
-    /// The piece is chosen.
+    /// Choose the piece.
     Begin,
-    /// Its own way is found, and so the cell from which the robot moves it.
+    /// Find its own path, and so the cell from which the robot moves it.
     Ahead(Trail),
-    /// The robot's way to that cell is found.
+    /// Find the robot's path to that cell.
     Between(Trail, CellId),
-    /// The way of the search is found.
+    /// Find the path of the leg.
     Along(Leg, Trail),
-    /// The window grows along that way, whose cells up to the last fit.
+    /// Extend the window along that path; its cells up to this one fit.
     Follow(Leg, Trail, CellId),
-    /// The window grows around the regions that it had before, from a cell on.
+    /// Extend the window around its earlier regions, from this cell on.
     Widen(Leg, u32, usize),
 }
 
@@ -72,7 +70,7 @@ impl Errand {
         Self { task: failed.task, piece: Some(failed.piece), is_retry: true, step: Step::Begin }
     }
 
-    /// Goes on, with about `left` cells at most. `marks` holds zeros at the beginning and at the end, and is left alone between.
+    /// Continues, with about `left` cells at most. `marks` holds zeros at the beginning and at the end; do not change it meanwhile.
     #[inline(never)]
     pub(super) fn advance<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], left: &mut u32) -> Found {
         while *left > 0 {
@@ -199,7 +197,7 @@ impl Errand {
         }
     }
 
-    /// Begins the search that moves a piece along its trail, in as large a window as fits: on along the trail, then around.
+    /// Begins the search that moves a piece along its path, in as large a window as fits: first along the path, then around it.
     fn go_along<G: PushGrid + ?Sized>(&mut self, scene: &Scene<'_, G>, marks: &mut [u64], leg: Leg) -> Found {
         scene.search(self.task, marks.len(), leg)?;
         let trail = Trail::begin(marks, scene.grid.floor().cells.len(), scene.cell(leg.piece))?;
@@ -209,14 +207,14 @@ impl Errand {
 }
 
 impl<G: PushGrid + ?Sized> Scene<'_, G> {
-    /// The cell from which the robot moves a piece to a cell beside it.
+    /// The cell from which the robot moves a piece to a neighbour cell.
     fn behind(&self, piece: Piece, next: CellId) -> Option<CellId> {
         let (here, floor) = (self.cell(piece), self.grid.floor());
         let direction = (0..4).find(|&direction| floor.neighbour(here, direction) == next)?;
         Some(floor.neighbour(here, direction ^ 1)).filter(|&behind| behind != CellId::NONE)
     }
 
-    /// The search that moves a piece in a window, if it fits so many words.
+    /// The search that moves a piece in a window, if it fits into this many words.
     #[inline(never)]
     fn search(&self, task: usize, words: usize, leg: Leg) -> Option<(RowSearch, Subgoal)> {
         let Leg { piece, window, to } = leg;
@@ -225,7 +223,7 @@ impl<G: PushGrid + ?Sized> Scene<'_, G> {
         RowSearch::layout(self.grid, self.goals, TaskSet::of(task), view, None, words).map(|search| (search, subgoal))
     }
 
-    /// Goes on to find the way of one piece alone, around the others: to a cell, or to where the task asks it to be.
+    /// Continues to find the path of one piece alone, around the others: to a cell, or to a cell that satisfies the task.
     #[inline(never)]
     fn find_on(&self, task: usize, trail: &mut Trail, marks: &mut [u64], piece: Piece, to: Option<CellId>, left: &mut u32) -> Option<bool> {
         let others = || (1..self.grid.pieces()).map(|other| Piece(other as u8)).filter(move |&other| other != piece);

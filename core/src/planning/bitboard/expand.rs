@@ -1,4 +1,4 @@
-//! The states of one row at the distance under way, expanded together.
+//! Expands the states of one row at the current distance together.
 
 use super::{CANDIDATES, FREE, RowSearch, Spot, WayPlanes};
 use crate::oomdp::{Action, ActionSet, Piece, PushGrid};
@@ -7,8 +7,8 @@ use crate::planning::goals::Goals;
 use crate::planning::plan::Results;
 
 impl RowSearch {
-    /// Expands all states of one row at the distance under way. Returns how many expansions that took, at least the words of the row, or
-    /// `None` where no row is left. `now` is the state that was planned for.
+    /// Expands all states of one row at the current distance. Returns the number of expansions, at least the words of the row, or `None` if
+    /// no row is left. `now` is the planned state.
     #[inline]
     pub(in super::super) fn expand<G: PushGrid + ?Sized>(
         &mut self,
@@ -43,7 +43,7 @@ impl RowSearch {
         Some(expansions.max(self.words as u32))
     }
 
-    /// No move leads on from the cells that must be avoided.
+    /// Removes the cells to avoid: no move leads on from them.
     fn stay_where_avoided(&self, marks: &mut [u64], way: &WayPlanes, row: usize) {
         let here = self.row_at(row).wrapping_add(self.here.wrapping_mul(self.words));
         for word in 0..self.words {
@@ -54,7 +54,7 @@ impl RowSearch {
         }
     }
 
-    /// What was opened in a row on cells that bring the way on goes to the row of another layer.
+    /// Moves states that were opened on cells with progress to the row of another layer.
     fn change_layers(&mut self, marks: &mut [u64], way: &WayPlanes, row: usize) {
         let layer = self.layer(row);
         for word in 0..self.words {
@@ -82,15 +82,15 @@ impl RowSearch {
         }
     }
 
-    /// Takes the next row that has a state at the distance under way.
+    /// Takes the next row with a state at the current distance.
     #[inline]
     fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
         let start = self.frontier_at(self.here);
         take_from(marks.get_mut(start..start.wrapping_add(self.set))?, &mut self.cursor)
     }
 
-    /// Opens what the robot's moves reach within a row of one word, and moves the pieces that it can move from there. Returns how many
-    /// expansions that took.
+    /// Opens the states that the robot's moves reach within a row of one word, and moves the pieces that it can move from there. Returns
+    /// the number of expansions.
     #[inline]
     fn expand_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
         &mut self,
@@ -126,7 +126,7 @@ impl RowSearch {
         }
     }
 
-    /// Pushes the pieces in a row of one word. `first` are the planes of the first actions, `here` the states at the distance under way.
+    /// Pushes the pieces in a row of one word. `first` are the planes of the first actions, `here` the states at the current distance.
     #[inline]
     #[expect(clippy::too_many_arguments, reason = "what is known of the row")]
     fn push_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
@@ -162,7 +162,7 @@ impl RowSearch {
         expansions
     }
 
-    /// The row to which a push of the piece on this bit leads.
+    /// The row after a push of the piece on this bit.
     #[inline]
     fn row_after_push<G: PushGrid + ?Sized>(
         &self,
@@ -186,7 +186,7 @@ impl RowSearch {
         None
     }
 
-    /// Opens what the robot's moves reach within a row of several words.
+    /// Opens the states that the robot's moves reach within a row of several words.
     #[inline(never)]
     fn spread_words<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) {
         let (words, free_at) = (self.words, self.floor_plane_at(FREE));
@@ -197,7 +197,7 @@ impl RowSearch {
         let Some((planes, frontier)) = planes.split_at_mut_checked(self.actions.wrapping_mul(words)) else { return };
         let Some((even, odd)) = frontier.split_at_mut_checked(words) else { return };
         let (here, next) = if self.here == self.actions { (even, odd) } else { (odd, even) };
-        // The pieces are walls for as long as this takes.
+        // The pieces are walls meanwhile.
         let mut walls = 0_u32;
         for piece in self.pieces() {
             if let Some(bit) = self.bit_of(grid, state, piece)
@@ -213,7 +213,7 @@ impl RowSearch {
                 let (Some(free), Some(next)) = (free.get(word), next.get_mut(word)) else { return };
                 let (mut new, mut at) = (reached & free, word);
                 opened |= new & *next != 0;
-                // What is open was reached at this distance, and everything else that has a first action was reached before.
+                // Open states were reached at this distance; all other states with a first action were reached before.
                 new &= !*next;
                 while let Some(plane) = planes.get(at).filter(|_| new != 0) {
                     new &= !plane;
@@ -255,7 +255,7 @@ impl RowSearch {
         grid.floor().cells.get(grid.cell(state, piece).index()).map(|cell| self.bits.of(cell))
     }
 
-    /// Finds the tasks that hold in the row's states of the distance under way.
+    /// Finds the tasks that hold in the row's states at the current distance.
     #[inline]
     fn meet<G: PushGrid + ?Sized>(
         &self,
@@ -267,7 +267,7 @@ impl RowSearch {
         row: usize,
     ) {
         let (words, actions, sought) = (self.words, self.actions, results.found.sought);
-        // A goal holds in the last layer alone.
+        // A goal holds only in the last layer.
         if self.way().is_some_and(|way| self.layer(row).wrapping_add(1) < way.layers) {
             return;
         }
@@ -276,7 +276,7 @@ impl RowSearch {
         if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
             let allowed = |piece| self.view.allowed(goals, grid, state, piece, grid.cell(state, piece));
             let more = self.pieces().fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
-            // The tasks sought become fewer, so a row that is no candidate now never is again.
+            // The sought tasks become fewer, so a row that is no candidate now never becomes one again.
             if more.is_empty()
                 && let Some(word) = marks.get_mut(candidates)
             {
@@ -300,7 +300,7 @@ impl RowSearch {
         }
     }
 
-    /// Moves the pieces that the robot can move from beside them. Returns how many expansions that took.
+    /// Moves the pieces that the robot can move from beside them. Returns the number of expansions.
     #[inline]
     fn push<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, now: &G::State, state: &G::State, row: usize) -> u32 {
         let planes = self.row_at(row);

@@ -1,18 +1,18 @@
-//! A* with the lower bound as heuristic. It finds every shortest plan's first action.
+//! A* with the lower bound as heuristic. It finds the first actions of all shortest plans.
 //!
-//! Only the pieces that are in the way move beside the robot and the task's piece: at first those that the task asks for. The others are
-//! taken away, so each plan of the floor is also one here. If a shortest plan never enters a cell where a piece was taken away, it is a plan of
-//! the floor as well, and its distance and first action are exact. If it does, one such piece comes back, and the search goes on from the same
-//! distance (counterexample-guided refinement). So a piece that is not in the way multiplies no states.
+//! Besides the robot and the task's piece, only pieces that are in the way move: at first those that the task depends on. The others are
+//! removed, so each plan of the floor is also one here. If a shortest plan never enters the cell of a removed piece, it is a plan of the
+//! floor as well, and its distance and first action are exact. If it does, one such set of pieces comes back, and the search is repeated
+//! with this distance as threshold (counterexample-guided refinement). So a piece that is not in the way multiplies no states.
 //!
-//! It goes breadth first, from one distance g to the next, and leaves out states whose g and lower bound h together exceed a threshold
+//! It proceeds breadth first, from one distance g to the next, and leaves out states whose g and lower bound h together exceed a threshold
 //! (breadth-first iterative-deepening A*: Zhou and Hansen, 2004). So a goal is met first at its true distance, even if the threshold is
-//! greater. The first threshold is the start's own bound. Then it grows to the least sum that was left out, or more where it has grown before.
-//! If nothing was left out, no goal can be reached.
+//! greater. The first threshold is the start's own bound. Then it grows to the least sum that was left out, or further if it has grown
+//! before. If nothing was left out, no goal can be reached.
 //!
-//! A state is two words: the robot's cell, that of the task's piece, the arrangement of the others and the distance g; and what is known of the
-//! plans that lead to it. An arrangement is a chain of the pieces that have moved, in order, each with its new cell. It needs no number of the
-//! joint state, so homes may have more states than can be numbered.
+//! A state takes two words. One has the robot's cell, that of the task's piece, the arrangement of the others and the distance g; the other
+//! describes the plans that lead to the state. An arrangement is a chain of the pieces that have moved, in order, each with its new cell.
+//! It needs no number of the joint state, so homes may have more states than can be numbered.
 
 use super::relaxation::{Relaxation, others};
 use crate::oomdp::{Action, ActionSet, CellId, Piece, PushGrid, own_actions};
@@ -21,33 +21,33 @@ use crate::planning::goals::Goals;
 use crate::planning::plan::Results;
 use crate::task::TaskSet;
 
-/// What a call comes to.
+/// The outcome of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     Working,
-    /// All goals at the least distance are met.
+    /// All goals at the least distance are found.
     Met,
     /// No goal can be reached.
     Unreachable,
-    /// The memory or the work does not suffice.
+    /// The memory or the work is not sufficient.
     GivenUp,
 }
 
-/// The most arrangements of other pieces, and the most states; 16 bits tell them apart.
+/// The most arrangements of other pieces, and the most states; 16 bits identify them.
 const MOST_ARRANGEMENTS: usize = 1 << 14;
 const MOST_STATES: usize = u16::MAX as usize - 1;
-/// Where this number of places in a row are taken, a table counts as full.
+/// After this many occupied places in a row, a table counts as full.
 const PROBES: usize = 32;
 
-/// The search for one task, and how far it has come.
+/// The search for one task, and its progress.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AStar {
     task: usize,
     piece: Piece,
-    /// Where its memory begins in the marks: the arrangements, the states in the order in which they were met, and an index of them.
+    /// The start of its memory in the marks: the arrangements, the states in the order in which they were met, and an index of them.
     at: usize,
     arrangements: usize,
-    /// States that there is room for, that were met, and that were expanded.
+    /// The numbers of states that fit, that were met, and that were expanded.
     room: usize,
     met: usize,
     expanded: usize,
@@ -56,17 +56,17 @@ pub(super) struct AStar {
     threshold: u32,
     /// The least sum above the threshold.
     beyond: u32,
-    /// Expansions that are left.
+    /// The remaining expansions.
     left: u32,
-    /// The distance of the nearest goals; the greatest number before they are met.
+    /// The distance of the nearest goals; the greatest number before they are found.
     distance: u32,
     /// The plans that lead to them.
     reached: Reached,
-    /// The pieces that are on the floor beside the task's own, one bit each.
+    /// The pieces on the floor besides the task's own, one bit each.
     present: u32,
 }
 
-/// A state that is expanded, with the cells of the pieces present.
+/// A state being expanded, with the cells of the pieces present.
 struct Here {
     key: u64,
     reached: Reached,
@@ -74,13 +74,13 @@ struct Here {
 }
 
 impl Here {
-    /// The piece on a cell, apart from the robot and the task's own.
+    /// The piece on a cell, except for the robot and the task's own.
     fn at(&self, cell: CellId) -> Option<Piece> {
         self.cells.iter().position(|&other| other == cell).map(|other| Piece(other as u8))
     }
 }
 
-/// What an action leads to.
+/// The result of an action.
 struct Ahead {
     action: Action,
     robot: CellId,
@@ -88,18 +88,18 @@ struct Ahead {
     /// Another piece, and its new cell.
     moved: Option<(Piece, CellId)>,
     bound: Option<u32>,
-    /// The pieces that were taken away from the cells that are entered.
+    /// The removed pieces whose cells are entered.
     hit: u32,
 }
 
-/// What is known of the plans that lead to a state.
+/// The plans that lead to a state.
 #[derive(Clone, Copy, Debug)]
 struct Reached {
     /// Their first actions.
     first: ActionSet,
-    /// The first actions of those that are plans of the floor with all pieces.
+    /// The first actions of plans that are also plans of the floor with all pieces.
     sure: ActionSet,
-    /// Pieces that one of the others passes through, one bit each.
+    /// The pieces that one of the other plans passes through, one bit each.
     blockers: u32,
 }
 
@@ -114,12 +114,12 @@ impl Reached {
         self.first.0 as u64 | (self.sure.0 as u64) << 16 | (self.blockers as u64) << 32
     }
 
-    /// The same plans, gone on into cells where these pieces were taken away.
+    /// The same plans, continued into the cells of these removed pieces.
     fn through(self, hit: u32) -> Self {
         if hit == 0 { self } else { Self { sure: ActionSet::EMPTY, blockers: self.blockers | hit, ..self } }
     }
 
-    /// These plans and others to the same state. Of the pieces in the way, the fewer are kept.
+    /// These plans and others to the same state. The smaller set of pieces in the way is kept.
     fn or(self, other: Self) -> Self {
         let (first, sure) = (self.first.union(other.first), self.sure.union(other.sure));
         let is_other = other.blockers != 0 && (self.blockers == 0 || other.blockers.count_ones() < self.blockers.count_ones());
@@ -128,16 +128,16 @@ impl Reached {
     }
 }
 
-/// What is searched.
+/// The input of a search.
 pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
     pub(super) grid: &'d G,
     pub(super) goals: &'d Goals<'d>,
     pub(super) relaxation: &'d Relaxation,
-    /// The state that is planned for.
+    /// The planned state.
     pub(super) start: &'d G::State,
 }
 
-/// The memory apart.
+/// The parts of the memory.
 struct Parts<'m> {
     relaxed: &'m [u64],
     arrangements: &'m mut [u64],
@@ -154,14 +154,14 @@ const fn key(arrangement: u16, robot: CellId, piece: CellId) -> u64 {
 /// The bits of a key that hold the distance.
 const DISTANCE: u64 = 0xffff;
 
-/// The places, in a table of `size`, where a key may be.
+/// The possible places of a key in a table of this size.
 fn places(key: u64, size: usize) -> impl Iterator<Item = usize> {
     let spread = (key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let first = ((spread >> 32).wrapping_mul(size as u64) >> 32) as usize;
     (first..size).chain(0..first).take(PROBES)
 }
 
-/// The pieces of a set of bits.
+/// The pieces in a bit set.
 fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
     core::iter::from_fn(move || {
         let piece = Piece(bits.trailing_zeros() as u8);
@@ -171,7 +171,7 @@ fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
 }
 
 impl AStar {
-    /// The search for a task whose distance is at least this, with at most `most` expansions; `None` where there is no memory for one.
+    /// The search for a task with at least this distance, in at most `most` expansions; `None` if there is no memory for one.
     pub(super) fn new<G: PushGrid + ?Sized>(
         scene: &Scene<'_, G>,
         words: usize,
@@ -182,9 +182,9 @@ impl AStar {
         let at = scene.relaxation.words();
         let words = words.checked_sub(at)?;
         let arrangements = (words / 8).min(MOST_ARRANGEMENTS);
-        // Two words a state, and half a word for its two places in the index.
+        // Two words per state, and half a word for its two places in the index.
         let room = (words.saturating_sub(arrangements).saturating_mul(2) / 5).min(MOST_STATES);
-        // Where a piece can be pulled, another behind it may be needed.
+        // If pieces can be pulled, another piece behind one may be needed.
         let is_asked = |other: &Piece| scene.grid.swaps() || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
         let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
         (room > 0).then_some(Self {
@@ -213,7 +213,7 @@ impl AStar {
         Some(Parts { relaxed, arrangements, states: states.as_chunks_mut().0, index })
     }
 
-    /// Leaves zeros in its memory.
+    /// Fills its memory with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         let Some(Parts { arrangements, states, index, .. }) = self.parts(marks) else { return };
         for (at, state) in states.iter_mut().take(self.met).enumerate() {
@@ -225,19 +225,20 @@ impl AStar {
         }
     }
 
-    /// Takes a state with this key out of the index. A state that is met again later may then be told twice, which takes work but no plan.
+    /// Removes a state with this key from the index. If it is met again later, it may be stored twice, which costs work but changes no
+    /// plan.
     fn forget(&self, index: &mut [u64], at: usize, key: u64) {
         let number = at.wrapping_add(1) as u16;
         let place = places(key & !DISTANCE, self.places()).find(|&place| entry(index, place) == number);
         place.into_iter().for_each(|place| set_entry(index, place, 0));
     }
 
-    /// Places in the index.
+    /// The number of places in the index.
     const fn places(&self) -> usize {
         (self.room / 2).saturating_mul(4)
     }
 
-    /// Goes on, with at most `left` expansions. `start` is the state that is planned for. It leaves zeros in its memory at its end.
+    /// Continues, with at most `left` expansions. At the end it leaves zeros in its memory.
     pub(super) fn advance<G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],
@@ -270,7 +271,7 @@ impl AStar {
         Outcome::Working
     }
 
-    /// Takes the next state, unless the nearest goals are met.
+    /// Takes the next state, unless the nearest goals are found.
     #[inline]
     fn take(&mut self, marks: &mut [u64]) -> Option<[u64; 2]> {
         let at = self.expanded.checked_rem(self.room).filter(|_| self.expanded < self.met)?;
@@ -308,12 +309,12 @@ impl AStar {
         Outcome::Working
     }
 
-    /// The cell of the task's piece; none where that is the robot.
+    /// The cell of the task's piece; none if it is the robot.
     fn cell_of_piece<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State) -> CellId {
         if self.piece == Piece::ROBOT { CellId::NONE } else { grid.cell(state, self.piece) }
     }
 
-    /// Opens what the actions lead to from a state; `None` if there is no room for it.
+    /// Opens the successors of a state; `None` if there is no room for one.
     fn expand<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, [key, word]: [u64; 2]) -> Option<()> {
         let Scene { grid, relaxation, start, .. } = *scene;
         let Parts { arrangements, .. } = self.parts(marks)?;
@@ -331,7 +332,7 @@ impl AStar {
         let distance = ((key & DISTANCE) as u32).saturating_add(1);
         let floor = grid.floor();
         for (direction, &action) in floor.directions.iter().enumerate() {
-            // Most actions are left out without a look at the other pieces.
+            // Most actions are ruled out without a look at the other pieces.
             let ahead = floor.neighbour(robot, direction);
             let beyond = floor.neighbour(ahead, direction);
             let pushed = if ahead == piece { beyond } else { piece };
@@ -369,13 +370,13 @@ impl AStar {
         Some(())
     }
 
-    /// The piece that was taken away from a cell, as a bit.
+    /// The removed pieces of a cell, as bits.
     fn absent<G: PushGrid + ?Sized>(&self, grid: &G, start: &G::State, cell: CellId) -> u32 {
         let absent = others(grid, self.piece).filter(|other| self.present & other.bit() == 0);
         absent.filter(|&other| grid.cell(start, other) == cell).fold(0, |bits, other| bits | other.bit())
     }
 
-    /// The state with the pieces on these cells, and those that were taken away where they were.
+    /// The state with the pieces on these cells, and the removed ones in their own places.
     fn state<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>, cells: &[CellId; 32], robot: CellId, piece: CellId) -> G::State {
         let put = |state: G::State, piece: Piece, cell: Option<CellId>| cell.map_or(state, |cell| scene.grid.put(&state, piece, cell));
         let state = pieces(self.present).fold(*scene.start, |state, other| put(state, other, cells.get(other.index()).copied()));
@@ -383,7 +384,7 @@ impl AStar {
         put(state, Piece::ROBOT, Some(robot))
     }
 
-    /// Opens the state that an action leads to, or takes note of its goal; `None` if there is no room for it.
+    /// Opens the state that an action leads to, or records its goal; `None` if there is no room for it.
     fn open<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
         let (first, distance) = (ActionSet::of(to.action), (from.key & DISTANCE).wrapping_add(1));
         let reached = if distance == 1 { Reached { first, sure: first, blockers: 0 } } else { from.reached }.through(to.hit);
@@ -417,7 +418,7 @@ impl AStar {
         for place in self::places(key, places) {
             let number = usize::from(entry(index, place));
             let Some(at) = number.checked_sub(1) else {
-                // Where there is no room left, it takes the place of the first that was expanded.
+                // If there is no room left, it replaces the state that was expanded first.
                 let at = self.met.checked_rem(self.room).filter(|_| self.met.wrapping_sub(self.expanded) < self.room)?;
                 let state = states.get_mut(at)?;
                 if self.met >= self.room {
@@ -430,7 +431,7 @@ impl AStar {
             };
             let [known, word] = states.get_mut(at)?;
             if *known & !DISTANCE == key {
-                // Longer plans to a state are none of the shortest.
+                // Longer plans to a state are not needed.
                 if *known & DISTANCE == distance {
                     *word = Reached::of(*word).or(reached).word();
                 }
@@ -440,7 +441,7 @@ impl AStar {
         None
     }
 
-    /// Whether a state at this distance with this lower bound can be on a plan as short as the threshold. If not, takes note of the sum.
+    /// Whether a state at this distance with this lower bound can be on a plan within the threshold. If not, records the sum.
     #[inline]
     fn is_within(&mut self, distance: u32, bound: Option<u32>) -> bool {
         let Some(sum) = bound.map(|bound| distance.saturating_add(bound)) else { return false };

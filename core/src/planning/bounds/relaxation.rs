@@ -1,57 +1,57 @@
-//! The robot and one piece alone on the floor: a search backward from a task's goal, over the cells of the two.
+//! The robot and one piece alone on the floor: a backward search from a task's goal, over the cells of the two.
 //!
-//! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls.
-//! A state is one bit in each of three sets: it is closed, or open at the distance under way, or at the next. Where there is room, an array
-//! keeps the distances of all states, as A* needs them. Otherwise the search ends at the state that is planned for.
+//! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls. A state is
+//! one bit in each of three sets: closed, open at the current distance, and open at the next. If there are other pieces, an array stores
+//! the distances of all states, for A*. Otherwise the search ends at the planned state.
 
 use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
 use crate::planning::bits::{entry, entry_words, insert, set_entry, take_from};
 use crate::planning::goals::Goals;
 
-/// The robot and one piece on the floor, and how far the search has come.
+/// The robot and one piece on the floor, and the progress of the search.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Relaxation {
-    /// A task whose goal it leads to; tasks of other pieces can share it.
+    /// A task whose goal the search begins at; tasks of other pieces can share it.
     task: usize,
-    /// The piece that moves beside the robot; the robot itself if the task asks for its cell alone.
+    /// The piece that moves besides the robot; the robot itself if the task depends on its cell alone.
     piece: Piece,
     cells: usize,
-    /// States: pairs of cells, or cells of the robot alone.
+    /// The number of states: pairs of cells, or cells of the robot alone.
     states: usize,
-    /// Whether there are pieces that are taken away.
+    /// Whether other pieces were removed.
     others: bool,
-    /// Whether distances are kept.
+    /// Whether distances are stored.
     tabled: bool,
-    /// Where the search ends if distances are not kept.
+    /// The state where the search ends if distances are not stored.
     start: usize,
     level: u16,
-    /// The word that is scanned for open states.
+    /// The word scanned for open states.
     cursor: usize,
-    /// Which of the two sets of open states is the next.
+    /// Which of the two sets of open states is the next one.
     flipped: bool,
     done: bool,
 }
 
-/// What is known of the distance from one state.
+/// The known distance from one state.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Bound {
     /// No goal can be reached.
     Unreachable,
-    /// It is this one, by these first actions.
+    /// Exactly this distance, by these first actions.
     Exactly(u32, ActionSet),
-    /// It is this one, or a longer one.
+    /// At least this distance.
     AtLeast(u32),
-    /// Nothing.
+    /// Unknown.
     Unknown,
 }
 
-/// The pieces beside the robot that a search leaves out.
+/// The pieces, other than the robot and this one, that a search leaves out.
 pub(super) fn others<G: PushGrid + ?Sized>(grid: &G, piece: Piece) -> impl Iterator<Item = Piece> + Clone + use<G> {
     (1..grid.pieces()).map(|other| Piece(other as u8)).filter(move |&other| other != piece)
 }
 
-/// The piece that moves beside the robot in a task's lower bound: the first that it asks for and that is not at its goal. The robot, where it
-/// asks for no other; `None` where no single pieces decide the task.
+/// The piece that moves besides the robot in a task's lower bound: the first that the task depends on and that is not at its goal. The
+/// robot, if the task depends on no other piece; `None` if no single pieces decide the task.
 pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
     let asked = goals.pieces_of(task)?;
     let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
@@ -59,8 +59,8 @@ pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state:
     Some(blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT))
 }
 
-/// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or holds
-/// another such piece: so none of them can be the first that moves.
+/// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or
+/// holds another such piece: so none of them can be the first that moves.
 fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
     if grid.can_pull() {
         return;
@@ -72,7 +72,7 @@ fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
     let floor = grid.floor();
     loop {
         let is_wall = |cell: CellId| cell == CellId::NONE || has(walls, cell.index());
-        // North and south stand side by side, and so do east and west.
+        // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
         let can_move = |cell: CellId, line: usize| [line, line ^ 1].into_iter().all(|side| !is_wall(floor.neighbour(cell, side)));
         let Some(moved) = cells().find(|&cell| has(walls, cell.index()) && [0, 2].into_iter().any(|line| can_move(cell, line))) else {
             return;
@@ -85,7 +85,7 @@ fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
 struct Parts<'m> {
     /// The cells of pieces.
     pieces: &'m mut [u64],
-    /// The cells of those that never move again.
+    /// The cells of pieces that never move again.
     walls: &'m mut [u64],
     closed: &'m mut [u64],
     here: &'m mut [u64],
@@ -94,8 +94,8 @@ struct Parts<'m> {
 }
 
 impl Relaxation {
-    /// Lays out the marks, which hold zeros, and opens the goals of a task; `None` where they are too small, or where no single pieces
-    /// decide the task.
+    /// Lays out the marks, which hold zeros, and opens the goals of a task; `None` if they are too small, or if no single pieces decide the
+    /// task.
     pub(super) fn begin<G: PushGrid + ?Sized>(
         marks: &mut [u64],
         grid: &G,
@@ -148,7 +148,7 @@ impl Relaxation {
         Some(it)
     }
 
-    /// Whether another task has the same goal cells, for the robot and for a piece that can stand where its own stands.
+    /// Whether another task has the same goal cells, for the robot and for a piece that can take the place of this task's piece.
     pub(super) fn is_shared_by<G: PushGrid + ?Sized>(
         &self,
         marks: &[u64],
@@ -169,30 +169,30 @@ impl Relaxation {
             && grid.floor().ids().all(|cell| is_alike(Piece::ROBOT, Piece::ROBOT, cell) && is_alike(self.piece, piece, cell))
     }
 
-    /// Words of the marks that it takes.
+    /// The number of words of the marks that it takes.
     pub(super) fn words(&self) -> usize {
         let distances = if self.tabled { entry_words(self.states) } else { 0 };
         self.set().saturating_mul(3).saturating_add(self.floor().saturating_mul(2)).saturating_add(distances)
     }
 
-    /// Words of a set of cells.
+    /// The number of words of a set of cells.
     const fn floor(&self) -> usize {
         self.cells.div_ceil(64)
     }
 
-    /// Whether a piece, and not the robot, is on this cell in the state that is planned for.
+    /// Whether a piece other than the robot is on this cell in the planned state.
     #[inline]
     pub(super) fn has_piece(&self, marks: &[u64], cell: CellId) -> bool {
         has(marks, cell.index())
     }
 
-    /// Whether a piece is on this cell that never moves again.
+    /// Whether a piece that never moves again is on this cell.
     #[inline]
     pub(super) fn is_wall(&self, marks: &[u64], cell: CellId) -> bool {
         marks.get(self.floor()..).is_some_and(|walls| has(walls, cell.index()))
     }
 
-    /// Words of a set of states.
+    /// The number of words of a set of states.
     const fn set(&self) -> usize {
         self.states.div_ceil(64)
     }
@@ -223,12 +223,12 @@ impl Relaxation {
         }
     }
 
-    /// The states open at the next distance are now under way.
+    /// Makes the states open at the next distance the current ones.
     const fn turn(&mut self) {
         (self.flipped, self.cursor) = (!self.flipped, 0);
     }
 
-    /// Goes on, with at most `left` expansions. Returns whether it has come to its end.
+    /// Continues, with at most `left` expansions. Returns whether it is complete.
     pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
@@ -240,7 +240,7 @@ impl Relaxation {
                 }
             }
             let is_near = !self.tabled && has(parts.closed, self.start);
-            // Goals farther than entries can say are not told from those that are out of reach: then nothing is said.
+            // Beyond this distance, far goals cannot be distinguished from unreachable ones: then the bound is unknown.
             self.done = is_near || parts.next.iter().all(|&word| word == 0) || self.level >= FARTHEST;
             if !self.done {
                 self.level = self.level.saturating_add(1);
@@ -263,7 +263,7 @@ impl Relaxation {
             }
             if before != piece {
                 self.open(parts, self.number(before, piece), distance);
-                // North and south stand side by side, and so do east and west.
+                // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
                 if piece != CellId::NONE && floor.neighbour(robot, direction ^ 1) == piece {
                     self.open(parts, self.number(before, robot), distance);
                 }
@@ -273,14 +273,14 @@ impl Relaxation {
         }
     }
 
-    /// The lower bound of the distance from a state, `None` where no goal can be reached.
+    /// The lower bound of the distance from a state, `None` if no goal can be reached.
     #[inline]
     pub(super) fn distance(&self, marks: &[u64], robot: CellId, piece: CellId) -> Option<u32> {
         let at = self.words().wrapping_sub(entry_words(self.states));
         entry(marks.get(at..)?, self.number(robot, piece)).checked_sub(1).map(u32::from)
     }
 
-    /// What is known of the distance from the state that is planned for, if the task's piece is this one.
+    /// The bound of the distance from the planned state, if the task's piece is this one.
     pub(super) fn bound<G: PushGrid + ?Sized>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
         let number = |state: &G::State| self.number(grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
         let Some(parts) = self.parts(marks).filter(|_| self.level < FARTHEST) else { return Bound::Unknown };
@@ -290,13 +290,13 @@ impl Relaxation {
         if self.tabled {
             return Bound::AtLeast(u32::from(entry(parts.distances, number(state)).saturating_sub(1)));
         }
-        // The state was opened last; what is closed and not open is nearer.
+        // The planned state was opened last; states that are closed and not open are nearer.
         let is_nearer = |next: &G::State| has(parts.closed, number(next)) && !has(parts.next, number(next));
         let first = own_actions(grid).filter(|&action| grid.step(state, action).is_some_and(|next| is_nearer(&next)));
         Bound::Exactly(u32::from(self.level).saturating_add(1), first.fold(ActionSet::EMPTY, ActionSet::with))
     }
 
-    /// Leaves zeros in the marks.
+    /// Fills the marks with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         marks.get_mut(..self.words()).unwrap_or(&mut []).fill(0);
     }

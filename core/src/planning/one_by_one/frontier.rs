@@ -1,42 +1,42 @@
-//! Which states of a search are open, at which distance, and which are closed, with the first actions that lead to each.
+//! The open states of a search by their distance, the closed states, and the first actions that lead to each.
 //!
 //! There is one bit set for each distance that is open at the same time, in a ring, and one for the closed states. The words of all sets
-//! for the same 64 states lie side by side, and after them the states' first actions, one byte each, or two where the domain has more than
-//! eight actions. Above these groups, one bit for each word of the sets says whether it was touched, so that neither finding the next state
-//! nor clearing takes time for states that a search never came near.
+//! for the same 64 states are adjacent, followed by the states' first actions, one byte each, or two if the domain has more than eight
+//! actions. In addition, a summary has one bit for each word of the sets: whether it was touched. So neither finding the next state nor
+//! clearing takes time for states that a search never came near.
 
 use crate::oomdp::ActionSet;
 
-/// How a way to a state compares with the ways known before.
+/// A comparison of a path to a state with the known paths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Arrival {
-    /// It is the first.
+    /// The first path.
     First,
-    /// It is shorter than those before.
+    /// Shorter than the known paths.
     Shorter,
-    /// It is one more of the shortest.
+    /// Another shortest path.
     Equal,
-    /// A shorter one is known.
+    /// Longer than a known path.
     Longer,
 }
 
-/// How the marks of one search lie in its memory, and where the search stands in them.
+/// The layout of one search's marks in its memory, and its position there.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Frontier {
     /// Groups of 64 states.
     groups: usize,
-    /// Distances open at the same time; the set after the last holds the closed states.
+    /// The number of distances open at the same time; the set after the last holds the closed states.
     ring: usize,
-    /// Bytes of a state's first actions.
+    /// The number of bytes for a state's first actions.
     bytes: usize,
-    /// The set of the distance under way.
+    /// The set of the current distance.
     head: usize,
-    /// The position of the summary word that is scanned.
+    /// The summary word being scanned.
     cursor: usize,
 }
 
 impl Frontier {
-    /// No state is open. `ring` distances are open at the same time, and first actions take `bytes` bytes.
+    /// A frontier without open states. `ring` distances are open at the same time, and first actions take `bytes` bytes.
     pub(super) const fn new(states: usize, ring: usize, bytes: usize) -> Self {
         Self { groups: states.div_ceil(64), ring, bytes, head: 0, cursor: 0 }
     }
@@ -46,19 +46,19 @@ impl Frontier {
         self.groups.saturating_mul(self.stride()).saturating_add(summaries)
     }
 
-    /// How many states there is room for in so many words, with `beside` more words for each 64 states.
+    /// The number of states that fit into `words` words, with `beside` extra words per 64 states.
     pub(super) fn room(words: usize, ring: usize, bytes: usize, beside: usize) -> usize {
         let needed = |groups: usize| Self { groups, ..Self::new(0, ring, bytes) }.words().saturating_add(groups.saturating_mul(beside));
         let fits = |groups: usize| needed(groups) <= words;
         let mut groups = words / Self::new(0, ring, bytes).stride().saturating_add(beside);
         while groups > 0 && !fits(groups) {
-            // What is too much is the summaries, less than a sixtieth of all.
+            // The excess is the summaries, less than a sixtieth of all.
             groups = groups.saturating_sub(1 + groups / 4_096);
         }
         groups.saturating_mul(64)
     }
 
-    /// Leaves zeros.
+    /// Fills the marks with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
         let (sets, stride) = (self.sets(), self.stride());
         for cursor in 0..self.groups.div_ceil(64) {
@@ -80,7 +80,7 @@ impl Frontier {
         self.ring.wrapping_add(1)
     }
 
-    /// Words of a group.
+    /// The number of words of a group.
     #[inline]
     const fn stride(&self) -> usize {
         self.sets().wrapping_add(self.bytes.wrapping_mul(8))
@@ -91,7 +91,7 @@ impl Frontier {
         self.groups.wrapping_mul(self.stride()).wrapping_add(cursor.wrapping_mul(self.sets())).wrapping_add(set)
     }
 
-    /// The bit set of the states that are `cost` beyond the distance under way; the cost of the whole ring is the distance itself.
+    /// The bit set of the states `cost` beyond the current distance; with `cost` equal to `ring` it is the current set itself.
     #[inline]
     const fn set_at(&self, cost: usize) -> usize {
         let set = self.head.wrapping_add(cost);
@@ -123,7 +123,7 @@ impl Frontier {
         group.iter().fold(0, |all, word| all | word) >> (slot % 64) & 1 == 1
     }
 
-    /// Reaches a state on a way that is `cost` beyond the distance under way, and opens it there unless a shorter way is known.
+    /// Reaches a state `cost` beyond the current distance, and opens it there unless a shorter path is known.
     #[inline]
     pub(super) fn meet(&self, marks: &mut [u64], slot: usize, cost: usize) -> Arrival {
         let (sets, ring, set, bit) = (self.sets(), self.ring, self.set_at(cost), 1_u64 << (slot % 64));
@@ -152,7 +152,7 @@ impl Frontier {
         way
     }
 
-    /// Takes the next state of the distance under way, which is then closed.
+    /// Takes the next state of the current distance, and closes it.
     #[inline]
     pub(super) fn take(&mut self, marks: &mut [u64]) -> Option<usize> {
         loop {
@@ -182,13 +182,13 @@ impl Frontier {
         }
     }
 
-    /// Goes on to the next distance.
+    /// Moves to the next distance.
     pub(super) fn next_level(&mut self) {
         self.head = self.set_at(1);
         self.cursor = 0;
     }
 
-    /// The word of a state's first actions that holds their byte `byte`, and how far up.
+    /// The word with byte `byte` of a state's first actions, and its shift there.
     #[inline]
     const fn first_actions_at(&self, slot: usize, byte: usize) -> (usize, u32) {
         let start = (slot / 64).wrapping_mul(self.stride()).wrapping_add(self.sets());
@@ -236,7 +236,7 @@ mod tests {
             frontier.next_level();
             assert_eq!(core::iter::from_fn(|| frontier.take(&mut marks)).collect::<std::vec::Vec<_>>(), [1_025, states - 1]);
             assert_eq!(frontier.meet(&mut marks, 1_025, 1), Arrival::Longer);
-            // Left open when the next search begins.
+            // Left open for the next search.
             assert_eq!(frontier.meet(&mut marks, 77, 1), Arrival::First);
             frontier.clear(&mut marks);
             assert!(marks.iter().all(|&word| word == 0));
@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn the_room_is_all_that_fits() {
-        // A group of 64 states takes three words and eight of first actions, and each 64 groups three words more.
+        // A group of 64 states takes three words and eight of first actions, and each 64 groups take three words more.
         assert_eq!([13, 14, 24, 25, 36].map(|words| Frontier::room(words, 2, 1, 0)), [0, 64, 64, 128, 192]);
         assert_eq!(Frontier::room(64 * 11 + 3, 2, 1, 0), 4_096);
         assert_eq!(Frontier::room(65 * 11 + 3, 2, 1, 0), 4_096);

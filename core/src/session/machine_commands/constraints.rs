@@ -14,7 +14,7 @@ use crate::task::Expression;
 use crate::task::machine_command::Tokens;
 
 impl<M: AgentMemory> Agent<M> {
-    /// Goes on with the likelihood of the command for a task. Adds its machine commands to the candidates.
+    /// Continues the likelihood of the command for a task. Adds its machine commands to the candidates.
     pub(super) fn read_constraints<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -61,7 +61,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(position.constraint >= expression.constraints())
     }
 
-    /// The machine commands are the same whatever the state. Other worlds have others.
+    /// A task's machine commands do not depend on the state. Other worlds have other machine commands.
     pub(super) fn most_constraints<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -79,7 +79,7 @@ impl<M: AgentMemory> Agent<M> {
                 Ok(Scaled::ZERO)
             })? {}
         }
-        // Of the lengths that commands can have, the longest take the most cells.
+        // Each command length has alignment tables of its own; the longest lengths take the most cells.
         let different = sessions.min(words);
         let english = (0..different).fold(0_usize, |sum, shorter| sum.saturating_add(words.saturating_sub(shorter)));
         let candidates = self.candidates();

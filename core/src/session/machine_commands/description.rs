@@ -1,4 +1,4 @@
-//! A task as one description of all that can be said of it in the state where the session starts, for the role model.
+//! A task as one description, with all facts about it in the session's start state, for the role model.
 
 use super::MachineCommands;
 use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
@@ -59,8 +59,8 @@ impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Goes on with Pr(e|t) for the task at the position, which keeps how far it is: in `constraint` the words read, in `sum` how probable they
-    /// are. Returns whether it is done.
+    /// Continues Pr(e|t) for the task at the position. The position keeps the progress: `constraint` counts the words read, `sum` is their
+    /// probability. Returns whether it is done.
     #[inline(never)]
     pub(super) fn read_description<D: Domain + ?Sized>(
         &mut self,
@@ -160,9 +160,9 @@ impl<M: AgentMemory> Agent<M> {
         let mut language = self.language.with(language, workspace);
         let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
         for lifted in &self.lifted {
-            // The tokens of this session's tasks are interned already. A kind of task that is not possible here can do without its token.
+            // The tokens of this session's tasks are interned already. A kind of task that is impossible here does not need its token.
             let form = form_token(&domain.world().schema, lifted, language.tokens_mut()).unwrap_or(Symbol(0));
-            // As many as there are lifted tasks.
+            // There is one for each lifted task, so it fits.
             let _ = forms.push(form);
         }
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
@@ -175,7 +175,7 @@ impl<M: AgentMemory> Agent<M> {
         language.read().weigh_kinds(&self.sentence, form, prior, belief.priors_mut());
     }
 
-    /// The candidate that each of the session's tasks has for a description; `None` where one has none.
+    /// The candidate of each of the session's tasks, by its description; `None` if a task has none.
     #[cfg(feature = "layer")]
     fn described<D: Domain + ?Sized>(&mut self, domain: &D) -> Option<alloc::vec::Vec<u16>> {
         let mut scene = self.scene(domain)?;
@@ -210,8 +210,8 @@ impl<M: AgentMemory> Agent<M> {
         language.read().weigh_parts(&self.sentence, same, description, belief.priors_mut());
     }
 
-    /// Tells the layer which tasks the session that joined the training data last could have meant. Where it has no room for them, it learns
-    /// nothing from the session.
+    /// Gives the layer the possible tasks of the session that joined the training data last. If it has no room for them, it learns nothing
+    /// from the session.
     #[cfg(feature = "layer")]
     pub(in crate::session) fn add_possible<D: Domain + ?Sized>(&mut self, domain: &D) {
         if !self.options.language.has_layer() {
@@ -229,8 +229,8 @@ impl<M: AgentMemory> Agent<M> {
         let _ = language.add_possible(all);
     }
 
-    /// Tells for each word of the command what the role model takes it for where this task is meant, the last word first: its position, a
-    /// [`Meaning`], and the share of 1 that this meaning has. Nothing for Model 2 and before anything is learned.
+    /// Calls `tell` for each word of the command, the last word first: its position, a [`Meaning`] that it may have if this task is meant,
+    /// and the probability of this meaning. It tells nothing for Model 2 and before anything is learned.
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
@@ -259,7 +259,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(language.explain(&self.sentence, &description, tell)?)
     }
 
-    /// Where the robot and its things are at the start decides what a task's description says: each session can have its own.
+    /// A description depends on the places of the robot and the objects in the start state: each session can have its own.
     pub(super) fn most_descriptions<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -284,7 +284,7 @@ impl<M: AgentMemory> Agent<M> {
         })
     }
 
-    /// The most symbols that a task's description can have, whatever holds at the start. Adds to `layout` what descriptions speak of.
+    /// The most symbols that a task's description can have in any start state. Adds the descriptions' parts to `layout`.
     fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
@@ -295,7 +295,7 @@ impl<M: AgentMemory> Agent<M> {
             let constant = Constant { domain, holds };
             describe(&constant, &self.lifted, task, &mut Scene::new(()), language.tokens_mut(), &mut description)?;
             layout.see(&description);
-            // What has no role of its own is most where nothing holds, and everything else where all does.
+            // Objects without a part in the task have the most groups if nothing holds, all others if everything holds.
             let counts = |of_others: bool| of_others != holds;
             let longest = groups(&description).filter(|group| counts(group.marker.role.kind().is_of_others()));
             length = longest.fold(length, |sum, group| sum.saturating_add(group.values.len()).saturating_add(1));

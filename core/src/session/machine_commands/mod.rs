@@ -1,7 +1,7 @@
-//! The machine commands that the tasks of a session are expressed by, as the language model wants them: one for each
-//! [constraint](constraints) on a task's objects, for IBM Model 2, or one [description](description) of the task, for the role model.
+//! The machine commands of a session's tasks, in the form of the language model: one for each [constraint](constraints) on a task's
+//! objects, for IBM Model 2, or one [description](description) of the task, for the role model.
 //!
-//! The agent asks here, and nowhere else, which of the two it is.
+//! Only this module tells the two models apart for the agent.
 
 mod constraints;
 mod description;
@@ -21,17 +21,17 @@ use crate::task::description::{Scene, form_token};
 use crate::task::grounded::expect_change;
 use crate::task::machine_command::head;
 
-/// What is done for each machine command, with its share: one compiled copy of the loop over them serves all.
+/// The callback for each machine command, with its share; a trait object, so that the loop is compiled once.
 pub(super) type Each<'e> =
     dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
 
-/// The room that the machine commands of all tasks take.
+/// The capacities that the machine commands of all tasks take.
 #[derive(Clone, Copy, Default)]
 pub(super) struct MachineCommands {
-    /// How many one session can have, and their tokens together.
+    /// The most of one session, and their tokens together.
     pub candidates: usize,
     pub candidate_tokens: usize,
-    /// How many the training data can have, and their tokens together.
+    /// The most of the training data, and their tokens together.
     pub commands: usize,
     pub command_tokens: usize,
     pub alignments: usize,
@@ -43,7 +43,7 @@ impl<M: AgentMemory> Agent<M> {
         self.options.language.model.in_use()
     }
 
-    /// Gives the tasks that are grounded for this session their priors, by what their goals change here, where the model wants that.
+    /// Sets the priors of this session's grounded tasks by the changes that their goals make here, if the model uses that.
     pub(super) fn expect_change<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, count: usize) {
         match self.model() {
             Model::Model2 => {}
@@ -54,8 +54,8 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Interns the tokens of the lifted tasks that the session's tasks ground: those of a machine command's propositions and classes, or of a
-    /// description.
+    /// Interns the tokens of the lifted tasks that the session's tasks ground: those of a machine command's propositions and classes, or of
+    /// a description.
     #[inline(never)]
     pub(super) fn intern_own_tokens<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), CapacityError> {
         let (model, schema) = (self.model(), &domain.world().schema);
@@ -73,7 +73,7 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
-    /// Goes on with the likelihood of the command for the task at the position: the sum over its machine commands c of Pr(c|s,l,t) Pr(e|l,c).
+    /// Continues the likelihood of the command for the task at the position: the sum over its machine commands c of Pr(c|s,l,t) Pr(e|l,c).
     /// Adds them to the candidates. Returns whether all of the task's are done.
     pub(super) fn read_candidates<D: Domain + ?Sized>(
         &mut self,
@@ -89,8 +89,8 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Goes on with the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times what `each` returns for
-    /// the machine command to the position's sum. Returns whether all of the task's are done.
+    /// Continues over the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times the result of `each` to
+    /// the position's sum. Returns whether all of the task's are done.
     pub(super) fn for_each_candidate<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
@@ -106,7 +106,7 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// Weighs the kinds of task, when the likelihood of each task is known.
+    /// Weighs the kinds of task, once the likelihood of each task is known.
     pub(super) fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
         match self.model() {
             Model::Model2 => {}
@@ -114,8 +114,8 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// The most room that the machine commands of the tasks grounded now take, together with those of the worlds before. Interns their tokens,
-    /// besides the `known` ones.
+    /// The largest capacities that the machine commands of the grounded tasks take, together with those of earlier worlds. Interns their
+    /// tokens, besides the `known` ones.
     pub(super) fn most_machine_commands<D: Domain + ?Sized>(
         &mut self,
         domain: &D,

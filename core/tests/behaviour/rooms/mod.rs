@@ -1,4 +1,4 @@
-//! The home in which agents are tried.
+//! The home of these tests.
 
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::{AgentMemory, HomeArrays, HomeMemory};
@@ -18,7 +18,7 @@ pub fn begun<M: HomeMemory>(memory: M) -> HomeBuilder<M> {
     builder
 }
 
-/// These rooms; with a block, where it is given.
+/// These rooms, with a block if a cell is given.
 pub fn rooms<M: HomeMemory>(memory: M, block: Option<Cell>) -> (Home<M>, HomeState) {
     let mut builder = begun(memory);
     if let Some(cell) = block {

@@ -1,8 +1,8 @@
-//! Memory that is handed to the C interface.
+//! Memory for the C interface.
 
 use std::alloc::{Layout, alloc, dealloc};
 
-/// A block of memory of an exact size, full of dirt, aligned to 8 or on purpose not.
+/// A block of memory of an exact size, filled with dirt, aligned to 8 or on purpose not.
 #[derive(Debug)]
 pub struct Block {
     start: *mut u8,

@@ -1,4 +1,4 @@
-//! Calls beside the plain way from a command to what was learned: in parts, with questions, explanations and settings.
+//! Calls other than a plain session: in parts, with questions, explanations and settings.
 
 use super::super::Bytes;
 use super::texts::Text;
@@ -12,7 +12,7 @@ use goodbot_capi::training::*;
 use goodbot_capi::words::goodbot_explain_word;
 use std::mem::MaybeUninit;
 
-/// Hears and ends a session in parts, and takes up the last session again.
+/// Hears and ends a session in parts, and hears the last command again.
 pub unsafe fn in_parts(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let command = Text::any(choices);
     let budget = 1 + u32::from(choices.byte()) * 16;
@@ -31,7 +31,7 @@ pub unsafe fn in_parts(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     }
 }
 
-/// Asks for a question, reads its texts and answers, with answers that there are and others.
+/// Asks for a question, reads its texts and answers it, with valid and invalid answers.
 pub unsafe fn question(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let (mut kind, mut count, mut evidence) = (0, 0, 0);
     let mut text = [0; 80];
@@ -49,7 +49,7 @@ pub unsafe fn question(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     }
 }
 
-/// What a word was taken for, and commands of which one was said.
+/// Explains a word, and hears one of several transcripts.
 pub unsafe fn words(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let (mut word, mut meaning, mut share, mut chosen) = ([0; 32], [0; 80], f32::NAN, 0);
     let (first, second) = (Text::any(choices), Text::any(choices));
@@ -71,7 +71,7 @@ pub unsafe fn words(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     }
 }
 
-/// What the robot expects of its trainer, how it acts, and what it is asked of itself.
+/// Sets strategies and options, and asks for capacities and counts.
 pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let number = |choices: &mut Bytes<'_>| choices.one_of(&[0.0, 0.05, 0.7, 0.3, 1.0, -0.1, f32::NAN, f32::INFINITY]);
     let (mut evidence, mut count) = (0, 0);

@@ -31,7 +31,7 @@ struct Lists {
     tasks: Vec<*const c_char>,
 }
 
-/// The texts of a description as it should be, some of them changed by the choices.
+/// The texts of a right description, some of them changed by the choices.
 struct Texts<'a, 'b> {
     kept: Vec<Text>,
     choices: &'a mut Bytes<'b>,
@@ -51,7 +51,7 @@ impl Texts<'_, '_> {
         if self.hostile && self.choices.below(24) == 0 { self.choices.one_of(wrong) } else { right }
     }
 
-    /// How many of `there` items the description says: never more than there are, but for numbers that must be refused.
+    /// The stated count of `there` items: never more than there are, except for numbers that must be refused.
     fn count(&mut self, there: usize, most: usize) -> u32 {
         let less = there.saturating_sub(1) as u32;
         self.number(there as u32, &[0, less, most as u32 + 1, u32::MAX])
@@ -59,7 +59,7 @@ impl Texts<'_, '_> {
 }
 
 impl Description {
-    /// A robot on a few floors, each with a use, which goes up and down; wrong in some fields where the choices say so.
+    /// A robot on a few floors, each with a use, which goes up and down; the choices make some fields wrong.
     pub fn new(choices: &mut Bytes<'_>) -> Self {
         let floors = 1 + choices.below(6);
         let states = [1, 4, 16, 60, 300][choices.below(5)];
@@ -105,7 +105,7 @@ impl Description {
             propositions: lists.propositions.as_ptr(),
             object_count: texts.count(lists.objects.len(), usize::from(u8::MAX)),
             objects: if texts.number(0, &[1]) == 0 { lists.objects.as_ptr() } else { std::ptr::null() },
-            // The table of steps has one row a state: another number of actions or states would promise what is not there.
+            // The table of steps has one row for each state: another number of actions, or more states, would promise missing entries.
             action_count: if by_table { moves as u32 } else { texts.count(moves, GOODBOT_MOST_ACTIONS) },
             actions: lists.actions.as_ptr(),
             task_count: texts.count(lists.tasks.len(), GOODBOT_MOST_TASKS),
@@ -122,7 +122,7 @@ impl Description {
         Self { table, _texts: texts.kept, _lists: lists, machine, _steps: steps }
     }
 
-    /// Whether its functions give the same answer each time, as they must.
+    /// Whether its functions return the same answer each time, as they must.
     pub fn keeps_its_word(&self) -> bool {
         !self.machine.is_moody()
     }

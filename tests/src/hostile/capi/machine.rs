@@ -1,15 +1,15 @@
-//! What the actions of a hostile robot do: any graph of steps, with loops, cycles, states that there are none of, and moods.
+//! The steps of a hostile robot: any graph, with loops, cycles, missing states, and changing answers.
 
 use super::super::Bytes;
 use std::cell::Cell;
 use std::ffi::{c_char, c_void};
 
-/// What the callbacks are handed.
+/// The context of the callbacks.
 #[derive(Debug)]
 pub struct Machine {
     /// The state that each step leads to.
     edges: Vec<u32>,
-    /// Whether the same question is answered differently each time. The contract forbids it; a broken program does it all the same.
+    /// Whether the same question is answered differently each time. The contract forbids it, but a broken program may do it.
     moody: bool,
     asked: Cell<u32>,
 }
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn step(context: *mut c_void, state: u32, action: u8, next
     target % 11 != 10
 }
 
-/// The callback that says what holds: a proposition of a robot and floor `n` in the states that leave `n` when divided by four.
+/// The callback `holds`: a proposition of a robot and floor `n` holds in the states that leave `n` when divided by four.
 pub unsafe extern "C" fn holds(context: *mut c_void, state: u32, proposition: u8, arguments: *const u8) -> bool {
     // SAFETY: the context is a machine that outlives the robot.
     let machine = unsafe { &*context.cast::<Machine>() };
@@ -79,7 +79,7 @@ pub unsafe extern "C" fn holds(context: *mut c_void, state: u32, proposition: u8
     (state + machine.mood() % 2) % 4 == sum % 4
 }
 
-/// The callback that says what is derived: of the highest floor that it is the highest, of some objects what no robot can use.
+/// The callback for derived facts: for some objects two facts, for some objects of a moody machine invalid texts.
 pub unsafe extern "C" fn derived(context: *mut c_void, state: u32, object: u8, number: u32) -> *const c_char {
     // SAFETY: the context is a machine that outlives the robot.
     let machine = unsafe { &*context.cast::<Machine>() };

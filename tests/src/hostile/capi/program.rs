@@ -19,11 +19,11 @@ use std::ptr::{null, null_mut};
 /// The most memory that is given to one robot.
 const MOST_MEMORY: usize = 1 << 18;
 
-/// A program and what it holds.
+/// A program and its data.
 #[derive(Debug)]
 pub struct Program {
     robot: *mut Goodbot,
-    /// What was saved last.
+    /// The last saved model.
     model: Vec<u8>,
     // The robot's memory goes before the description that it refers to.
     _memory: Option<Block>,
@@ -33,7 +33,7 @@ pub struct Program {
 }
 
 impl Program {
-    /// A program that has a robot in a home already, so that even short inputs lead somewhere.
+    /// A program that already has a robot in a home, so that even short inputs lead somewhere.
     pub fn new() -> Self {
         let mut program = Self { robot: null_mut(), model: Vec::new(), _memory: None, description: None, empty: Block::new(65_536, 0, 0) };
         program.init(&mut Bytes::new(&[]), false);
@@ -97,12 +97,12 @@ impl Program {
         }
     }
 
-    /// Whether what the robot's actions do is the same each time.
+    /// Whether the robot's steps are the same each time.
     fn keeps_its_word(&self) -> bool {
         self.description.as_ref().is_none_or(Description::keeps_its_word)
     }
 
-    /// The robot; now and then null, memory that holds none, or an address inside of the robot.
+    /// The robot; now and then null, memory without a robot, or an address inside of the robot.
     fn handle(&self, choices: &mut Bytes<'_>) -> *mut Goodbot {
         match choices.below(32) {
             29 => null_mut(),
@@ -112,7 +112,7 @@ impl Program {
         }
     }
 
-    /// Makes a new robot, in memory that may be too small or misaligned. The old one stays where it cannot be made.
+    /// Makes a new robot, in memory that may be too small or misaligned. The old one stays if the new one cannot be made.
     fn init(&mut self, choices: &mut Bytes<'_>, table: bool) {
         let Some(capacities) = capacities(choices) else { return };
         let description = table.then(|| Description::new(choices));
@@ -181,7 +181,7 @@ impl Program {
         }
     }
 
-    /// Restores what was saved, whole or damaged; a damaged model changes nothing.
+    /// Restores the saved model, whole or damaged; a refused model changes nothing.
     unsafe fn restore(&mut self, robot: *mut Goodbot, choices: &mut Bytes<'_>) {
         let mut model = self.model.clone();
         let damage = choices.below(6);
@@ -209,7 +209,7 @@ impl Program {
         }
     }
 
-    /// Calls that are needed seldom, and null where a pointer is wanted.
+    /// Rare calls, and null for needed pointers.
     unsafe fn anything_else(&mut self, robot: *mut Goodbot, choices: &mut Bytes<'_>) {
         let (mut x, mut y) = (0, 0);
         // SAFETY: the caller's promise; null is refused.
@@ -242,7 +242,7 @@ impl Program {
         let _ = y + x;
     }
 
-    /// Every belief that can be asked for is a probability, and there is none beyond the last.
+    /// Asserts that every belief is a probability, and that there is none beyond the last task.
     pub fn assert_sound(&self) {
         let mut count = 0;
         // SAFETY: the robot is one, and the numbers are there.
@@ -286,7 +286,7 @@ fn capacities(choices: &mut Bytes<'_>) -> Option<GoodbotCapacities> {
     Some(unsafe { words.as_ptr().cast::<GoodbotCapacities>().read() })
 }
 
-/// What the robot would save.
+/// The bytes that the robot would save.
 fn saved(robot: *mut Goodbot) -> Option<Vec<u8>> {
     let mut needed = 0;
     // SAFETY: null or a handle, and a buffer as large as is said.
@@ -358,7 +358,7 @@ unsafe fn decide(robot: *mut Goodbot, choices: &mut Bytes<'_>, keeps_its_word: b
         assert!(plan <= GOODBOT_PLAN_APPROXIMATE && action <= GOODBOT_NOOP);
         // SAFETY: as above.
         let done = unsafe { goodbot_done(robot, action) };
-        // A machine that answers differently each time may say that it could and then that it cannot.
+        // A machine that answers differently each time may first allow the action and then refuse it.
         let excused = !keeps_its_word && done == GoodbotStatus::NotApplicable;
         assert!(done == GoodbotStatus::Ok || excused, "an action that was decided on can be done, but gave {done:?}");
     }
@@ -386,7 +386,7 @@ unsafe fn session(robot: *mut Goodbot, choices: &mut Bytes<'_>, keeps_its_word: 
 unsafe fn ask(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
     let buffer = Block::new(choices.below(64), 0, 0xaa);
     let at: *mut c_char = if choices.below(16) == 15 { null_mut() } else { buffer.start().cast() };
-    // An empty block is one byte all the same.
+    // Even an empty block has one byte.
     let bytes = buffer.bytes();
     let (mut limit, mut given, mut task) = (0, 0, u32::from(choices.byte()));
     // SAFETY: the caller's promise; the buffer is as large as is said.

@@ -1,9 +1,9 @@
-//! Texts that are handed to the C interface.
+//! Texts for the C interface.
 
 use super::super::Bytes;
 use std::ffi::{CString, c_char};
 
-/// Texts that lead somewhere.
+/// Texts that the interface understands.
 const KNOWN: [&str; 24] = [
     "room0",
     "room1",

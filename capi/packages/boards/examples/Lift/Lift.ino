@@ -1,5 +1,5 @@
 // A lift that learns your names for its floors, by the serial line: type a command, such as "up to the roof"; then "+" for good bot or "-"
-// for bad bot after each move; then "!" where it did as you meant. "?" asks how sure it is.
+// for bad bot after each move; then "!" when it has done as you meant. "?" asks how sure it is.
 #include <goodbot.h>
 
 enum { FLOORS = 4, UP = 0, DOWN = 1 };
