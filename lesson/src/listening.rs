@@ -131,7 +131,7 @@ impl<D: Place> Lesson<D> {
         let is_again = self.declined.take().is_some_and(|declined| declined == words);
         if tells_talk(&self.agent) {
             let listened = self.listen(words, environment.clone(), is_again)?;
-            if self.is_under_way() || !is_again || self.is_about_what_shall_not_be() {
+            if self.is_under_way() || !is_again || self.is_prohibition() {
                 self.declined = (!self.is_under_way()).then(|| words.to_owned());
                 return Ok(Some(listened));
             }
@@ -151,7 +151,7 @@ impl<D: Place> Lesson<D> {
     }
 
     /// Whether the session, or the last one, is about a prohibition.
-    pub fn is_about_what_shall_not_be(&self) -> bool {
+    pub fn is_prohibition(&self) -> bool {
         self.agent.tasks().iter().any(GroundedTask::is_negated)
     }
 
@@ -162,7 +162,7 @@ impl<D: Place> Lesson<D> {
 
     /// Whether the session under way has something to learn from. A prohibition and "again" have no words for their tasks.
     pub fn teaches(&self) -> bool {
-        self.is_under_way() && !self.agent.sentence().is_empty() && !self.is_about_what_shall_not_be()
+        self.is_under_way() && !self.agent.sentence().is_empty() && !self.is_prohibition()
     }
 
     /// The part of the utterance that is still to come.

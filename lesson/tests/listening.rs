@@ -332,7 +332,7 @@ fn words_for_which_there_was_nothing_to_do_are_a_command_when_they_are_said_agai
     assert!(lesson.is_under_way() && lesson.teaches());
     lesson.tell("don't go to the blue room", rooms()).unwrap();
     lesson.tell("don't go to the blue room", rooms()).unwrap();
-    assert!(!lesson.is_under_way() && lesson.is_about_what_shall_not_be(), "what shall not be is never a command for it");
+    assert!(!lesson.is_under_way() && lesson.is_prohibition(), "a prohibition is never a command for it");
 }
 
 #[test]

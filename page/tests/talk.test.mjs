@@ -117,7 +117,7 @@ test('what is too long is refused in the page’s words, whatever makes it so', 
   await close(page);
 });
 
-test('what shall not be is no command for it', async () => {
+test('a prohibition is no command for it', async () => {
   const page = await taught();
   const red = await roomOf(page, 'red');
   await say(page, 'don’t go to the red room');
@@ -208,7 +208,7 @@ test('“no, the blue one” turns the robot round, and the log keeps the words'
   await close(page);
 });
 
-test('German: what shall not be, one command after the other, a correction, praise', async () => {
+test('German: a prohibition, one command after the other, a correction, praise', async () => {
   const page = await taught('de');
   const [red, green] = [await roomOf(page, 'red'), await roomOf(page, 'green')];
   await say(page, 'geh nicht in den roten Raum');

@@ -296,7 +296,7 @@ def test_words_that_are_no_command_are_told_apart(taught: tuple[goodbot.Agent, g
     assert (heard["verdict"], heard["tasks"], heard["rest"]) == ("sure", [red], None)
     assert agent.listen(home, home.start, "hello")["verdict"] == "none"
     heard = agent.listen(home, home.start, "don't go to the red room")
-    assert (heard["taken_for"], heard["tasks"]) == ("what shall not be", ["!" + red])
+    assert (heard["taken_for"], heard["tasks"]) == ("a prohibition", ["!" + red])
     heard = agent.listen(home, home.start, "go to the red room and then to the green room")
     assert (heard["tasks"], heard["rest"]) == ([red], "to the green room")
 

@@ -98,7 +98,7 @@ impl World {
         }
         let environment = self.environment_now();
         let mut listened = self.lesson.tell(words, environment).map_err(Refusal::from)?;
-        if insists && !self.lesson.is_under_way() && !self.lesson.is_about_what_shall_not_be() {
+        if insists && !self.lesson.is_under_way() && !self.lesson.is_prohibition() {
             let environment = self.environment_now();
             self.lesson.hear(words, environment).map_err(Refusal::from)?;
             listened = None;
@@ -199,6 +199,6 @@ impl World {
         let task = task.and_then(|task| Some(task_name(lesson.home(), lesson.agent.lifted().get(usize::from(task.lifted))?, task)));
         let task = task.unwrap_or_default();
         let command = lesson.command().unwrap_or_default().to_owned();
-        Ok(Heard { begun, verdict, task, negated: lesson.is_about_what_shall_not_be(), command })
+        Ok(Heard { begun, verdict, task, negated: lesson.is_prohibition(), command })
     }
 }

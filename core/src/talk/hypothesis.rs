@@ -64,7 +64,7 @@ impl fmt::Display for Hypothesis {
             Self::Nothing => "nothing that I can do",
             Self::Absent => "a thing that is not here",
             Self::About => "a thing, but not what to do with it",
-            Self::Negated => "what shall not be",
+            Self::Negated => "a prohibition",
             Self::Reversed => "perhaps the opposite of a command",
             Self::Several => "several commands",
             Self::All => "all things of a kind",

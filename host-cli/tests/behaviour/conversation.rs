@@ -25,7 +25,7 @@ fn several_commands_are_a_session_each_and_other_commands_read_their_log() {
         );
         assert_eq!(robot.walk(|_| "good".to_owned()), "!agentInRoom(agent0,room0)");
         let [finished, next] = &robot.tell("finish")[..] else { panic!("the next part") };
-        assert_eq!(finished["learned"], false, "the words for what shall not be are not those of its tasks");
+        assert_eq!(finished["learned"], false, "the words for a prohibition are not those of its tasks");
         assert_eq!((next["command"].as_str(), next["rest"].as_str()), (Some("go to the green room"), Some("to the blue one")), "{next}");
         assert_eq!(robot.walk(|_| "good".to_owned()), go(2));
         let [finished, next] = &robot.tell("finish")[..] else { panic!("the last part") };
@@ -525,7 +525,7 @@ fn a_robot_is_taught_with_closed_words_of_a_file_and_its_log_has_them() {
         let mut robot = Robot::new(&["--model", &model, "--log", &log, "--closed-words", &table]);
         robot.tell(&format!("home {}", rooms_with_things()));
         let heard = robot.one("command nix go to the red room");
-        assert_eq!(heard["taken_for"], "what shall not be", "{heard}");
+        assert_eq!(heard["taken_for"], "a prohibition", "{heard}");
         assert_eq!(robot.one("say halt")["type"], "finished");
         robot.tell("command go to the blue room");
         robot.tell("step");

@@ -306,7 +306,7 @@ impl Pupil {
         }
         match listened.verdict {
             Verdict::Done => Heard::Done(self.words_of(listened.task).unwrap_or_default()),
-            _ if self.lesson.is_about_what_shall_not_be() => Heard::Nothing(Hypothesis::Negated),
+            _ if self.lesson.is_prohibition() => Heard::Nothing(Hypothesis::Negated),
             _ => Heard::Nothing(listened.hypothesis),
         }
     }
@@ -408,8 +408,7 @@ impl Pupil {
         let mut record = self.lesson.recorded(learn)?;
         session_mut(&mut record).header.id = self.id.clone();
         // A log records only an intended task that is a plain task and still to do.
-        let is_to_do =
-            |position: &usize| !self.lesson.is_about_what_shall_not_be() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
+        let is_to_do = |position: &usize| !self.lesson.is_prohibition() && !self.lesson.agent.done(self.lesson.home()).contains(*position);
         let meant = self.intended.filter(is_to_do).and_then(|position| self.lesson.name_of(position));
         session_mut(&mut record).header.set_meant(meant.as_ref());
         Some(record)
