@@ -45,7 +45,7 @@ impl<'t> Ways<'t> {
 
     /// The tasks with an unfinished way.
     pub(super) fn open(&self, tasks: TaskSet) -> TaskSet {
-        self.those(tasks, |way, state| !way.is_behind(state))
+        self.those(tasks, |way, state| !way.is_finished(state))
     }
 
     /// The tasks that have become impossible: the robot has met something to avoid.

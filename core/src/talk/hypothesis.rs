@@ -109,7 +109,7 @@ impl<M: AgentMemory> Agent<M> {
         add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
         add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT * of_one));
         if !explained.signed.contains(explained.best().0) && !place.is_rest {
-            let without = wording.coverage.least_without_task(self.language().tables().layout());
+            let without = wording.coverage.most_without_task(self.language().tables().layout());
             add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }
         for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {

@@ -43,7 +43,7 @@ impl<'c> Place<'c> {
     }
 
     /// After another part of the same utterance.
-    pub const fn behind(self) -> Self {
+    pub const fn after_first(self) -> Self {
         Self { is_rest: true, before: Before::Open, ..self }
     }
 

@@ -37,7 +37,7 @@ const NAME_OF_ALL: usize = 2;
 const ARTICLE: usize = 2;
 
 /// A reading of an utterance: its words without the cues.
-pub(super) struct Rest<'w> {
+pub(super) struct WithoutCues<'w> {
     pub words: Words<'w>,
     /// The words that name exceptions.
     pub except: Words<'w>,
@@ -99,7 +99,7 @@ enum Before {
 }
 
 /// The words read as a negated command, if there is a cue for one.
-pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
+pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     // "All chairs out of the blue room into the red room" states a goal.
     if !words.has(Class::Negation) && !from_place(words).1.is_empty() {
         return None;
@@ -130,7 +130,18 @@ pub(super) fn negated(words: Words<'_>) -> Option<Rest<'_>> {
     let is_clear = !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
     let is_double = is_not && is_out;
-    Some(Rest { words: rest, except: Words::NONE, from: Words::NONE, prior, view, is_clear, is_act, is_act_for_things, stays, is_double })
+    Some(WithoutCues {
+        words: rest,
+        except: Words::NONE,
+        from: Words::NONE,
+        prior,
+        view,
+        is_clear,
+        is_act,
+        is_act_for_things,
+        stays,
+        is_double,
+    })
 }
 
 /// Whether all things of a kind are to leave a place.
@@ -148,7 +159,7 @@ pub(super) fn is_of_several(words: Words<'_>) -> bool {
 }
 
 /// The words read as a command about all things of a kind, if there is a cue for that: "all chairs", "the chairs".
-pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
+pub(super) fn all(words: Words<'_>) -> Option<WithoutCues<'_>> {
     if is_all_out(words) {
         return None;
     }
@@ -172,7 +183,7 @@ pub(super) fn all(words: Words<'_>) -> Option<Rest<'_>> {
     };
     let view = View { done: EITHER, ..View::PLAIN };
     let is_clear = is_clear && !has_exception;
-    Some(Rest {
+    Some(WithoutCues {
         words: rest,
         except,
         from,
@@ -297,7 +308,7 @@ impl<M: AgentMemory> Agent<M> {
                 if first == 0 && next.is_none() {
                     continue;
                 }
-                let (mut clause, place) = (words.part(start, end), if first > 0 { place.behind() } else { place });
+                let (mut clause, place) = (words.part(start, end), if first > 0 { place.after_first() } else { place });
                 let mut here = self.clause(domain, clause, wording, place)?;
                 let mut is_shared = false;
                 if let Some(&(begin, end)) = clauses.get(after)

@@ -135,7 +135,7 @@ impl<'l> Way<'l> {
     }
 
     /// Whether only the goal is left, with nothing to avoid: the task is then like one without a way.
-    pub fn is_behind(&self, state: WayState) -> bool {
+    pub fn is_finished(&self, state: WayState) -> bool {
         let open = |(part, _)| match part {
             Part::Goal => false,
             Part::Before(position) => position >= state.stage(),

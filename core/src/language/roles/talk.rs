@@ -388,7 +388,7 @@ impl Coverage {
     }
 
     /// The largest probability, over all kinds, that a command has no word of its task.
-    pub fn least_without_task(&self, layout: &Layout) -> f32 {
+    pub fn most_without_task(&self, layout: &Layout) -> f32 {
         let without = |counts: &[[f32; SHARES_NAMED]; MOST_ROLES + 1]| {
             counts.first().map_or(0.0, |counts| counts.first().copied().unwrap_or(0.0) / counts.iter().sum::<f32>())
         };
