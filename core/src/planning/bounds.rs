@@ -21,7 +21,7 @@ use crate::oomdp::{PushGrid, own_actions};
 use crate::task::TaskSet;
 
 /// The most expansions of A* for one task.
-const MOST_EXPANSIONS: u32 = 1 << 14;
+const MOST_EXPANSIONS: u32 = 1 << 16;
 /// The same for an unlikely task, if there are more tasks than one word has bits: 200 of them together get fewer expansions than their
 /// lower bounds take in ten rooms.
 const FEW_EXPANSIONS: u32 = 1 << 8;
@@ -109,7 +109,7 @@ impl Bounds {
     /// Takes the next tasks that share a lower bound. Returns whether there are any.
     fn next_group<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, goals: &Goals<'_>, state: &G::State) -> bool {
         let Some(first) = self.waiting.iter().next() else { return false };
-        self.relaxation = Relaxation::begin(marks, grid, goals, state, first);
+        self.relaxation = Relaxation::begin(marks, grid, goals, state, first, 0);
         let is_shared = |&task: &usize| task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task));
         self.group = self.waiting.iter().filter(is_shared).collect();
         self.waiting = self.waiting.without(self.group);

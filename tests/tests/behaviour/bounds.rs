@@ -11,7 +11,10 @@ use rand_pcg::Pcg32;
 
 #[test]
 fn no_judgement_by_bounds_is_wrong_in_random_homes_with_blocks_anywhere() {
-    for (columns, rows, side, blocks, states) in [(2, 1, 3, 2, 1_024), (2, 1, 3, 3, 1_024), (2, 2, 2, 3, 1_024), (3, 1, 2, 3, 512)] {
+    let tight = [(2, 1, 3, 2, 1_024), (2, 1, 3, 3, 1_024), (2, 2, 2, 3, 1_024), (3, 1, 2, 3, 512)];
+    // With room for lower bounds of single tasks, which know pieces that are in the way.
+    let roomy = [(2, 1, 3, 3, 8_192), (2, 2, 2, 3, 8_192), (3, 1, 2, 3, 4_096)];
+    for (columns, rows, side, blocks, states) in tight.into_iter().chain(roomy) {
         let size = Size { columns, rows, side, blocks };
         for moves in [Moves::Push, Moves::PushAndPull] {
             let mut seen = Seen::default();
@@ -57,12 +60,12 @@ fn most_sets_are_exact_in_homes_whose_joint_states_do_not_fit() {
         (2, 2, 4, 2, 16_384, 12, 0.9),
         (2, 2, 4, 4, 16_384, 12, 0.9),
         (2, 2, 4, 8, 16_384, 12, 0.9),
-        (4, 2, 4, 7, 1 << 20, 6, 0.9),
-        (5, 2, 4, 5, 1 << 20, 6, 0.95),
+        (4, 2, 4, 7, 1 << 20, 6, 0.97),
+        (5, 2, 4, 5, 1 << 20, 6, 0.99),
         // More states than can be numbered.
         (3, 3, 4, 8, 1 << 20, 6, 0.9),
-        (5, 2, 4, 10, 1 << 20, 6, 0.85),
-        (5, 2, 4, 20, 1 << 20, 6, 0.85),
+        (5, 2, 4, 10, 1 << 20, 6, 0.99),
+        (5, 2, 4, 20, 1 << 20, 6, 0.95),
     ] {
         let seen = plan_in(homes, Size { columns, rows, side, blocks }, states);
         let without_dead_ends = f64::from(seen.exact) / f64::from(seen.sets - seen.dead);

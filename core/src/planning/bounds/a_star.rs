@@ -14,7 +14,7 @@
 //! describes the plans that lead to the state. An arrangement is a chain of the pieces that have moved, in order, each with its new cell.
 //! It needs no number of the joint state, so homes may have more states than can be numbered.
 
-use super::relaxation::{Relaxation, others};
+use super::relaxation::{MOST_LASTING, Relaxation, others};
 use crate::oomdp::{Action, ActionSet, CellId, Piece, PushGrid, own_actions};
 use crate::planning::bits::{entry, set_entry};
 use crate::planning::goals::Goals;
@@ -36,6 +36,10 @@ pub(super) enum Outcome {
 /// The most arrangements of other pieces, and the most states; 16 bits identify them.
 const MOST_ARRANGEMENTS: usize = 1 << 14;
 const MOST_STATES: usize = u16::MAX as usize - 1;
+/// A search counts as long after one expansion per this many states of the lower bound.
+const STATES_AN_EXPANSION: usize = 16;
+/// A task gets a lower bound of its own only if it leaves the states this many times the memory of a shared one.
+const LEAST_ROOM: usize = 4;
 /// After this many occupied places in a row, a table counts as full.
 const PROBES: usize = 32;
 
@@ -44,6 +48,9 @@ const PROBES: usize = 32;
 pub(super) struct AStar {
     task: usize,
     piece: Piece,
+    /// The lower bound of this task alone, once the search is long, and the start of the memory of the bound in use in the marks.
+    sharper: Option<Relaxation>,
+    bound_at: usize,
     /// The start of its memory in the marks: the arrangements, the states in the order in which they were met, and an index of them.
     at: usize,
     arrangements: usize,
@@ -56,8 +63,9 @@ pub(super) struct AStar {
     threshold: u32,
     /// The least sum above the threshold.
     beyond: u32,
-    /// The remaining expansions.
+    /// The remaining expansions, and their number when the search counts as long.
     left: u32,
+    long: u32,
     /// The distance of the nearest goals; the greatest number before they are found.
     distance: u32,
     /// The plans that lead to them.
@@ -179,34 +187,76 @@ impl AStar {
         distance: u32,
         most: u32,
     ) -> Option<Self> {
-        let at = scene.relaxation.words();
-        let words = words.checked_sub(at)?;
-        let arrangements = (words / 8).min(MOST_ARRANGEMENTS);
-        // Two words per state, and half a word for its two places in the index.
-        let room = (words.saturating_sub(arrangements).saturating_mul(2) / 5).min(MOST_STATES);
         // If pieces can be pulled, another piece behind one may be needed.
         let is_asked = |other: &Piece| scene.grid.swaps() || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
         let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
-        (room > 0).then_some(Self {
+        let mut it = Self {
             task,
             piece,
-            at,
-            arrangements,
-            room,
+            sharper: None,
+            bound_at: 0,
+            at: 0,
+            arrangements: 0,
+            room: 0,
             met: 0,
             expanded: 0,
             lower: distance,
             threshold: distance,
             beyond: u32::MAX,
             left: most,
+            long: if scene.grid.swaps() { 0 } else { most.saturating_sub((scene.relaxation.states() / STATES_AN_EXPANSION) as u32) },
             distance: u32::MAX,
             reached: Reached::NOT,
             present,
-        })
+        };
+        it.lay_out(scene.relaxation.words(), words);
+        (it.room > 0).then_some(it)
+    }
+
+    /// Lays out its memory from a word on, up to another.
+    fn lay_out(&mut self, at: usize, to: usize) {
+        let words = to.saturating_sub(at);
+        self.at = at;
+        self.arrangements = (words / 8).min(MOST_ARRANGEMENTS);
+        // Two words a state, and half a word for its two places in the index.
+        self.room = (words.saturating_sub(self.arrangements).saturating_mul(2) / 5).min(MOST_STATES);
+    }
+
+    /// How many pieces in the way its lower bound knows.
+    fn known(&self) -> usize {
+        self.sharper.map_or(0, |bound| bound.lasting())
+    }
+
+    /// Whether it takes long, and its lower bound could know more of the pieces in the way.
+    fn is_to_sharpen(&self) -> bool {
+        self.left < self.long && self.known() < MOST_LASTING.min(self.present.count_ones() as usize)
+    }
+
+    /// Begins anew with a lower bound that knows more of the pieces in the way, if there is memory for it. Each of them doubles its words.
+    fn sharpen<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) {
+        let (from, to) = (scene.relaxation.words(), marks.len());
+        let times = to.checked_div(from).unwrap_or(0).saturating_sub(LEAST_ROOM.saturating_add(1));
+        let fits = times.checked_ilog2().unwrap_or(0) as usize;
+        if fits <= self.known() {
+            self.long = 0;
+            return;
+        }
+        self.clear(marks);
+        self.met = 0;
+        let first = pieces(self.present).take(fits).fold(0, |first, piece| first | piece.bit());
+        let rest = marks.get_mut(from..).unwrap_or(&mut []);
+        self.sharper = Relaxation::begin(rest, scene.grid, scene.goals, scene.start, self.task, first);
+        let words = self.sharper.map(|bound| bound.words());
+        if words.is_none() {
+            self.long = 0;
+        }
+        self.bound_at = words.map_or(0, |_| from);
+        self.lay_out(from.saturating_add(words.unwrap_or(0)), to);
     }
 
     fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
         let (relaxed, rest) = marks.split_at_mut_checked(self.at)?;
+        let relaxed = relaxed.get(self.bound_at..)?;
         let (arrangements, rest) = rest.split_at_mut_checked(self.arrangements)?;
         let (states, rest) = rest.split_at_mut_checked(self.room.saturating_mul(2))?;
         let index = rest.get_mut(..self.room / 2)?;
@@ -215,6 +265,14 @@ impl AStar {
 
     /// Fills its memory with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
+        self.clear_states(marks);
+        if let Some(bound) = &self.sharper {
+            bound.clear(marks.get_mut(self.bound_at..).unwrap_or(&mut []));
+        }
+    }
+
+    /// Fills the memory of the states with zeros.
+    fn clear_states(&self, marks: &mut [u64]) {
         let Some(Parts { arrangements, states, index, .. }) = self.parts(marks) else { return };
         for (at, state) in states.iter_mut().take(self.met).enumerate() {
             self.forget(index, at, state[0]);
@@ -247,14 +305,15 @@ impl AStar {
         left: &mut u32,
     ) -> Outcome {
         while *left > 0 {
-            let outcome = match self.take(marks) {
-                Some(state) => {
-                    *left = left.saturating_sub(1);
-                    self.left = self.left.saturating_sub(1);
-                    self.expand(marks, scene, state).map_or(Outcome::GivenUp, |()| Outcome::Working)
-                }
-                None => self.next_round(marks, scene),
-            };
+            if self.is_to_sharpen() {
+                self.sharpen(marks, scene);
+            }
+            let rest = marks.get_mut(self.bound_at..).unwrap_or(&mut []);
+            if self.sharper.as_mut().is_some_and(|bound| !bound.search(rest, scene.grid, left)) {
+                continue;
+            }
+            let bound = self.sharper;
+            let outcome = self.go_on(marks, &Scene { relaxation: bound.as_ref().unwrap_or(scene.relaxation), ..*scene }, left);
             match outcome {
                 Outcome::Working if self.left > 0 => continue,
                 Outcome::Met => {
@@ -269,6 +328,22 @@ impl AStar {
             return if outcome == Outcome::Working { Outcome::GivenUp } else { outcome };
         }
         Outcome::Working
+    }
+
+    /// Continues the search with one lower bound.
+    fn go_on<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, left: &mut u32) -> Outcome {
+        let mut outcome = Outcome::Working;
+        while outcome == Outcome::Working && *left > 0 && self.left > 0 && !self.is_to_sharpen() {
+            outcome = match self.take(marks) {
+                Some(state) => {
+                    *left = left.saturating_sub(1);
+                    self.left = self.left.saturating_sub(1);
+                    self.expand(marks, scene, state).map_or(Outcome::GivenUp, |()| Outcome::Working)
+                }
+                None => self.next_round(marks, scene),
+            };
+        }
+        outcome
     }
 
     /// Takes the next state, unless the nearest goals are found.
@@ -286,7 +361,7 @@ impl AStar {
     /// Begins at the start: for the first time, with pieces that were in the way, or with the next threshold.
     fn next_round<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) -> Outcome {
         if self.met > 0 {
-            self.clear(marks);
+            self.clear_states(marks);
             if self.distance != u32::MAX {
                 if self.reached.first == self.reached.sure {
                     return Outcome::Met;
@@ -299,8 +374,14 @@ impl AStar {
                 self.threshold = self.beyond.max(self.threshold.saturating_add(self.threshold.saturating_sub(self.lower) / 2));
             }
         }
-        (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
         let (robot, piece) = (scene.grid.cell(scene.start, Piece::ROBOT), self.cell_of_piece(scene.grid, scene.start));
+        if self.met == 0 {
+            // A bound that ends before all states are told says nothing.
+            let Some(parts) = self.parts(marks).filter(|_| scene.relaxation.is_whole()) else { return Outcome::GivenUp };
+            let Some(bound) = scene.relaxation.distance(parts.relaxed, 0, robot, piece) else { return Outcome::Unreachable };
+            (self.lower, self.threshold) = (self.lower.max(bound), self.threshold.max(bound));
+        }
+        (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
         let (key, places) = (key(0, robot, piece), self.places());
         let Some(Parts { states, index, .. }) = self.parts(marks) else { return Outcome::GivenUp };
         let (Some(first), Some(place)) = (states.first_mut(), self::places(key, places).next()) else { return Outcome::GivenUp };
@@ -340,7 +421,8 @@ impl AStar {
                 continue;
             }
             let Parts { relaxed, .. } = self.parts(marks)?;
-            let bound = relaxation.distance(relaxed, ahead, pushed);
+            let moved = relaxation.moved(&from.cells, ahead, beyond);
+            let bound = relaxation.distance(relaxed, moved, ahead, pushed);
             if !self.is_within(distance, bound) {
                 continue;
             }
@@ -359,7 +441,7 @@ impl AStar {
             for action in own_actions(grid).filter(|action| !floor.directions.contains(action)) {
                 let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
                 let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
-                let bound = relaxation.distance(self.parts(marks)?.relaxed, robot, piece);
+                let bound = relaxation.distance(self.parts(marks)?.relaxed, 0, robot, piece);
                 if self.is_within(distance, bound) {
                     let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
                     let moved = moved.into_iter().find(|(other, cell)| from.cells.get(other.index()) != Some(cell));

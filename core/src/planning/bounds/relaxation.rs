@@ -1,7 +1,11 @@
 //! The robot and one piece alone on the floor: a backward search from a task's goal, over the cells of the two.
 //!
-//! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls. A state is
-//! one bit in each of three sets: closed, open at the current distance, and open at the next. If there are other pieces, an array stores
+//! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls.
+//!
+//! For a hard task, a few other pieces (the lasting ones) are in the way until the robot first pushes them; then they are removed. This bound is
+//! greater, and still a lower bound: each plan of the floor is also one here. Each lasting piece doubles the states.
+//!
+//! A state is one bit in each of three sets: closed, open at the current distance, and open at the next. If there is memory, an array stores
 //! the distances of all states, for A*. Otherwise the search ends at the planned state.
 
 use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
@@ -16,8 +20,12 @@ pub(super) struct Relaxation {
     /// The piece that moves besides the robot; the robot itself if the task depends on its cell alone.
     piece: Piece,
     cells: usize,
-    /// The number of states: pairs of cells, or cells of the robot alone.
+    /// The number of cells of the piece; 1 if it is the robot.
+    rows: usize,
+    /// The number of states: pairs of cells, or cells of the robot alone, for each set of lasting pieces that have moved.
     states: usize,
+    /// The pieces that are in the way until they are first pushed, each with its cell.
+    lasting: [(Piece, CellId); MOST_LASTING],
     /// Whether other pieces were removed.
     others: bool,
     /// Whether distances are stored.
@@ -31,6 +39,9 @@ pub(super) struct Relaxation {
     flipped: bool,
     done: bool,
 }
+
+/// The most pieces that are in the way until they are first pushed.
+pub(super) const MOST_LASTING: usize = 3;
 
 /// The known distance from one state.
 #[derive(Clone, Copy, Debug)]
@@ -87,6 +98,8 @@ struct Parts<'m> {
     pieces: &'m mut [u64],
     /// The cells of pieces that never move again.
     walls: &'m mut [u64],
+    /// Those, and the cells of the lasting pieces that have not moved yet; empty if no pieces are lasting.
+    taken: &'m mut [u64],
     closed: &'m mut [u64],
     here: &'m mut [u64],
     next: &'m mut [u64],
@@ -95,23 +108,31 @@ struct Parts<'m> {
 
 impl Relaxation {
     /// Lays out the marks, which hold zeros, and opens the goals of a task; `None` if they are too small, or if no single pieces decide the
-    /// task.
+    /// task. Of the pieces in `lasting`, one bit each, the first [`MOST_LASTING`] become lasting ones.
     pub(super) fn begin<G: PushGrid + ?Sized>(
         marks: &mut [u64],
         grid: &G,
         goals: &Goals<'_>,
         state: &G::State,
         task: usize,
+        lasting: u32,
     ) -> Option<Self> {
         let piece = piece_of(grid, goals, state, task)?;
         let cells = grid.floor().cells.len();
-        let states = if piece == Piece::ROBOT { cells } else { cells.checked_mul(cells)? };
+        let rows = if piece == Piece::ROBOT { 1 } else { cells };
+        let mut places = [(Piece::ROBOT, CellId::NONE); MOST_LASTING];
+        let first = others(grid, piece).filter(|other| lasting & other.bit() != 0);
+        places.iter_mut().zip(first).for_each(|(place, other)| *place = (other, grid.cell(state, other)));
+        let sets = 1_usize << places.iter().filter(|(_, cell)| *cell != CellId::NONE).count();
+        let states = cells.checked_mul(rows)?.checked_mul(sets)?;
         let has_others = others(grid, piece).next().is_some();
         let mut it = Self {
             task,
             piece,
             cells,
+            rows,
             states,
+            lasting: places,
             others: has_others,
             tabled: has_others,
             start: 0,
@@ -120,7 +141,7 @@ impl Relaxation {
             flipped: false,
             done: false,
         };
-        it.start = it.number(grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
+        it.start = it.number(0, grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
         if it.words() > marks.len() {
             return None;
         }
@@ -132,15 +153,14 @@ impl Relaxation {
         if piece != Piece::ROBOT {
             remove(parts.walls, grid.cell(state, piece).index());
         }
-        let rows = if piece == Piece::ROBOT { 1 } else { cells };
         let asked = |piece, cell| goals.allowed(grid, state, piece, cell).contains(task);
-        for row in (0..rows).map(|row| CellId(row as u16)) {
-            if piece != Piece::ROBOT && (!asked(piece, row) || has(parts.walls, row.index())) {
+        for (moved, row) in (0..sets).flat_map(|moved| (0..rows).map(move |row| (moved, CellId(row as u16)))) {
+            if piece != Piece::ROBOT && (!asked(piece, row) || has(parts.walls, row.index()) || it.lasts(moved, row)) {
                 continue;
             }
             for robot in grid.floor().ids().filter(|&robot| piece == Piece::ROBOT || robot != row) {
-                if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) {
-                    it.open(&mut parts, it.number(robot, row), 0);
+                if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) && !it.lasts(moved, robot) {
+                    it.open(&mut parts, it.number(moved, robot, row), 0);
                 }
             }
         }
@@ -172,7 +192,15 @@ impl Relaxation {
     /// The number of words of the marks that it takes.
     pub(super) fn words(&self) -> usize {
         let distances = if self.tabled { entry_words(self.states) } else { 0 };
-        self.set().saturating_mul(3).saturating_add(self.floor().saturating_mul(2)).saturating_add(distances)
+        self.set()
+            .saturating_mul(3)
+            .saturating_add(self.floor().saturating_mul(if self.is_sharp() { 3 } else { 2 }))
+            .saturating_add(distances)
+    }
+
+    /// The number of states.
+    pub(super) const fn states(&self) -> usize {
+        self.states
     }
 
     /// The number of words of a set of cells.
@@ -197,21 +225,48 @@ impl Relaxation {
         self.states.div_ceil(64)
     }
 
-    /// The number of the state with the robot and the piece on these cells.
-    fn number(&self, robot: CellId, piece: CellId) -> usize {
+    /// The number of the state with the robot and the piece on these cells, and with this set of lasting pieces that have moved.
+    fn number(&self, moved: usize, robot: CellId, piece: CellId) -> usize {
         let row = if self.piece == Piece::ROBOT { 0 } else { piece.index() };
-        row.wrapping_mul(self.cells).wrapping_add(robot.index())
+        moved.wrapping_mul(self.rows).wrapping_add(row).wrapping_mul(self.cells).wrapping_add(robot.index())
+    }
+
+    /// How many pieces are lasting.
+    pub(super) fn lasting(&self) -> usize {
+        self.lasting.iter().filter(|(_, cell)| *cell != CellId::NONE).count()
+    }
+
+    /// Whether any are.
+    #[inline]
+    const fn is_sharp(&self) -> bool {
+        self.states > self.cells.wrapping_mul(self.rows)
+    }
+
+    /// Whether a lasting piece that has not moved is on this cell.
+    #[inline]
+    fn lasts(&self, moved: usize, cell: CellId) -> bool {
+        self.lasting.iter().enumerate().any(|(at, &(_, place))| place == cell && moved >> at & 1 == 0)
+    }
+
+    /// Which lasting pieces have moved, where `cells` says where each piece is, and after what stands on `ahead` was pushed on to `beyond`.
+    #[inline]
+    pub(super) fn moved(&self, cells: &[CellId; 32], ahead: CellId, beyond: CellId) -> usize {
+        let cell = |piece: Piece| cells.get(piece.index()).copied().unwrap_or(CellId::NONE);
+        let after = |piece| if cell(piece) == ahead { beyond } else { cell(piece) };
+        let has_moved = |&(_, &(piece, place)): &(usize, &(Piece, CellId))| place != CellId::NONE && after(piece) != place;
+        self.lasting.iter().enumerate().filter(has_moved).fold(0, |moved, (at, _)| moved | 1 << at)
     }
 
     fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
         let (pieces, rest) = marks.split_at_mut_checked(self.floor())?;
         let (walls, rest) = rest.split_at_mut_checked(self.floor())?;
+        let (taken, rest) = rest.split_at_mut_checked(if self.is_sharp() { self.floor() } else { 0 })?;
         let (closed, rest) = rest.split_at_mut_checked(self.set())?;
         let (even, rest) = rest.split_at_mut_checked(self.set())?;
         let (odd, rest) = rest.split_at_mut_checked(self.set())?;
         let distances = rest.get_mut(..if self.tabled { entry_words(self.states) } else { 0 })?;
         let (here, next) = if self.flipped { (odd, even) } else { (even, odd) };
-        Some(Parts { pieces, walls, closed, here, next, distances })
+        Some(Parts { pieces, walls, taken, closed, here, next, distances })
     }
 
     /// Opens a state at the next distance, unless it is known.
@@ -232,8 +287,19 @@ impl Relaxation {
     pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
+            // Which lasting pieces have moved, the piece's cell, and the number of the first state of both; numbers only grow.
+            let (mut moved, mut row, mut first) = (0_usize, 0_usize, 0_usize);
+            self.take(&mut parts, moved);
             while let Some(number) = take_from(parts.here, &mut self.cursor) {
-                self.expand(&mut parts, grid, number);
+                while number.wrapping_sub(first) >= self.cells {
+                    (row, first) = (row.wrapping_add(1), first.wrapping_add(self.cells));
+                    if row >= self.rows {
+                        (moved, row) = (moved.wrapping_add(1), 0);
+                        self.take(&mut parts, moved);
+                    }
+                }
+                let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
+                self.expand(&mut parts, grid, (moved, CellId(number.wrapping_sub(first) as u16), piece));
                 *left = left.saturating_sub(1);
                 if *left == 0 {
                     return false;
@@ -250,40 +316,64 @@ impl Relaxation {
         self.done
     }
 
+    /// Marks the occupied cells after these lasting pieces have moved.
+    fn take(&self, parts: &mut Parts<'_>, moved: usize) {
+        parts.taken.iter_mut().zip(parts.walls.iter()).for_each(|(taken, wall)| *taken = *wall);
+        self.lasting.iter().map(|&(_, place)| place).filter(|&place| self.lasts(moved, place)).for_each(|place| {
+            insert(parts.taken, place.index());
+        });
+    }
+
     /// Opens the states from which an action leads to this one.
     #[inline]
-    fn expand<G: PushGrid + ?Sized>(&self, parts: &mut Parts<'_>, grid: &G, number: usize) {
-        let (Some(row), Some(rank)) = (number.checked_div(self.cells), number.checked_rem(self.cells)) else { return };
-        let (floor, robot, distance) = (grid.floor(), CellId(rank as u16), self.level.saturating_add(1));
-        let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
+    fn expand<G: PushGrid + ?Sized>(&self, parts: &mut Parts<'_>, grid: &G, (moved, robot, piece): (usize, CellId, CellId)) {
+        let (floor, distance) = (grid.floor(), self.level.saturating_add(1));
+        let is_sharp = self.is_sharp();
+        // The lasting pieces that had moved before the robot pushed one from this cell.
+        let came_from = |&(at, &(_, place)): &(usize, &(Piece, CellId))| place == robot && moved >> at & 1 == 1;
+        let pushed = if is_sharp { self.lasting.iter().enumerate().find(came_from) } else { None };
+        let earlier = pushed.map(|(at, _)| moved & !(1 << at));
         for direction in 0..4 {
             let before = floor.neighbour(robot, direction);
-            if before == CellId::NONE || has(parts.walls, before.index()) {
+            if before == CellId::NONE || has(if is_sharp { parts.taken } else { parts.walls }, before.index()) {
                 continue;
             }
+            // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
+            let beyond = floor.neighbour(robot, direction ^ 1);
             if before != piece {
-                self.open(parts, self.number(before, piece), distance);
-                // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
-                if piece != CellId::NONE && floor.neighbour(robot, direction ^ 1) == piece {
-                    self.open(parts, self.number(before, robot), distance);
+                self.open(parts, self.number(moved, before, piece), distance);
+                if piece != CellId::NONE && beyond == piece {
+                    self.open(parts, self.number(moved, before, robot), distance);
                 }
-            } else if grid.swaps() && (self.others || floor.neighbour(robot, direction ^ 1) == CellId::NONE) {
-                self.open(parts, self.number(piece, robot), distance);
+                if let Some(earlier) = earlier
+                    && beyond != CellId::NONE
+                    && beyond != piece
+                    && !has(if is_sharp { parts.taken } else { parts.walls }, beyond.index())
+                {
+                    self.open(parts, self.number(earlier, before, piece), distance);
+                }
+            } else if grid.swaps() && (self.others || beyond == CellId::NONE) {
+                self.open(parts, self.number(moved, piece, robot), distance);
             }
         }
     }
 
+    /// Whether the finished search knows every state from which the goal can be reached.
+    pub(super) const fn is_whole(&self) -> bool {
+        self.level < FARTHEST
+    }
+
     /// The lower bound of the distance from a state, `None` if no goal can be reached.
     #[inline]
-    pub(super) fn distance(&self, marks: &[u64], robot: CellId, piece: CellId) -> Option<u32> {
+    pub(super) fn distance(&self, marks: &[u64], moved: usize, robot: CellId, piece: CellId) -> Option<u32> {
         let at = self.words().wrapping_sub(entry_words(self.states));
-        entry(marks.get(at..)?, self.number(robot, piece)).checked_sub(1).map(u32::from)
+        entry(marks.get(at..)?, self.number(moved, robot, piece)).checked_sub(1).map(u32::from)
     }
 
     /// The bound of the distance from the planned state, if the task's piece is this one.
     pub(super) fn bound<G: PushGrid + ?Sized>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
-        let number = |state: &G::State| self.number(grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
-        let Some(parts) = self.parts(marks).filter(|_| self.level < FARTHEST) else { return Bound::Unknown };
+        let number = |state: &G::State| self.number(0, grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
+        let Some(parts) = self.parts(marks).filter(|_| self.is_whole()) else { return Bound::Unknown };
         if !has(parts.closed, number(state)) {
             return Bound::Unreachable;
         }
