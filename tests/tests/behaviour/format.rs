@@ -2,6 +2,7 @@
 
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
+use goodbot::snapshot::{Part, RestoreError};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};
 use rand_pcg::Pcg32;
@@ -120,25 +121,50 @@ fn a_saved_model_is_what_the_document_says_byte_by_byte() {
     }
 }
 
-#[test]
-fn a_file_that_ends_before_the_trainers_is_read_as_one_of_trainers_without_lags() {
+/// A file with another end: without its last bytes but the check, with these instead, and with its length and check corrected.
+fn ending_in(file: &[u8], cut: usize, end: &[u8]) -> Vec<u8> {
+    let mut other = [&file[..file.len() - 4 - cut], end].concat();
+    let length = other.len() as u32 + 4;
+    other[10..14].copy_from_slice(&length.to_le_bytes());
+    other.extend(crc32(&other).to_le_bytes());
+    other
+}
+
+/// The model of one lesson, and the bytes of its last three lists: of what was heard again, of the trainers and of their rests.
+fn of_one_lesson() -> (Vec<u8>, [usize; 3]) {
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     train(&mut agent, &school::lessons()[0], Strategy::BALANCED, &mut Pcg32::new(6, 6)).unwrap();
     let mut file = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut file).unwrap();
+    (file, [1 + 1, 1 + 16, 1 + 16])
+}
 
-    let trainers = 1 + 16 * agent.belief().strategies().len();
-    let mut older = file[..file.len() - 4 - trainers].to_vec();
-    let length = older.len() as u32 + 4;
-    older[10..14].copy_from_slice(&length.to_le_bytes());
-    older.extend(crc32(&older).to_le_bytes());
+#[test]
+fn a_file_that_ends_before_a_later_list_is_read_as_one_in_which_the_list_says_nothing() {
+    let (file, lists) = of_one_lesson();
+    for first in 0..lists.len() {
+        let older = ending_in(&file, lists[first..].iter().sum(), &[]);
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.restore(&older).unwrap();
+        agent.learn_fully();
+        let mut again = vec![0; agent.saved_bytes().unwrap()];
+        agent.save(&mut again).unwrap();
+        assert_eq!(again, file, "without the last {}", lists.len() - first);
+    }
+}
 
-    let mut other_memory = HeapMemory::new(&Capacities::SMALL);
-    let mut other = Agent::new(&mut other_memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
-    other.restore(&older).unwrap();
-    other.learn_fully();
-    let mut again = vec![0; other.saved_bytes().unwrap()];
-    other.save(&mut again).unwrap();
-    assert_eq!(again, file);
+#[test]
+fn a_list_of_another_length_than_the_list_that_it_belongs_to_is_refused_by_its_name() {
+    let (file, lists) = of_one_lesson();
+    for (list, part) in [Part::HeardAgain, Part::Trainers, Part::Rests].into_iter().enumerate() {
+        let cut: usize = lists[list..].iter().sum();
+        let end = &file[file.len() - 4 - cut..file.len() - 4];
+        let (record, later) = end[1..].split_at(lists[list] - 1);
+        let longer = ending_in(&file, cut, &[&[2], record, record, later].concat());
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let mut agent = Agent::new(&mut memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        assert_eq!(agent.restore(&longer), Err(RestoreError::Inconsistent(part)));
+    }
 }

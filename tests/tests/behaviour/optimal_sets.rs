@@ -2,7 +2,9 @@
 
 use goodbot::home::{self, Moves};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{ActionSet, Domain, PropositionId};
+use goodbot::oomdp::{
+    Action, ActionKind, ActionSet, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PropositionId, PushGrid, World,
+};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
@@ -118,6 +120,86 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
         }
         let start = robot.start(0, 7);
         compare(&robot, &start, &robot_tasks(&robot), 41);
+    }
+}
+
+/// A home with costs of its own, where a piece's cell may decide no proposition.
+struct Unlike<'d, D: Domain> {
+    home: &'d D,
+    actions: Vec<ActionKind<'d>>,
+    tells_pieces: bool,
+}
+
+impl<D: PushGrid> Domain for Unlike<'_, D> {
+    type State = D::State;
+    type Search = BitRows;
+
+    fn world(&self) -> World<'_> {
+        self.home.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &self.actions
+    }
+
+    fn step(&self, state: &D::State, action: Action) -> Option<D::State> {
+        self.home.step(state, action)
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &D::State) -> bool {
+        self.home.holds(proposition, state)
+    }
+
+    fn state_count(&self) -> u64 {
+        self.home.state_count()
+    }
+
+    fn number(&self, state: &D::State) -> u64 {
+        self.home.number(state)
+    }
+
+    fn numbered(&self, number: u64) -> D::State {
+        self.home.numbered(number)
+    }
+}
+
+impl<D: PushGrid> PushGrid for Unlike<'_, D> {
+    fn floor(&self) -> Floor<'_> {
+        self.home.floor()
+    }
+
+    fn pieces(&self) -> usize {
+        self.home.pieces()
+    }
+
+    fn cell(&self, state: &D::State, piece: Piece) -> CellId {
+        self.home.cell(state, piece)
+    }
+
+    fn put(&self, state: &D::State, piece: Piece, cell: CellId) -> D::State {
+        self.home.put(state, piece, cell)
+    }
+
+    fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece> {
+        self.home.piece_of(proposition).filter(|_| self.tells_pieces)
+    }
+
+    fn can_pull(&self) -> bool {
+        self.home.can_pull()
+    }
+}
+
+#[test]
+fn a_floor_with_actions_of_different_costs_or_with_goals_of_several_pieces_gives_the_optimal_sets_of_brute_force() {
+    let mut random = Pcg32::new(10, 10);
+    for (cost, tells_pieces) in [(2, true), (1, false), (2, false)] {
+        let mut memory = HeapMemory::new(&ROOMY);
+        let size = Size { columns: 2, rows: 1, side: 3, blocks: 1 };
+        let (home, start) = random_home(&mut random, size, Moves::Push, &mut memory.home);
+        let cost_of = |position: usize| if position % 3 == 0 { cost } else { 1 };
+        let actions = home.actions().iter().enumerate().map(|(position, kind)| ActionKind::new(kind.name, cost_of(position))).collect();
+        let unlike = Unlike { home: &home, actions, tells_pieces };
+        assert!(compare(&unlike, &start, &home::paper_tasks().unwrap(), 3) > 0);
     }
 }
 
