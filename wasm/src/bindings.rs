@@ -279,10 +279,9 @@ impl Goodbot {
     }
 
     /// Proposes a question where it teaches more than acting does: JSON, [`Question`](crate::view::Question), or `null` where there is nothing
-    /// to ask; empty while it is still looking ahead, with about `budget` looks a call. `kappa` is what a question costs, in steps (8),
-    /// and `eta` how often an answer is wrong (0.05). The plan must be done.
-    pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Thrown<String> {
-        match self.0.question(kappa, eta, budget).map_err(thrown)? {
+    /// to ask; empty while it is still looking ahead, with about `budget` looks a call. The plan must be done.
+    pub fn question(&mut self, budget: u32) -> Thrown<String> {
+        match self.0.question(budget).map_err(thrown)? {
             None => Ok(String::new()),
             Some(question) => json(&question),
         }
