@@ -4,12 +4,16 @@ use crate::calibration::{self, RANGES, Range, ranges};
 use crate::recorded::Walk;
 use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, Judged, LAGS, Strategy};
 use goodbot::probability::Scaled;
+use goodbot::random::{below, unit};
+use goodbot_course::generator;
 use serde_json::{Value, json};
 
 /// Below this probability the intended task counts as given up.
 pub const GIVEN_UP: f64 = 0.05;
 /// A probability of 0 counts as this one in the logarithm.
 const LEAST: f64 = 1e-12;
+/// How often chance is drawn.
+const DRAWS: usize = 1_000;
 
 /// What is expected of trainers.
 #[derive(Clone, Debug)]
@@ -29,6 +33,8 @@ pub struct Rightness {
     ends: Vec<(f64, bool)>,
     /// How probable each task was, and whether it was the intended one.
     tasks: Vec<(f64, bool)>,
+    /// How many tasks each session had.
+    counts: Vec<usize>,
 }
 
 impl Rightness {
@@ -38,12 +44,14 @@ impl Rightness {
         let others = probabilities.iter().enumerate().filter(|&(task, _)| task != intended);
         self.ends.push((probability, others.clone().all(|(_, &other)| probability > other)));
         self.tasks.extend(probabilities.iter().enumerate().map(|(task, &other)| (other, task == intended)));
+        self.counts.push(probabilities.len());
     }
 
     /// Adds the sessions of another.
     pub fn extend(&mut self, other: Self) {
         self.ends.extend(other.ends);
         self.tasks.extend(other.tasks);
+        self.counts.extend(other.counts);
     }
 
     /// How many sessions.
@@ -80,6 +88,28 @@ impl Rightness {
         calibration::error(&self.reliability())
     }
 
+    /// The calibration error if these beliefs were exactly right: the mean, and what it exceeds in one of 40 draws.
+    pub fn calibration_error_of_chance(&self) -> (f64, f64) {
+        let mut random = generator(1);
+        let mut errors = [0.0; DRAWS].map(|_: f64| {
+            let mut from = 0;
+            let drawn = self.counts.iter().flat_map(|&count| {
+                let tasks = self.tasks.get(from..from + count).unwrap_or_default();
+                from += count;
+                let mut left = f64::from(unit(&mut random));
+                let passed = |&&(probability, _): &&(f64, bool)| {
+                    left -= probability;
+                    left > 0.0
+                };
+                let meant = tasks.iter().take_while(passed).count();
+                tasks.iter().enumerate().map(move |(task, &(probability, _))| (probability, task == meant))
+            });
+            calibration::error(&ranges(drawn))
+        });
+        errors.sort_by(f64::total_cmp);
+        (errors.iter().sum::<f64>() / DRAWS as f64, errors[DRAWS - 1 - DRAWS / 40])
+    }
+
     /// The same as a line of JSON.
     pub fn json(&self) -> Value {
         let range = |range: &Range| json!({"count": range.count, "mean_probability": range.certainty(), "share_meant": range.accuracy()});
@@ -92,6 +122,21 @@ impl Rightness {
             "reliability": self.reliability().iter().map(range).collect::<Vec<_>>(),
         })
     }
+}
+
+/// 95 % intervals of the mean log loss and of the calibration error: trainers are drawn anew from these.
+pub fn intervals(trainers: &[Rightness]) -> [[f64; 2]; 2] {
+    let mut random = generator(1);
+    let drawn = (0..DRAWS).map(|_| {
+        let mut all = Rightness::default();
+        trainers.iter().for_each(|_| all.extend(trainers[below(trainers.len(), &mut random)].clone()));
+        (all.log_loss(), all.calibration_error())
+    });
+    let (losses, errors): (Vec<f64>, Vec<f64>) = drawn.unzip();
+    [losses, errors].map(|mut values| {
+        values.sort_by(f64::total_cmp);
+        [values[DRAWS / 40], values[DRAWS - 1 - DRAWS / 40]]
+    })
 }
 
 /// What a robot with this expectation would have believed at the end of each session with feedback.
