@@ -9,8 +9,11 @@
 
 use crate::live::{Lesson, LiveError};
 use crate::place::Place;
-use goodbot::asking::{Answer, Asking, Question};
+use goodbot::asking::{Answer, Asking, Considered, Question};
+use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Domain;
 use goodbot::task::TaskSet;
+use goodbot::{Agent, AgentError};
 
 /// The robot asks nothing if a task has this belief. Chosen with four robots of twenty lessons: 0.8 brings a question before a third of the
 /// commands, and understands 2 in 100 more.
@@ -24,37 +27,76 @@ const COST_OF_A_TIE: f32 = 0.5;
 /// Two tasks tie if the less probable one has this share of the other's belief, and both together have this belief.
 const TIE: f32 = 0.6;
 
-/// The questions of a session, and whether the answers were as expected.
+/// Keeps a robot from asking too much, by the questions of a session and by whether the answers were as expected.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Asked {
+pub struct Restraint {
     /// The tasks of each question and of each of its choices.
     sets: Vec<TaskSet>,
     answered: bool,
     surprised: bool,
+    /// The number of sessions in a row with expected answers only.
+    trust: u8,
 }
 
-impl Asked {
-    /// No question was asked.
-    pub const NOTHING: Self = Self { sets: Vec::new(), answered: false, surprised: false };
+impl Restraint {
+    /// No question was asked yet.
+    pub const NEW: Self = Self { sets: Vec::new(), answered: false, surprised: false, trust: 0 };
 
-    /// Records an answer with its probability, and how many other answers there were. It is a surprise if it is less probable than a
-    /// uniform guess would make it.
-    pub fn hear(&mut self, probability: f32, others: u8) {
-        self.answered = true;
-        self.surprised |= probability * (f32::from(others) + 1.0) < LEAST_EXPECTED;
+    /// Begins a session: earlier questions may be asked again.
+    pub fn begin(&mut self) {
+        *self = Self { trust: self.trust, ..Self::NEW };
     }
 
-    /// How many sessions in a row had expected answers, after this one; at most [`MOST_TRUST`].
-    pub fn trust(&self, before: u8) -> u8 {
-        match (self.answered, self.surprised) {
-            (false, _) => before,
-            (true, false) => before.saturating_add(1).min(MOST_TRUST),
+    /// Ends a session: whether its answers were as expected counts for the next one.
+    pub fn end(&mut self) {
+        self.trust = match (self.answered, self.surprised) {
+            (false, _) => self.trust,
+            (true, false) => self.trust.saturating_add(1).min(MOST_TRUST),
             (true, true) => 0,
+        };
+    }
+
+    /// Proposes a question, as [`Agent::consider`] does. `listened` says whether the robot listened to the command.
+    ///
+    /// # Errors
+    /// The errors of [`Agent::consider`].
+    pub fn consider<D: Domain + ?Sized>(
+        &mut self,
+        agent: &mut Agent<AgentHeap>,
+        domain: &D,
+        state: &D::State,
+        asking: &Asking,
+        listened: bool,
+        budget: u32,
+    ) -> Result<Considered, AgentError> {
+        // A trainer who does not answer is not asked more.
+        if agent.open_question().is_some() {
+            return Ok(Considered::Act);
+        }
+        let mut asking = Asking { sure: asking.sure.min(SURE), kappa: asking.kappa * f32::from(1_u8 << self.trust), ..*asking };
+        if listened && asking.kappa.is_finite() && has_tie(agent) {
+            asking.kappa = asking.kappa.min(COST_OF_A_TIE);
+        }
+        loop {
+            match agent.consider(domain, state, &asking, budget)? {
+                // The agent proposes nothing twice, so this ends.
+                Considered::Ask(question) if sets(&question).any(|set| self.sets.contains(&set)) => agent.withdraw_question(),
+                Considered::Ask(question) => {
+                    self.sets.extend(sets(&question));
+                    return Ok(Considered::Ask(question));
+                }
+                considered => return Ok(considered),
+            }
         }
     }
 
-    fn has(&self, question: &Question) -> bool {
-        sets(question).any(|set| self.sets.contains(&set))
+    /// Records how probable an answer is that is about to be taken in. One that is less probable than most is a surprise.
+    pub fn expect(&mut self, agent: &Agent<AgentHeap>, answer: Answer) {
+        let Some((tasks, yes, others)) = agent.open_question().and_then(|question| question.meaning(answer)) else { return };
+        let among: f32 = tasks.iter().map(|task| agent.belief().probability(task)).sum();
+        let probability = if yes { among } else { 1.0 - among };
+        self.answered = true;
+        self.surprised |= probability * (f32::from(others) + 1.0) < LEAST_EXPECTED;
     }
 }
 
@@ -64,63 +106,81 @@ fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
     std::iter::once(question.yes).chain(question.choices.into_iter().take(count)).filter(|set| !set.is_empty())
 }
 
+/// Whether two tasks that differ in one object fit what was said nearly as well.
+fn has_tie(agent: &Agent<AgentHeap>) -> bool {
+    let belief = agent.belief();
+    let next = |than: Option<usize>| {
+        let tasks = (0..agent.tasks().len()).filter(|&task| Some(task) != than);
+        tasks.map(|task| (task, belief.probability(task))).reduce(|one, other| if other.1 > one.1 { other } else { one })
+    };
+    let Some((first, most)) = next(None) else { return false };
+    let Some((second, next)) = next(Some(first)) else { return false };
+    let [first, second] = [first, second].map(|task| agent.tasks()[task]);
+    let different = first.bindings.iter().zip(&second.bindings).filter(|(a, b)| a != b).count();
+    first.lifted == second.lifted && different == 1 && next >= TIE * most && most + next >= TIE
+}
+
 impl<D: Place> Lesson<D> {
     /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or the errors of [`Agent::question`](goodbot::Agent::question).
+    /// [`LiveError::NoSession`], or what [`Agent::question`] refuses.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
-        // A trainer who does not answer gets no second question.
-        if self.agent.open_question().is_some() {
-            return Ok(None);
-        }
-        let mut asking =
-            Asking { sure: asking.sure.min(SURE), kappa: asking.kappa * f32::from(1_u8 << self.trust.min(MOST_TRUST)), ..*asking };
-        if asking.kappa.is_finite() && self.has_tie() {
-            asking.kappa = asking.kappa.min(COST_OF_A_TIE);
-        }
         loop {
-            let (agent, home, state) = self.parts();
-            let question = agent.question(home, state, &asking)?;
-            let asked = self.asked_mut()?;
-            match question {
-                None => return Ok(None),
-                // The agent proposes nothing twice, so this ends.
-                Some(question) if asked.has(&question) => self.agent.withdraw_question(),
-                Some(question) => {
-                    asked.sets.extend(sets(&question));
-                    return Ok(Some(question));
-                }
+            match self.consider(asking, u32::MAX)? {
+                Considered::Working => {}
+                Considered::Act => return Ok(None),
+                Considered::Ask(question) => return Ok(Some(question)),
             }
         }
     }
 
-    /// Records the probability of an answer before it changes the belief.
-    pub(crate) fn expect_answer(&mut self, answer: Answer) {
-        let Some((tasks, yes, others)) = self.agent.open_question().and_then(|question| question.meaning(answer)) else { return };
-        let among: f32 = tasks.iter().map(|task| self.agent.belief().probability(task)).sum();
-        if let Ok(asked) = self.asked_mut() {
-            asked.hear(if yes { among } else { 1.0 - among }, others);
-        }
+    /// As [`ask`](Self::ask), but in parts: see [`Agent::consider`].
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask).
+    pub fn consider(&mut self, asking: &Asking, budget: u32) -> Result<Considered, LiveError> {
+        let listened = self.session().ok_or(LiveError::NoSession)?.0.listening.is_some();
+        let (agent, home, state) = (&mut self.agent, &self.walk.home, &self.state);
+        Ok(self.restraint.consider(agent, home, state, asking, listened, budget)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use goodbot::home::{Moves, paper_tasks};
+    use goodbot::{Capacities, Options};
+
+    /// The question of a robot that knows no word, if it asks one, in a session with this answer.
+    fn asked(restraint: &mut Restraint, kappa: f32, answer: Answer) -> Option<Question> {
+        let drawn = "#########\n#rrr#ggg#\n#r@r+gCg#\n#rrr#ggg#\n##+###+##\n#bbb#ttt#\n#bBb+ttt#\n#bbb#ttt#\n#########\nC: red chair\nB: teal bag\n";
+        let rooms = crate::home::parse("home", drawn).unwrap();
+        let (home, start) = crate::home::build(&rooms, Moves::Push, crate::home::memory()).unwrap();
+        let mut agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.hear(&home, &start, "abrakadabra").unwrap();
+        agent.plan_fully(&home, &start).unwrap();
+        restraint.begin();
+        let considered = restraint.consider(&mut agent, &home, &start, &Asking { kappa, ..Asking::DEFAULT }, false, u32::MAX).unwrap();
+        let question = match considered {
+            Considered::Ask(question) => Some(question),
+            _ => None,
+        };
+        restraint.expect(&agent, answer);
+        restraint.end();
+        question
     }
 
-    /// Ends a session: whether its answers were expected counts for the next one.
-    pub(crate) fn end_asking(&mut self) {
-        let trust = self.trust;
-        self.trust = self.asked_mut().map_or(trust, |asked| asked.trust(trust));
-    }
-
-    /// Whether two tasks that differ in one object fit the command nearly as well.
-    fn has_tie(&self) -> bool {
-        if self.session().is_none_or(|(walk, _)| walk.listening.is_none()) {
-            return false;
+    #[test]
+    fn it_asks_less_after_answers_as_expected_and_more_after_a_surprise() {
+        let mut restraint = Restraint::NEW;
+        for _ in 0..2 {
+            // Which of three objects: the first is in most tasks.
+            let question = asked(&mut restraint, 8.0, Answer::This(0)).unwrap();
+            assert_eq!(question.subject.choices(), 3);
+            assert_eq!(asked(&mut restraint, 8.0, Answer::No), None, "what it does not ask has no answer");
+            assert_eq!(asked(&mut restraint, 8.0, Answer::No), None);
+            assert!(asked(&mut restraint, 1.0, Answer::No).is_some());
         }
-        let mut likeliest: Vec<(usize, f32)> =
-            (0..self.agent.tasks().len()).map(|task| (task, self.agent.belief().probability(task))).collect();
-        likeliest.sort_by(|a, b| b.1.total_cmp(&a.1));
-        let [(first, most), (second, next), ..] = likeliest[..] else { return false };
-        let [first, second] = [first, second].map(|task| self.agent.tasks()[task]);
-        let different = first.bindings.iter().zip(&second.bindings).filter(|(a, b)| a != b).count();
-        first.lifted == second.lifted && different == 1 && next >= TIE * most && most + next >= TIE
     }
 }

@@ -6,7 +6,7 @@
 //! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
 //! the same steps and the same feedback give the same belief.
 
-use crate::asking::Asked;
+use crate::asking::Restraint;
 use crate::name::task_name;
 use crate::place::Place;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
@@ -114,12 +114,11 @@ pub struct Session<R = EnvironmentFile> {
     pub(crate) judgements: Vec<Vec<Judgement>>,
     /// The replay, while the session is replayed after a step was taken back.
     pub(crate) again: Option<Replay>,
-    pub(crate) asked: Asked,
 }
 
 impl<R> Session<R> {
     pub(crate) const fn new(environment: R, strategies: Vec<(Strategy, f32)>) -> Self {
-        Self { environment, strategies, after: None, judgements: Vec::new(), again: None, asked: Asked::NOTHING }
+        Self { environment, strategies, after: None, judgements: Vec::new(), again: None }
     }
 
     /// The strategies that a log must name; `None` for the paper's single strategy, which every robot begins with.
@@ -158,12 +157,11 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     /// The robot.
     pub agent: Agent<AgentHeap>,
     pub(crate) walk: Walk<D>,
-    state: D::State,
+    pub(crate) state: D::State,
     session: Option<Session<D::Record>>,
     /// The last step, and the state before it.
     acted: Option<(Acted, Step<D::State>)>,
-    /// How many sessions in a row had expected answers only.
-    pub(crate) trust: u8,
+    pub(crate) restraint: Restraint,
     pub(crate) ahead: Option<crate::listening::Ahead>,
     pub(crate) conversations: crate::conversing::Conversations,
     /// The closed words.
@@ -191,7 +189,7 @@ impl<D: Place> Lesson<D> {
             state: start,
             session: None,
             acted: None,
-            trust: 0,
+            restraint: Restraint::NEW,
             ahead: None,
             conversations: crate::conversing::Conversations::default(),
             closed: crate::listening::CLOSED_WORDS,
@@ -233,6 +231,7 @@ impl<D: Place> Lesson<D> {
     /// Replaces the robot by another agent. The session under way is forgotten.
     pub fn replace_agent(&mut self, agent: Agent<AgentHeap>) {
         self.forget();
+        self.restraint = Restraint::NEW;
         self.agent = agent;
     }
 
@@ -306,6 +305,7 @@ impl<D: Place> Lesson<D> {
         }
         self.walk.steps.clear();
         self.walk.answers.clear();
+        self.restraint.begin();
         self.session = Some(session);
     }
 
@@ -436,7 +436,7 @@ impl<D: Place> Lesson<D> {
     /// The errors of [`Agent::answer`].
     pub fn answer(&mut self, answer: Answer) -> Result<Evidence, LiveError> {
         let question = self.agent.open_question().copied();
-        self.expect_answer(answer);
+        self.restraint.expect(&self.agent, answer);
         let evidence = self.agent.answer(answer)?;
         if let Some((question, (tasks, yes, others))) = question.and_then(|question| Some((question, question.meaning(answer)?))) {
             self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(question.eta) });
@@ -453,10 +453,6 @@ impl<D: Place> Lesson<D> {
         let evidence = self.agent.answered(tasks, yes, eta, others)?;
         self.note_answer(SessionAnswer { tasks, yes, others, ..SessionAnswer::of(eta) });
         Ok(evidence)
-    }
-
-    pub(crate) fn asked_mut(&mut self) -> Result<&mut Asked, LiveError> {
-        self.session.as_mut().map(|session| &mut session.asked).ok_or(LiveError::NoSession)
     }
 
     pub(crate) fn note_answer(&mut self, answer: SessionAnswer) {
@@ -518,7 +514,7 @@ impl<D: Place> Lesson<D> {
             self.take_end()?;
         }
         {
-            self.end_asking();
+            self.restraint.end();
             self.remember_session();
         }
         self.session.take().ok_or(LiveError::NoSession)?;

@@ -7,9 +7,6 @@ import { speak } from './speech.js';
 import { $, announce, attempt, inParts, make, state } from './state.js';
 import { beliefNow, objectWords } from './words.js';
 
-// The cost of a question, in steps, and the probability of a wrong answer: as in the core and in `goodbot teach`.
-const KAPPA = 8;
-const ETA = 0.05;
 const BUDGET = 4000;
 // An answer within this many milliseconds is ignored: it may be a late press of Good.
 const TOO_SOON = 350;
@@ -19,7 +16,7 @@ const TOO_SOON = 350;
  * @param {import('./state.js').Session} session */
 export async function askTrainer(session) {
   if (!state.settings.questions || state.mode !== 'play' || session.looking || session.intended !== null) return false;
-  const found = await inParts(() => (session.over ? 'null' : attempt(() => world.question(KAPPA, ETA, BUDGET)) ?? 'null'));
+  const found = await inParts(() => (session.over ? 'null' : attempt(() => world.question(BUDGET)) ?? 'null'));
   /** @type {import('goodbot-wasm').Question | null} */
   const question = session.over ? null : parsed(found);
   if (!question) return false;

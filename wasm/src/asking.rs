@@ -10,15 +10,12 @@ use goodbot::task::{Part, TaskSet};
 
 impl World {
     /// Proposes a question if it teaches more than acting, with at most about `budget` node expansions: see
-    /// [`Agent::consider`](goodbot::Agent::consider). `kappa` is the cost of a question, in steps, and `eta` the probability of a wrong
-    /// answer. The plan must be done. `None`: call again; `Some(None)`: there is nothing to ask.
+    /// [`Lesson::consider`](goodbot_lesson::live::Lesson::consider). The plan must be done. `None`: call again; `Some(None)`: there is nothing to ask.
     ///
     /// # Errors
-    /// Where no session is under way, the plan is not done, or a number is out of range.
-    pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Result<Option<Option<Question>>, Refusal> {
-        let asking = Asking { kappa, eta, ..Asking::DEFAULT };
-        let (mind, rooms, state) = self.lesson.parts();
-        Ok(match mind.consider(rooms, state, &asking, budget).map_err(Refusal::from)? {
+    /// Where no session is under way, or the plan is not done.
+    pub fn question(&mut self, budget: u32) -> Result<Option<Option<Question>>, Refusal> {
+        Ok(match self.lesson.consider(&Asking::DEFAULT, budget).map_err(Refusal::from)? {
             Considered::Working => None,
             Considered::Act => Some(None),
             Considered::Ask(_) => Some(self.open_question()),

@@ -279,10 +279,9 @@ impl Goodbot {
     }
 
     /// Proposes a question if it teaches more than acting: JSON, [`Question`](crate::view::Question), or `null` if there is nothing to
-    /// ask; empty while it is still looking ahead, with about `budget` node expansions a call. `kappa` is the cost of a question, in
-    /// steps (8), and `eta` the probability of a wrong answer (0.05). The plan must be done.
-    pub fn question(&mut self, kappa: f32, eta: f32, budget: u32) -> Thrown<String> {
-        match self.0.question(kappa, eta, budget).map_err(thrown)? {
+    /// ask; empty while it is still looking ahead, with about `budget` node expansions a call. The plan must be done.
+    pub fn question(&mut self, budget: u32) -> Thrown<String> {
+        match self.0.question(budget).map_err(thrown)? {
             None => Ok(String::new()),
             Some(question) => json(&question),
         }

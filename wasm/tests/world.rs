@@ -338,7 +338,7 @@ fn questioned(world: &mut World) -> goodbot_wasm::view::Question {
     world.hear("abrakadabra").unwrap();
     while !world.plan(1_000).unwrap() {}
     loop {
-        if let Some(question) = world.question(8.0, 0.05, 1_000).unwrap() {
+        if let Some(question) = world.question(1_000).unwrap() {
             return question.expect("it has something to ask");
         }
     }
@@ -363,6 +363,14 @@ fn an_answer_stands_in_the_log_and_the_log_believes_the_same() {
     assert_eq!(second.belief().tasks, believed, "{answer}");
     assert!(second.log(false).unwrap().contains(answer));
     assert!(second.answer_as(vec!["agentInRoom(agent0,room9)".to_owned()], true, 0.05, 1, "").unwrap_err().0.contains("room9"));
+}
+
+#[test]
+fn while_a_question_waits_for_its_answer_no_other_is_asked() {
+    let mut world = world("Test");
+    let first = questioned(&mut world);
+    assert_eq!(world.question(u32::MAX).unwrap(), Some(None));
+    assert_eq!(world.open_question(), Some(first));
 }
 
 #[test]

@@ -4,12 +4,16 @@ use crate::calibration::{self, RANGES, Range, ranges};
 use crate::recorded::Walk;
 use goodbot::feedback::{Belief, BeliefCount, BeliefTables, Ending, Judged, LAGS, Strategy};
 use goodbot::probability::Scaled;
+use goodbot::random::{below, unit};
+use goodbot_course::generator;
 use serde_json::{Value, json};
 
 /// The intended task counts as given up below this probability.
 pub const GIVEN_UP: f64 = 0.05;
 /// In the logarithm, a probability of 0 counts as this one.
 const LEAST: f64 = 1e-12;
+/// The number of draws of each simulation.
+const DRAWS: usize = 1_000;
 
 /// The expectation about trainers.
 #[derive(Clone, Debug)]
@@ -29,6 +33,8 @@ pub struct Rightness {
     ends: Vec<(f64, bool)>,
     /// The probability of each task, and whether it was the intended one.
     tasks: Vec<(f64, bool)>,
+    /// The number of tasks of each session.
+    counts: Vec<usize>,
 }
 
 impl Rightness {
@@ -38,12 +44,14 @@ impl Rightness {
         let others = probabilities.iter().enumerate().filter(|&(task, _)| task != intended);
         self.ends.push((probability, others.clone().all(|(_, &other)| probability > other)));
         self.tasks.extend(probabilities.iter().enumerate().map(|(task, &other)| (other, task == intended)));
+        self.counts.push(probabilities.len());
     }
 
     /// Adds the sessions of another.
     pub fn extend(&mut self, other: Self) {
         self.ends.extend(other.ends);
         self.tasks.extend(other.tasks);
+        self.counts.extend(other.counts);
     }
 
     /// The number of sessions.
@@ -80,6 +88,28 @@ impl Rightness {
         calibration::error(&self.reliability())
     }
 
+    /// The calibration error that perfectly calibrated beliefs would have: its mean, and its 97.5 % quantile.
+    pub fn calibration_error_of_chance(&self) -> (f64, f64) {
+        let mut random = generator(1);
+        let mut errors = [0.0; DRAWS].map(|_: f64| {
+            let mut from = 0;
+            let drawn = self.counts.iter().flat_map(|&count| {
+                let tasks = self.tasks.get(from..from + count).unwrap_or_default();
+                from += count;
+                let mut left = f64::from(unit(&mut random));
+                let passed = |&&(probability, _): &&(f64, bool)| {
+                    left -= probability;
+                    left > 0.0
+                };
+                let meant = tasks.iter().take_while(passed).count();
+                tasks.iter().enumerate().map(move |(task, &(probability, _))| (probability, task == meant))
+            });
+            calibration::error(&ranges(drawn))
+        });
+        errors.sort_by(f64::total_cmp);
+        (errors.iter().sum::<f64>() / DRAWS as f64, errors[DRAWS - 1 - DRAWS / 40])
+    }
+
     /// The figures as a line of JSON.
     pub fn json(&self) -> Value {
         let range = |range: &Range| json!({"count": range.count, "mean_probability": range.certainty(), "share_meant": range.accuracy()});
@@ -92,6 +122,21 @@ impl Rightness {
             "reliability": self.reliability().iter().map(range).collect::<Vec<_>>(),
         })
     }
+}
+
+/// 95 % intervals of the mean log loss and of the calibration error, by a bootstrap over the trainers.
+pub fn intervals(trainers: &[Rightness]) -> [[f64; 2]; 2] {
+    let mut random = generator(1);
+    let drawn = (0..DRAWS).map(|_| {
+        let mut all = Rightness::default();
+        trainers.iter().for_each(|_| all.extend(trainers[below(trainers.len(), &mut random)].clone()));
+        (all.log_loss(), all.calibration_error())
+    });
+    let (losses, errors): (Vec<f64>, Vec<f64>) = drawn.unzip();
+    [losses, errors].map(|mut values| {
+        values.sort_by(f64::total_cmp);
+        [values[DRAWS / 40], values[DRAWS - 1 - DRAWS / 40]]
+    })
 }
 
 /// Replays the sessions with a robot that has this expectation, and returns its beliefs at the end of each session with feedback.

@@ -40,6 +40,7 @@ expects the rest. At the end of each session:
   below 5 % share in which the intended task is given up
   ECE       mean difference between the probabilities of tasks and the shares of intended tasks
   words     ln of the probability of all words of the trainers left out
+  in brackets the 95 % interval, by a bootstrap over the trainers
 
 Example:
   goodbot fit-trainers feedback.jsonl --rust > core/src/feedback/population/fitted.rs")]
@@ -82,10 +83,7 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         for (strategy, share) in &strategies {
             writeln!(out, "{}", strategy_json(strategy, *share))?;
         }
-        let compared: Vec<Value> = compared
-            .iter()
-            .map(|(name, rightness, words)| json!({"settings": name, "held_out": rightness.json(), "log_probability_of_words": words}))
-            .collect();
+        let compared: Vec<Value> = compared.iter().map(Compared::json).collect();
         let (trainers, sessions) = (trainers.len(), walks.len());
         let line = json!({
             "type": "fit", "trainers": trainers, "sessions": sessions, "hold": fitted.hold,
@@ -112,12 +110,17 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
     for (place, Hazard { moved, rested, resting, praised, scolded }) in [("at the goal", ending.at_goal), ("elsewhere", ending.elsewhere)] {
         writeln!(out, "{place:21}   {moved:6.3}  {rested:6.3}  {resting:11.3}  {praised:19.3}  {scolded:11.3}")?;
     }
-    writeln!(out, "\nleaving each trainer out      sessions  on top  log loss  below 5 %    ECE    words")?;
-    for (name, rightness, words) in &compared {
+    writeln!(out, "\nleaving each trainer out  sessions  on top  log loss            below 5 %    ECE                 words")?;
+    for Compared { name, rightness, intervals: [[least_loss, most_loss], [least, most]], words } in &compared {
         let (sessions, top, loss, low) = (rightness.sessions(), rightness.on_top(), rightness.log_loss(), 100.0 * rightness.given_up());
         let ece = rightness.calibration_error();
         let words = words.map_or_else(String::new, |words| format!("{words:9.1}"));
-        writeln!(out, "{name:29} {sessions:6}  {top:6.3}  {loss:8.3}  {low:7.1} %  {ece:5.3}{words}")?;
+        write!(out, "{name:25} {sessions:8}  {top:6.3}  {loss:5.3} ({least_loss:.3} to {most_loss:.3})")?;
+        writeln!(out, "  {low:7.1} %  {ece:.3} ({least:.3} to {most:.3}){words}")?;
+    }
+    if let Some(last) = compared.last() {
+        let (mean, most) = last.rightness.calibration_error_of_chance();
+        writeln!(out, "\nbeliefs that are exactly right, as often: ECE {mean:.3}, at most {most:.3} in 39 of 40 draws")?;
     }
     Ok(out.flush()?)
 }
@@ -156,12 +159,44 @@ const COMPARED: [Settings; 5] = [
 /// The settings of the library's population.
 const POPULATION: Settings = Settings { name: "rests apart, exact, end", shape: RESTS_APART, exact: true, end: true };
 
+/// The rightness of a robot with some settings.
+struct Compared {
+    name: &'static str,
+    rightness: Rightness,
+    /// The 95 % intervals of the log loss and of the calibration error.
+    intervals: [[f64; 2]; 2],
+    /// The logarithm of the probability of all words.
+    words: Option<f64>,
+}
+
+impl Compared {
+    fn of(name: &'static str, mut trainers: Vec<Rightness>, words: Option<f64>) -> Self {
+        trainers.retain(|rightness| rightness.sessions() > 0);
+        let intervals = believing::intervals(&trainers);
+        let mut rightness = Rightness::default();
+        trainers.into_iter().for_each(|of_one| rightness.extend(of_one));
+        Self { name, rightness, intervals, words }
+    }
+
+    fn json(&self) -> Value {
+        let [log_loss, calibration_error] = self.intervals;
+        let (mean, most) = self.rightness.calibration_error_of_chance();
+        json!({
+            "settings": self.name, "held_out": self.rightness.json(), "log_probability_of_words": self.words,
+            "intervals": {"mean_log_loss": log_loss, "calibration_error": calibration_error},
+            "calibration_error_of_chance": {"mean": mean, "most": most},
+        })
+    }
+}
+
 /// For each trainer, replays the sessions with a robot whose expectation was fitted to the other trainers. The first row has the paper's
 /// expectation.
-fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
+fn compare(walks: &[Walk]) -> Vec<Compared> {
     let paper = Expectation { strategies: vec![(Strategy::BALANCED, 1.0)], drift: 0.0, ending: Ending::NO_EVIDENCE };
-    let mut compared = vec![("the paper's balanced one", believing::replay(walks.iter(), &paper), None)];
     let trainers = fit::by_trainer(walks);
+    let believed = |trainer: &str, expected: &Expectation| believing::replay(walks.iter().filter(|walk| walk.trainer == trainer), expected);
+    let papers = trainers.keys().map(|trainer| believed(trainer, &paper)).collect();
+    let mut compared = vec![Compared::of("the paper's balanced one", papers, None)];
     let progress = bar(COMPARED.len() * trainers.len(), "leaving each trainer out");
     for settings in COMPARED {
         let parts: Vec<(Rightness, f64)> = trainers
@@ -171,15 +206,12 @@ fn compare(walks: &[Walk]) -> Vec<(&'static str, Rightness, Option<f64>)> {
                 let fitted = Fit::to(&others, settings.shape);
                 let known: Vec<&Walk> = walks.iter().filter(|walk| walk.trainer != out).collect();
                 let expected = expectation(&known, fitted.strategies(), settings);
-                let believed = believing::replay(walks.iter().filter(|walk| walk.trainer == out), &expected);
                 progress.inc(1);
-                (believed, fitted.log_likelihood(heard))
+                (believed(out, &expected), fitted.log_likelihood(heard))
             })
             .collect();
         let words: f64 = parts.iter().map(|(_, words)| words).sum();
-        let mut rightness = Rightness::default();
-        parts.into_iter().for_each(|(believed, _)| rightness.extend(believed));
-        compared.push((settings.name, rightness, Some(words)));
+        compared.push(Compared::of(settings.name, parts.into_iter().map(|(rightness, _)| rightness).collect(), Some(words)));
     }
     progress.finish_and_clear();
     compared
