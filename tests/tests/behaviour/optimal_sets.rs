@@ -196,7 +196,7 @@ fn a_floor_with_actions_of_different_costs_or_with_goals_of_several_pieces_gives
         let mut memory = HeapMemory::new(&ROOMY);
         let size = Size { columns: 2, rows: 1, side: 3, blocks: 1 };
         let (home, start) = random_home(&mut random, size, Moves::Push, &mut memory.home);
-        let cost_of = |position: usize| if position % 3 == 0 { cost } else { 1 };
+        let cost_of = |position: usize| if position.is_multiple_of(3) { cost } else { 1 };
         let actions = home.actions().iter().enumerate().map(|(position, kind)| ActionKind::new(kind.name, cost_of(position))).collect();
         let unlike = Unlike { home: &home, actions, tells_pieces };
         assert!(compare(&unlike, &start, &home::paper_tasks().unwrap(), 3) > 0);
