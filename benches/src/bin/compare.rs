@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use goodbot::language::Settings;
 use goodbot::{Capacities, HeapMemory};
-use goodbot_benches::dijkstra::{HOMES, one_dijkstra_a_task};
+use goodbot_benches::dijkstra::{HOMES, one_a_star_a_task, one_dijkstra_a_task};
 use goodbot_benches::homes::{Scene, Tasks, size};
 use goodbot_benches::language::{model, sessions, train};
 use goodbot_benches::timing::{ROUNDS, in_turn, median, ratio, time};
@@ -44,7 +44,7 @@ fn show(what: &str, times: (Duration, Duration), least: Option<f64>, most: Optio
 /// All tasks by one search, against one search per task by the crate pathfinding, from the start of each random home; and all states by one
 /// sweep, against the peer's time from the start times the number of states.
 fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
-    let (mut theirs, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 4].into();
+    let (mut theirs, mut by_a_star, mut own, mut own_sweeps, mut theirs_everywhere) = [Duration::ZERO; 5].into();
     let (mut tasks, mut dead, mut expansions) = (0, 0, 0);
     for seed in seeds.clone() {
         let mut scene = Scene::seeded(seed, HOMES, Tasks::Paper);
@@ -52,20 +52,23 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
         let plan = scene.plan();
         expansions += plan.expansions();
         let ours: Vec<Option<u32>> = (0..count).map(|task| plan.distance(task)).collect();
-        let peer = one_dijkstra_a_task(&scene);
-        if ours != peer {
-            return Err(format!("the distances are not equal: {ours:?} here, {peer:?} there"));
+        for peer in [one_dijkstra_a_task(&scene), one_a_star_a_task(&scene)] {
+            if ours != peer {
+                return Err(format!("the distances are not equal: {ours:?} here, {peer:?} there"));
+            }
         }
         tasks += ours.len();
         dead += ours.iter().filter(|distance| distance.is_none()).count();
-        let (mut slow, mut fast) = (Vec::new(), Vec::new());
+        let (mut slow, mut guided, mut fast) = (Vec::new(), Vec::new(), Vec::new());
         for _ in 0..ROUNDS {
             fast.push(time(&mut || {
                 std::hint::black_box(scene.plan());
             }));
             slow.push(time(&mut || drop(black_box(one_dijkstra_a_task(&scene)))));
+            guided.push(time(&mut || drop(black_box(one_a_star_a_task(&scene)))));
         }
         own += median(fast);
+        by_a_star += median(guided);
         let slow = median(slow);
         theirs += slow;
         own_sweeps += median((0..3).map(|_| time(&mut || drop(black_box(scene.sweep())))).collect());
@@ -75,6 +78,7 @@ fn against_dijkstra(seeds: Range<u64>) -> Result<(), String> {
         "the random homes of seeds {seeds:?}, three rooms, two blocks: {tasks} tasks, {dead} of them dead ends, equal distances, {expansions} expansions"
     );
     show("one pathfinding::dijkstra a task / one search for all", (theirs, own), Some(10.0), None)?;
+    show("one pathfinding::astar a task, its heuristic without walls / one search for all", (by_a_star, own), Some(5.0), None)?;
     show("the same for every state, the peer's time from one / one sweep", (theirs_everywhere, own_sweeps), Some(20.0), None)
 }
 

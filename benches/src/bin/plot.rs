@@ -1,4 +1,4 @@
-//! Draws the cost of a plan against the number of states, of tasks and of blocks: `plot FILE.svg`.
+//! Draws the cost of a plan against the number of states, of tasks, of blocks and of rooms: `plot FILE.svg`.
 
 use std::process::ExitCode;
 
@@ -69,11 +69,11 @@ fn by_tasks() -> (Points, Points) {
     (searches, sweeps)
 }
 
-/// The cost of plans in ten rooms, by the number of blocks: with all tasks equally likely, and with ten likely ones.
-fn by_blocks() -> (Points, Points) {
+/// The cost of plans in homes of these rooms and blocks, by one of the two numbers: with all tasks equally likely, and with ten likely ones.
+fn by_size(homes: &[(i32, i32)], axis: fn(&(i32, i32)) -> i32) -> (Points, Points) {
     let (mut alike, mut likely) = (Vec::new(), Vec::new());
-    for blocks in [1, 2, 4, 6, 8, 10, 12, 16, 20] {
-        let mut scene = Scene::seeded(1, size(10, blocks), Tasks::Paper);
+    for home @ &(rooms, blocks) in homes {
+        let mut scene = Scene::seeded(1, size(rooms, blocks), Tasks::Paper);
         // In the command line's memory: distances in homes that do not fit are bounded.
         scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
         let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
@@ -81,23 +81,28 @@ fn by_blocks() -> (Points, Points) {
             let cost = milliseconds(&mut || {
                 std::hint::black_box(scene.planner.plan_expecting(&scene.home, &scene.start, likely));
             });
-            points.push((f64::from(blocks), cost, String::new()));
+            points.push((f64::from(axis(home)), cost, String::new()));
         }
-        eprintln!("{blocks} blocks, {} tasks: {:?} {:?}", scene.tasks.len(), alike.last(), likely.last());
+        eprintln!("{rooms} rooms, {blocks} blocks, {} tasks: {:?} {:?}", scene.tasks.len(), alike.last(), likely.last());
     }
     (alike, likely)
 }
 
+const ALIKE_AND_LIKELY: [&str; 2] = ["all tasks likely", "ten tasks likely"];
 const SEARCH_AND_SWEEP: [&str; 2] = ["one search, all tasks", "one sweep, all tasks and states"];
 
 fn draw(file: &str) -> Result<(), Failure> {
-    let area = SVGBackend::new(file, (1_500, 420)).into_drawing_area();
+    let area = SVGBackend::new(file, (2_000, 420)).into_drawing_area();
     area.fill(&WHITE)?;
     let (left, rest) = area.split_horizontally(500);
-    let (middle, right) = rest.split_horizontally(500);
+    let (middle, rest) = rest.split_horizontally(500);
+    let (right, last) = rest.split_horizontally(500);
     chart(&left, "cost against joint states, one home a point", "states", by_states(), SEARCH_AND_SWEEP, false)?;
     chart(&middle, "cost against tasks: 12 rooms, 1 block", "tasks", by_tasks(), SEARCH_AND_SWEEP, true)?;
-    chart(&right, "cost against blocks: 10 rooms", "blocks", by_blocks(), ["all tasks likely", "ten tasks likely"], true)?;
+    let blocks = by_size(&[1, 2, 4, 6, 8, 10, 12, 16, 20].map(|blocks| (10, blocks)), |home| home.1);
+    chart(&right, "cost against blocks: 10 rooms", "blocks", blocks, ALIKE_AND_LIKELY, true)?;
+    let rooms = by_size(&[2, 3, 4, 6, 8, 10, 12].map(|rooms| (rooms, 8)), |home| home.0);
+    chart(&last, "cost against rooms: 8 blocks", "rooms", rooms, ALIKE_AND_LIKELY, true)?;
     area.present()?;
     Ok(())
 }
