@@ -218,6 +218,22 @@ fn a_robot_is_kept_where_it_is_told_and_the_log_is_one_that_other_commands_read(
 }
 
 #[test]
+fn the_log_of_a_taught_robot_teaches_another_the_same_whoever_was_expected() {
+    let folder = TempDir::new().unwrap();
+    let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let lesson = format!("command go to the red room\n{}finish\n", "step\ngood\n".repeat(8));
+    for believes in ["population", "paper"] {
+        let (taught, log, learned) = (file(believes), file("log"), file("learned"));
+        let options = ["teach", "--lines", "--seed", "3", "--believes", believes, "--model", &taught, "--log", &log];
+        assert_eq!(goodbot(&options, lesson.as_bytes()).code, 0);
+        assert_eq!(goodbot(&["learn", &log, "--out", &learned], b"").code, 0);
+        let compared = goodbot(&["diff", &taught, &learned], b"").output;
+        assert!(compared.contains("They know the same."), "{believes}: {compared}");
+        [log, learned].map(|file| std::fs::remove_file(file).unwrap());
+    }
+}
+
+#[test]
 fn what_a_session_taught_is_taken_back_from_both_files() {
     let folder = TempDir::new().unwrap();
     let model = folder.path().join("words.goodbot").to_str().unwrap().to_owned();

@@ -84,7 +84,18 @@ fn a_fit_needs_three_trainers_and_gives_shares_that_sum_to_one() {
     let lines: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let shares: f64 = lines.iter().filter_map(|line| line["prior"].as_f64()).sum();
     assert!((shares - 1.0).abs() < 0.01, "{shares}");
-    assert_eq!(lines.last().unwrap()["trainers"], 3);
+    let fit = lines.last().unwrap();
+    assert_eq!(fit["trainers"], 3);
+    // Trainers who are alike leave no doubt, whichever are drawn; but what so few sessions mean is luck.
+    for row in fit["leaving_each_trainer_out"].as_array().unwrap() {
+        for figure in ["mean_log_loss", "calibration_error"] {
+            let [least, most, found] = [&row["intervals"][figure][0], &row["intervals"][figure][1], &row["held_out"][figure]];
+            let [least, most, found] = [least, most, found].map(|number| number.as_f64().unwrap());
+            assert!((least - found).abs() < 1e-6 && (most - found).abs() < 1e-6, "{row}");
+        }
+        let chance = &row["calibration_error_of_chance"]["mean"];
+        assert!(chance.as_f64().is_some_and(|mean| 0.0 < mean && mean < 0.5), "{row}");
+    }
 }
 
 #[test]
