@@ -18,8 +18,8 @@
 //! was learned, and they keep the probability that the role model gives them together. There are two exceptions (`unmet`). Where tasks have
 //! ways, in a new scene, a command that names no way means none. And a kind that no session could mean is decided by new words.
 //!
-//! In a scene that was taught often (`scenes`), each task that was meant there is also a part of itself: U of it is a weight for each word
-//! in each stretch of the command, and for each word that is said several times. These weights only share out what such tasks have together.
+//! In a scene that was taught often (`scenes`), small recurrent networks read the words in their order (`network`). They only share out what
+//! the tasks that were meant there have together.
 //!
 //! It is trained to give each session's tasks the shares that the session has shown (`training`), with
 //! - p from a model that has not seen the session: two models are trained, each without half of the sessions, and with 30
@@ -39,6 +39,8 @@ mod contexts;
 pub(crate) mod fold;
 #[cfg(feature = "layer")]
 mod known;
+#[cfg(feature = "layer")]
+mod network;
 #[cfg(feature = "layer")]
 mod parts;
 #[cfg(feature = "layer")]

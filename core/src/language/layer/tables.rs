@@ -1,6 +1,8 @@
 //! The memory of the layer. Without the feature `layer`, and where a caller has none for it, it has no bytes.
 
 #[cfg(feature = "layer")]
+use super::network::Network;
+#[cfg(feature = "layer")]
 use super::posterior::Group;
 #[cfg(feature = "layer")]
 use super::speaking::Found;
@@ -53,6 +55,7 @@ pub struct LayerMemory {
     learned: Learned,
     /// The tasks that were meant in scenes that were taught often, in order.
     taught: Vec<u32>,
+    networks: Vec<Network>,
     left_out: LeftOut,
     /// One entry a word, while a role model is asked for the sessions that it has not seen: whether it was heard in those that it has.
     heard: Vec<bool>,
@@ -73,6 +76,7 @@ impl LayerMemory {
         weights: Vec::new(),
         learned: Learned::NOTHING,
         taught: Vec::new(),
+        networks: Vec::new(),
         left_out: LeftOut::NONE,
         heard: Vec::new(),
         found: Found::NONE,
@@ -250,6 +254,7 @@ pub(in crate::language) struct Room<'t> {
     pub(super) weights: &'t mut [f32],
     pub(super) learned: &'t mut Learned,
     pub(super) taught: &'t mut Vec<u32>,
+    pub(super) networks: &'t mut Vec<Network>,
     pub(super) heard: &'t mut Vec<bool>,
     pub(super) found: &'t mut Found,
 }
@@ -262,6 +267,7 @@ pub(in crate::language) struct LayerRef<'t> {
     pub(super) weights: &'t [f32],
     pub(super) learned: Learned,
     pub(super) taught: &'t [u32],
+    pub(super) networks: &'t [Network],
 }
 
 #[cfg(feature = "layer")]
@@ -281,6 +287,7 @@ impl<'t> LayerRef<'t> {
             weights: &memory.weights,
             learned: memory.learned,
             taught: &memory.taught,
+            networks: &memory.networks,
         })
     }
 }
@@ -304,6 +311,7 @@ impl<'t> Room<'t> {
             weights: &mut memory.weights,
             learned: &mut memory.learned,
             taught: &mut memory.taught,
+            networks: &mut memory.networks,
             heard: &mut memory.heard,
             found: &mut memory.found,
         })
@@ -311,7 +319,13 @@ impl<'t> Room<'t> {
 
     /// The same, to be read.
     pub const fn read(&self) -> LayerRef<'_> {
-        LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned, taught: self.taught.as_slice() }
+        LayerRef {
+            possible: self.possible.read(),
+            weights: self.weights,
+            learned: *self.learned,
+            taught: self.taught.as_slice(),
+            networks: self.networks.as_slice(),
+        }
     }
 
     /// Whether there is enough to train it on.
