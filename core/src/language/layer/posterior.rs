@@ -13,8 +13,6 @@ use alloc::vec::Vec;
 
 /// The probability, in equal parts, that is mixed into the role model's.
 const FLOOR: f32 = 0.03;
-/// How much the networks count beside the rest of the layer, from 0 to 1.
-const IN_ORDER: f32 = 0.6;
 
 /// Tasks that are weighed among themselves, by what is known of their kind.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -73,10 +71,11 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
             (task.trusted, task.believed) = (mass * task.within, mass * task.within);
         }
     }
-    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together.
+    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together. The networks
+    // count as much as the rest of the layer.
     let logarithm = |task: &Weighed| {
         let believed = libm::logf(task.believed.max(f32::MIN_POSITIVE));
-        Some(IN_ORDER * task.itself? + (1.0 - IN_ORDER) * believed)
+        Some(0.5 * (task.itself? + believed))
     };
     let best = tasks.iter().filter_map(logarithm).fold(f32::MIN, f32::max);
     let (mut whole, mut sum) = (0.0, 0.0);
