@@ -85,6 +85,16 @@ fn what_stands_around_one_color_is_known_of_another() {
     assert!(layered > alone + 0.02, "{layered} {alone}");
 }
 
+/// Two commands of the same words that mean different rooms, told in turn.
+fn by_order(lessons: usize) -> Vec<(&'static str, usize)> {
+    [("left and then right", 0), ("right and then left", 1)].into_iter().cycle().take(lessons).collect()
+}
+
+fn roomy() -> AgentHeap {
+    let capacities = Capacities { sessions: 80, pairs: 320, ..capacities() };
+    AgentHeap::new(&capacities).with_layer(capacities.pairs)
+}
+
 #[test]
 fn the_layer_is_silent_before_eight_lessons() {
     for lessons in 0..=LESSONS.len() {
@@ -197,6 +207,10 @@ fn training_the_layer_in_parts_gives_the_bits_of_training_it_at_once() {
         train(&mut model, budget);
         assert_eq!(bits(&mut model), at_once, "{budget}");
     }
+    let often = by_order(64);
+    let mut model = with_lessons(roomy(), Settings::LAYERED, &often);
+    train(&mut model, 37);
+    assert_eq!(bits(&mut model), bits(&mut taught(roomy(), Settings::LAYERED, &often)));
 }
 
 #[test]

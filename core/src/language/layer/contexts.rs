@@ -1,7 +1,7 @@
 //! A command as features for the layer: the words that name values, and their contexts.
 
 use super::parts::Part;
-use super::weights::{Context, Place, of_context, of_kind, of_kind_word, of_task_word, of_told, of_value_word};
+use super::weights::{Context, of_context, of_kind, of_kind_word, of_told, of_value_word};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::roles::names::Names;
 use crate::language::tables::TablesRef;
@@ -15,10 +15,6 @@ const SPEAKS: f32 = 0.05;
 const MENTIONS: f32 = 0.3;
 /// More mentions before or after count as this many.
 const MOST_COUNTED: usize = 3;
-/// The number of words that are the end of a command.
-const LAST: usize = 4;
-/// A word that is said more often counts as said this often.
-const MOST_TIMES: usize = 5;
 
 /// A word that was taken for a value often enough.
 #[derive(Clone, Copy)]
@@ -67,31 +63,12 @@ impl<'s, 't> Command<'s, 't> {
         self.different(0..self.words.len())
     }
 
-    /// Tells each word with the parts of the command that it is in, and how often it is said.
-    fn each_place(&self, mut tell: impl FnMut(Symbol, Place)) {
-        let count = self.words.len();
-        let until = |numerator: usize, denominator: usize| count.saturating_mul(numerator).checked_div(denominator).unwrap_or(0);
-        let (half, third, last) = (until(1, 2), until(1, 3), count.saturating_sub(LAST));
-        let stretches = [0..half, half..count, 0..third, third..until(2, 3), until(2, 3)..count, last..count];
-        for (number, stretch) in stretches.into_iter().enumerate() {
-            self.different(stretch).for_each(|word| tell(word, Place::Stretch(number as u16)));
-        }
-        for word in self.all() {
-            let times = self.words.iter().filter(|&&other| other == Some(word)).count();
-            (2..=times.min(MOST_TIMES)).for_each(|times| tell(word, Place::Times(times as u16)));
-        }
-    }
-
     /// Tells each weight that speaks for a part of a task, and how much it counts.
     pub fn each_weight(&self, part: Part, mut tell: impl FnMut(usize, f32)) {
         let (role, value) = match part {
             Part::Kind(form) => {
                 tell(of_kind(form), 1.0);
                 self.all().for_each(|word| tell(of_kind_word(form, word), 1.0));
-                return;
-            }
-            Part::Task(task) => {
-                self.each_place(|word, place| tell(of_task_word(task, word, place), 1.0));
                 return;
             }
             Part::Value(role, value) => (role, value),

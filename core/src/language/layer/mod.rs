@@ -20,8 +20,8 @@
 //! (`unmet`). If tasks have ways, a command in a new scene that names no way means none. And new words decide about a kind that no session
 //! could mean.
 //!
-//! In a scene that was taught often (`scenes`), each task that was meant there is also a part of itself: U of it is a weight for each word
-//! in each stretch of the command, and for each word that is said several times. These weights only share out what such tasks have together.
+//! In a scene that was taught often (`scenes`), small recurrent networks read the words in their order (`network`). They only share out what
+//! the tasks that were meant there have together.
 //!
 //! The target of training is each session's posterior of its tasks (`training`), with
 //! - p from a model that has not seen the session: two models are trained, each without half of the sessions, and with 30 batches for the
@@ -42,6 +42,8 @@ mod contexts;
 pub(crate) mod fold;
 #[cfg(feature = "layer")]
 mod known;
+#[cfg(feature = "layer")]
+mod network;
 #[cfg(feature = "layer")]
 mod parts;
 #[cfg(feature = "layer")]

@@ -1,5 +1,4 @@
-//! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role. In a scene that was
-//! taught often, each task itself, too.
+//! The parts of a task: its kind, and each value of what it speaks of or of where that is at the start, with the role.
 
 use super::scenes;
 use crate::symbols::Symbol;
@@ -15,8 +14,6 @@ pub(super) enum Part {
     Kind(Symbol),
     /// A value in a role, by the role's marker.
     Value(Symbol, Symbol),
-    /// The task itself in its scene, by a hash of both.
-    Task(u32),
 }
 
 /// The parts of a task, by its description.
@@ -36,12 +33,12 @@ pub(super) struct Parts {
     /// The parts of one task after the other, by position in `all`, and the end of each task's parts.
     of_tasks: Vec<u32>,
     ends: Vec<usize>,
-    /// Where each task itself is among all, if it is a part.
-    themselves: Vec<Option<u32>>,
+    /// The position of each task among those that were taught, if it was.
+    themselves: Vec<Option<usize>>,
 }
 
 impl Parts {
-    /// The parts of these tasks. A task among those that were `taught` in this scene is a part of itself.
+    /// The parts of these tasks. `taught` are the tasks of scenes that were taught often.
     pub fn of<'d>(descriptions: impl Iterator<Item = &'d [Symbol]> + Clone, taught: &[u32]) -> Self {
         let mut parts = Self { all: Vec::new(), numbers: Vec::new(), of_tasks: Vec::new(), ends: Vec::new(), themselves: Vec::new() };
         let scene = if taught.is_empty() { 0 } else { scenes::of(descriptions.clone()) };
@@ -58,11 +55,7 @@ impl Parts {
             }
             parts.ends.push(parts.of_tasks.len());
             let itself = scenes::task(scene, description);
-            parts.themselves.push(taught.binary_search(&itself).is_ok().then_some(parts.all.len() as u32));
-            if taught.binary_search(&itself).is_ok() {
-                parts.all.push(Part::Task(itself));
-                parts.numbers.push(0.0);
-            }
+            parts.themselves.push(taught.binary_search(&itself).ok());
         }
         parts
     }
@@ -77,19 +70,18 @@ impl Parts {
         start..self.ends.get(task).copied().unwrap_or(start)
     }
 
-    /// The number of a task itself, if it is a part.
-    pub fn itself(&mut self, task: usize) -> Option<&mut f32> {
-        let at = self.themselves.get(task).copied().flatten()?;
-        self.numbers.get_mut(at as usize)
+    /// The position of each task among those that were taught often in this scene, if it was.
+    pub fn themselves(&self) -> impl Iterator<Item = Option<usize>> {
+        self.themselves.iter().copied()
     }
 
-    /// The sum of the numbers of a task's parts without itself.
+    /// The sum of the numbers of a task's parts.
     pub fn sum(&self, task: usize) -> f32 {
         let parts = self.of_tasks.get(self.of_task(task)).unwrap_or(&[]);
         parts.iter().filter_map(|&at| self.numbers.get(at as usize)).sum()
     }
 
-    /// Adds to the number of each of a task's parts without itself.
+    /// Adds to the number of each of a task's parts.
     pub fn add(&mut self, task: usize, value: f32) {
         let range = self.of_task(task);
         for &at in self.of_tasks.get(range).unwrap_or(&[]) {

@@ -1,6 +1,7 @@
 //! The layer's posterior over the tasks of a command.
 
 use super::contexts::Command;
+use super::network::Network;
 use super::parts::Parts;
 use super::tables::LayerRef;
 use super::unmet;
@@ -35,13 +36,11 @@ pub(super) struct Weighed {
     pub logarithm: f32,
     /// The sum of U over its parts.
     pub parts: f32,
-    /// U of the task itself, where it was meant in this scene and the scene was taught often.
+    /// What the networks say, where the task was meant in this scene and the scene was taught often.
     pub itself: Option<f32>,
-    /// The layer's posterior among the tasks of its group, and among all, without U of the tasks themselves.
+    /// The layer's posterior among the tasks of its group, and among all, without the networks.
     pub within: f32,
     pub trusted: f32,
-    /// The layer's posterior among the tasks that were meant in this scene.
-    pub here: f32,
     /// The layer's posterior.
     pub believed: f32,
 }
@@ -72,20 +71,21 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
             (task.trusted, task.believed) = (mass * task.within, mass * task.within);
         }
     }
-    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together.
-    let of_scene = tasks.iter().filter_map(|task| Some((task.itself?, task.believed)));
-    let (best, whole) = of_scene.fold((f32::MIN, 0.0), |(best, whole), (itself, believed)| (itself.max(best), whole + believed));
-    let mut sum = 0.0;
+    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together. The networks
+    // count as much as the rest of the layer.
+    let logarithm = |task: &Weighed| {
+        let believed = libm::logf(task.believed.max(f32::MIN_POSITIVE));
+        Some(0.5 * (task.itself? + believed))
+    };
+    let best = tasks.iter().filter_map(logarithm).fold(f32::MIN, f32::max);
+    let (mut whole, mut sum) = (0.0, 0.0);
     for task in tasks.iter_mut() {
-        task.here = task.itself.map_or(0.0, |itself| task.believed * exp(itself - best));
-        sum += task.here;
+        let Some(logarithm) = logarithm(task) else { continue };
+        whole += task.believed;
+        task.believed = exp(logarithm - best);
+        sum += task.believed;
     }
-    if sum > 0.0 {
-        for task in tasks.iter_mut().filter(|task| task.itself.is_some()) {
-            task.here /= sum;
-            task.believed = whole * task.here;
-        }
-    }
+    tasks.iter_mut().filter(|task| task.itself.is_some()).for_each(|task| task.believed *= whole / sum);
 }
 
 impl LayerRef<'_> {
@@ -113,10 +113,10 @@ impl LayerRef<'_> {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
         }
         let before = |weights: &[Scaled], group: &[(usize, usize)]| total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
+        let themselves = Network::scores(self.networks, sentence, parts.themselves());
         let mut tasks: Vec<Weighed> = Vec::new();
-        for (position, (first, group)) in groups().enumerate() {
+        for (position, ((first, group), itself)) in groups().zip(themselves).enumerate() {
             let understood = before(weights, group).over(whole);
-            let itself = parts.itself(position).copied();
             let group = self.learned.group(description(first));
             tasks.push(Weighed { group, understood, itself, parts: parts.sum(position), ..Weighed::default() });
         }

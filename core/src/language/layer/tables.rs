@@ -1,6 +1,8 @@
 //! The memory of the layer. It is empty without the feature `layer`, and if a caller provides none.
 
 #[cfg(feature = "layer")]
+use super::network::Network;
+#[cfg(feature = "layer")]
 use super::posterior::Group;
 #[cfg(feature = "layer")]
 use super::speaking::Found;
@@ -53,6 +55,7 @@ pub struct LayerMemory {
     learned: Learned,
     /// The tasks that were meant in scenes that were taught often, sorted.
     taught: Vec<u32>,
+    networks: Vec<Network>,
     left_out: LeftOut,
     /// One entry per word, while a role model reads sessions that it has not seen: whether the word was heard in its own.
     heard: Vec<bool>,
@@ -73,6 +76,7 @@ impl LayerMemory {
         weights: Vec::new(),
         learned: Learned::NOTHING,
         taught: Vec::new(),
+        networks: Vec::new(),
         left_out: LeftOut::NONE,
         heard: Vec::new(),
         found: Found::NONE,
@@ -251,6 +255,7 @@ pub(in crate::language) struct Room<'t> {
     pub(super) weights: &'t mut [f32],
     pub(super) learned: &'t mut Learned,
     pub(super) taught: &'t mut Vec<u32>,
+    pub(super) networks: &'t mut Vec<Network>,
     pub(super) heard: &'t mut Vec<bool>,
     pub(super) found: &'t mut Found,
 }
@@ -263,6 +268,7 @@ pub(in crate::language) struct LayerRef<'t> {
     pub(super) weights: &'t [f32],
     pub(super) learned: Learned,
     pub(super) taught: &'t [u32],
+    pub(super) networks: &'t [Network],
 }
 
 #[cfg(feature = "layer")]
@@ -282,6 +288,7 @@ impl<'t> LayerRef<'t> {
             weights: &memory.weights,
             learned: memory.learned,
             taught: &memory.taught,
+            networks: &memory.networks,
         })
     }
 }
@@ -305,6 +312,7 @@ impl<'t> Room<'t> {
             weights: &mut memory.weights,
             learned: &mut memory.learned,
             taught: &mut memory.taught,
+            networks: &mut memory.networks,
             heard: &mut memory.heard,
             found: &mut memory.found,
         })
@@ -312,7 +320,13 @@ impl<'t> Room<'t> {
 
     /// The same, read-only.
     pub const fn read(&self) -> LayerRef<'_> {
-        LayerRef { possible: self.possible.read(), weights: self.weights, learned: *self.learned, taught: self.taught.as_slice() }
+        LayerRef {
+            possible: self.possible.read(),
+            weights: self.weights,
+            learned: *self.learned,
+            taught: self.taught.as_slice(),
+            networks: self.networks.as_slice(),
+        }
     }
 
     /// Whether the layer is used and has enough sessions to train on.

@@ -11,9 +11,10 @@
 //! actions refute keeps a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
 //! with each pass, unless the words in names are values.
 //!
-//! The weights of a task itself learn apart: to share out what the tasks that were meant in the scene have together. The others learn as if
-//! there were none of them.
+//! The networks learn apart, session by session too: to share out what the tasks that were meant in the scene have together. The weights
+//! learn as if there were none.
 
+use super::network::Network;
 use super::posterior::{Group, Weighed, weigh};
 use super::scenes;
 use super::speaking::{Found, Speaking};
@@ -51,6 +52,7 @@ impl Room<'_> {
                 self.learned.begin(tables.layout(), bitext, self.possible.read());
                 let is_told = tables.layout().has_names();
                 *self.taught = if is_told { Vec::new() } else { scenes::taught(self.possible.read(), self.shares) };
+                *self.networks = Network::several(tables.words(), self.taught.len());
                 *self.found = Found::NONE;
                 (weights.values.len(), Part::Pass(0, 0))
             }
@@ -97,8 +99,8 @@ impl Room<'_> {
         let parts = &mut speaking.parts;
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
-            let (group, itself) = (self.learned.group(possible.command(pair.command)), parts.itself(position).copied());
-            tasks.push(Weighed { group, understood, itself, parts: parts.sum(position), ..Weighed::default() });
+            let group = self.learned.group(possible.command(pair.command));
+            tasks.push(Weighed { group, understood, parts: parts.sum(position), ..Weighed::default() });
         }
         weigh(&mut tasks, 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0));
         let wanted = &mut *vec![0.0_f32; count];
@@ -111,7 +113,8 @@ impl Room<'_> {
         let wanted_of =
             |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| is_met(task) == met).map(|(_, wanted)| wanted).sum::<f32>();
         let (of_met, of_others) = (wanted_of(true), wanted_of(false));
-        let of_scene: f32 = tasks.iter().zip(&*wanted).filter(|(task, _)| task.itself.is_some()).map(|(_, wanted)| wanted).sum();
+        let of_scene: Vec<(usize, f32)> =
+            parts.themselves().zip(&*wanted).filter_map(|(itself, &wanted)| Some((itself?, wanted))).collect();
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         // If the words in names are values, a meaning counts as the root of the number of times it was told, as in the role model.
@@ -122,9 +125,6 @@ impl Room<'_> {
         for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
             let slope = counts * (if is_met(task) { of_met } else { of_others } * task.within - wanted);
             parts.add(position, slope);
-            if let Some(itself) = parts.itself(position) {
-                *itself += counts * (of_scene * task.here - wanted);
-            }
             of_trust += slope * task.logarithm;
         }
         for (speaks, number) in speaking.each() {
@@ -134,7 +134,9 @@ impl Room<'_> {
             speaks.iter().for_each(|&(cell, _)| weights.settle(cell as usize));
         }
         weights.step(TRUST, of_trust);
-        let cells = speaking.len().saturating_mul(3).saturating_add(1);
+        let (sentence, rate) = (bitext.sentence(session), weights.rate);
+        let of_networks: usize = self.networks.iter_mut().map(|network| network.learn(session, pass, sentence, &of_scene, rate)).sum();
+        let cells = speaking.len().saturating_mul(3).saturating_add(of_networks).saturating_add(1);
         self.found.keep(session, speaking);
         cells
     }

@@ -14,8 +14,7 @@ const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, with a the exponent of the role model's posterior.
 pub(super) const TRUST: usize = CONSTANTS.end;
-/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it. Elsewhere, weights of a word
-/// together with a task of a scene that was taught often.
+/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// The number of weights.
 pub(super) const CELLS: usize = WORDS.end;
@@ -24,15 +23,6 @@ pub(super) const CELLS: usize = WORDS.end;
 /// pulled most, so that the weights that all values of a role share are learned first.
 pub(super) const PULLS: [(Range<usize>, f32); 6] =
     [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (WORDS, 10.0)];
-
-/// Where in a command a word is, or how often.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Place {
-    /// In one half or third of the command, or at its end.
-    Stretch(u16),
-    /// So many times at least.
-    Times(u16),
-}
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
@@ -87,15 +77,6 @@ pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usiz
     cell(WORDS, [role.0, value.0, word.map_or(u16::MAX, |word| word.0)])
 }
 
-/// The cell of a word together with a task of a scene.
-pub(super) fn of_task_word(task: u32, word: Symbol, place: Place) -> usize {
-    let (place, number) = match place {
-        Place::Stretch(number) => (1, number),
-        Place::Times(number) => (2, number),
-    };
-    cell(WORDS, [task as u16, (task >> 16) as u16, word.0, place, number])
-}
-
 /// The cell of a context, for all values of a role.
 pub(super) fn of_context(role: Symbol, context: Context) -> usize {
     let (kind, about) = context.code();
@@ -107,15 +88,19 @@ pub(super) fn of_kind(form: Symbol) -> usize {
     cell(CONSTANTS, [form.0, 0, 0])
 }
 
-/// The finisher of MurmurHash3, word by word.
-fn cell<const PARTS: usize>(range: Range<usize>, parts: [u16; PARTS]) -> usize {
+fn cell(range: Range<usize>, parts: [u16; 3]) -> usize {
+    range.start.saturating_add(hashed(range.len(), parts))
+}
+
+/// One of `count` numbers, by a hash: the finisher of MurmurHash3, word by word.
+pub(super) fn hashed<const PARTS: usize>(count: usize, parts: [u16; PARTS]) -> usize {
     let mut hash = 0x9e37_79b9_u32;
     for part in parts {
         hash = (hash ^ u32::from(part)).wrapping_mul(0x85eb_ca6b);
         hash = (hash ^ (hash >> 13)).wrapping_mul(0xc2b2_ae35);
         hash ^= hash >> 16;
     }
-    range.start.saturating_add((hash as usize).checked_rem(range.len()).unwrap_or(0))
+    (hash as usize).checked_rem(count).unwrap_or(0)
 }
 
 /// The weights, and the state of their training.

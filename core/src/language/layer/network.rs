@@ -1,0 +1,206 @@
+//! What a robot learns of the order of words, in a scene that was taught often: small recurrent networks over the tasks that were meant there.
+//!
+//! One reads word by word. A word and the one before it move the state h of each unit, by a share z, towards c. With n words, w(0) the
+//! beginning and t a task,
+//!
+//! ```text
+//! h(0) = 0,   h(i) = h(i-1) + z (c - h(i-1)),   z = 1 / (1 + exp(3 - a[w(i)] - b[w(i-1)])),   c = d[w(i)] + f[w(i-1)]
+//! Pr(t|e) proportional to exp(sum over the units of u[t] h(n))
+//! ```
+//!
+//! So it knows which room was named last, and what "then" or "back" change. While it learns, three words of ten are taken for unknown ones.
+//! There are several, which begin with other weights and forget other words; the mean of what they say counts.
+
+use super::weights::{Weights, hashed};
+use crate::probability::exp;
+use crate::symbols::Symbol;
+use alloc::vec::Vec;
+
+const NETWORKS: u16 = 3;
+const UNITS: usize = 16;
+/// The tables of a word: a, d, b and f.
+const TABLES: usize = 4;
+/// How far a state moves where nothing was learned: about a twentieth of the way.
+const STILL: f32 = 3.0;
+/// The number that stands for a word that is unknown, and for the beginning.
+const UNKNOWN: usize = 0;
+const BEGINNING: usize = 1;
+/// The words of ten that are taken for unknown ones.
+const FORGOTTEN: usize = 3;
+/// How long its steps are, beside those of the layer's other weights, and the squares that they begin with.
+const STEPS: f32 = 1.33;
+const SQUARES: f32 = 0.1;
+
+/// The weights, and the sum of the squares of each one's slopes.
+#[derive(Clone, Debug)]
+pub(super) struct Network {
+    number: u16,
+    words: usize,
+    values: Vec<f32>,
+    squares: Vec<f32>,
+}
+
+/// A word, after the one before it, by their numbers.
+#[derive(Clone, Copy)]
+struct Heard {
+    before: usize,
+    word: usize,
+}
+
+impl Heard {
+    /// Where a unit finds these words in the tables: those that say how far it moves, and those that say to where.
+    fn cells(self, unit: usize) -> ([usize; 2], [usize; 2]) {
+        let at = |word: usize, table: usize| word.saturating_mul(TABLES).saturating_add(table).saturating_mul(UNITS).saturating_add(unit);
+        ([at(self.word, 0), at(self.before, 2)], [at(self.word, 1), at(self.before, 3)])
+    }
+}
+
+impl Network {
+    /// Some that have learned nothing, for so many words and tasks: none without a task.
+    pub fn several(words: usize, tasks: usize) -> Vec<Self> {
+        let words = words.saturating_add(2);
+        let count = words.saturating_mul(TABLES).saturating_add(tasks).saturating_mul(UNITS);
+        let small = |number: u16, at: usize| hashed(1 << 16, [number, at as u16, (at >> 16) as u16]) as f32 / 655_360.0 - 0.05;
+        let one =
+            |number| Self { number, words, values: (0..count).map(|at| small(number, at)).collect(), squares: alloc::vec![SQUARES; count] };
+        (0..if tasks == 0 { 0 } else { NETWORKS }).map(one).collect()
+    }
+
+    /// The numbers of a command's words, each after the one before it.
+    fn heard(&self, words: impl Iterator<Item = Option<Symbol>>) -> Vec<Heard> {
+        let mut before = BEGINNING;
+        words
+            .map(|word| {
+                let word = word.map_or(UNKNOWN, |word| word.index().saturating_add(2));
+                let heard = Heard { before, word: if word < self.words { word } else { UNKNOWN } };
+                before = heard.word;
+                heard
+            })
+            .collect()
+    }
+
+    fn value(&self, at: usize) -> f32 {
+        self.values.get(at).copied().unwrap_or(0.0)
+    }
+
+    /// How far words move a unit, and to where.
+    fn moves(&self, heard: Heard, unit: usize) -> (f32, f32) {
+        let ([gate, gate_before], [to, to_before]) = heard.cells(unit);
+        (1.0 / (1.0 + exp(STILL - self.value(gate) - self.value(gate_before))), self.value(to) + self.value(to_before))
+    }
+
+    /// What the words do to a unit, one after another: the share, and the way to where they move it.
+    fn read(&self, heard: &[Heard], unit: usize) -> Vec<(f32, f32)> {
+        let mut state = 0.0;
+        let each = heard.iter().map(|&heard| {
+            let (share, to) = self.moves(heard, unit);
+            let way = to - state;
+            state += share * way;
+            (share, way)
+        });
+        each.collect()
+    }
+
+    /// Where a unit's weight for a task is.
+    const fn of_task(&self, task: usize, unit: usize) -> usize {
+        self.words.saturating_mul(TABLES).saturating_add(task).saturating_mul(UNITS).saturating_add(unit)
+    }
+
+    /// What speaks for a task where the words move the units so.
+    fn score(&self, moves: &[Vec<(f32, f32)>], task: usize) -> f32 {
+        moves.iter().enumerate().map(|(unit, moves)| state(moves) * self.value(self.of_task(task, unit))).sum()
+    }
+
+    /// What speaks for each of these tasks, by their positions among all that were taught in such scenes.
+    pub fn scores(several: &[Self], words: &[Option<Symbol>], tasks: impl Iterator<Item = Option<usize>>) -> Vec<Option<f32>> {
+        let read = |network: &Self| {
+            let heard = network.heard(words.iter().copied());
+            (0..UNITS).map(|unit| network.read(&heard, unit)).collect()
+        };
+        let moves: Vec<Vec<Vec<(f32, f32)>>> = several.iter().map(read).collect();
+        let mean = |task| several.iter().zip(&moves).map(|(network, moves)| network.score(moves, task)).sum::<f32>() / f32::from(NETWORKS);
+        tasks.map(|task| task.map(mean)).collect()
+    }
+
+    /// One step towards what is wanted of each of some tasks, in one pass of a training. Returns about how many table cells it was.
+    pub fn learn(&mut self, session: u16, pass: u8, words: &[Symbol], wanted: &[(usize, f32)], rate: f32) -> usize {
+        if wanted.is_empty() {
+            return 0;
+        }
+        let is_kept = |position: usize| hashed(10, [self.number, u16::from(pass), session, position as u16]) >= FORGOTTEN;
+        let heard = self.heard(words.iter().enumerate().map(|(position, &word)| Some(word).filter(|_| is_kept(position))));
+        let moves: Vec<Vec<(f32, f32)>> = (0..UNITS).map(|unit| self.read(&heard, unit)).collect();
+        let scores: Vec<f32> = wanted.iter().map(|&(task, _)| self.score(&moves, task)).collect();
+        let best = scores.iter().copied().fold(f32::MIN, f32::max);
+        let shares: Vec<f32> = scores.iter().map(|score| exp(score - best)).collect();
+        let (sum, whole) = (shares.iter().sum::<f32>(), wanted.iter().map(|(_, wanted)| wanted).sum::<f32>());
+        for (unit, moves) in moves.iter().enumerate() {
+            let (state, mut of_state) = (state(moves), 0.0);
+            for (&(task, wanted), share) in wanted.iter().zip(&shares) {
+                let (at, slope) = (self.of_task(task, unit), whole * share / sum - wanted);
+                of_state += slope * self.value(at);
+                self.step(at, slope * state, rate);
+            }
+            // Back from the last word to the first.
+            for (&heard, &(share, way)) in heard.iter().zip(moves).rev() {
+                let (gates, ends) = heard.cells(unit);
+                gates.into_iter().for_each(|at| self.step(at, of_state * way * share * (1.0 - share), rate));
+                ends.into_iter().for_each(|at| self.step(at, of_state * share, rate));
+                of_state *= 1.0 - share;
+            }
+        }
+        heard.len().saturating_mul(UNITS * 2 * TABLES)
+    }
+
+    fn step(&mut self, at: usize, slope: f32, rate: f32) {
+        Weights { values: &mut self.values, slopes: &mut [], squares: &mut self.squares, rate: STEPS * rate }.step(at, slope);
+    }
+}
+
+/// The state of a unit that was moved so.
+fn state(moves: &[(f32, f32)]) -> f32 {
+    moves.iter().map(|(share, way)| share * way).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec;
+
+    /// How often the room that is named last is the best one, for pairs that no lesson had.
+    fn right(passes: u8) -> usize {
+        const ROOMS: u16 = 6;
+        let said = |first: u16, second: u16| [first, ROOMS, second].map(Symbol::new);
+        let pairs = || (0..ROOMS).flat_map(|first| (0..ROOMS).map(move |second| (first, second))).filter(|(first, second)| first != second);
+        let is_lesson = |&(first, second): &(u16, u16)| (first + 2) % ROOMS != second;
+        let mut networks = Network::several(usize::from(ROOMS) + 1, usize::from(ROOMS));
+        for pass in 0..passes {
+            for (number, (first, second)) in pairs().filter(is_lesson).enumerate() {
+                let wanted: Vec<(usize, f32)> = (0..ROOMS).map(|room| (usize::from(room), f32::from(u8::from(room == second)))).collect();
+                for network in &mut networks {
+                    network.learn(number as u16, pass, &said(first, second), &wanted, 0.15);
+                }
+            }
+        }
+        let best = |(first, second): (u16, u16)| {
+            let scores = Network::scores(&networks, &said(first, second).map(Some), (0..usize::from(ROOMS)).map(Some));
+            scores.iter().enumerate().max_by(|a, b| a.1.partial_cmp(b.1).unwrap()).map(|(room, _)| room) == Some(usize::from(second))
+        };
+        pairs().filter(|pair| !is_lesson(pair)).filter(|&pair| best(pair)).count()
+    }
+
+    #[test]
+    fn the_room_that_is_named_last_is_known_from_other_pairs_of_rooms() {
+        assert!(right(0) < 6);
+        assert_eq!(right(120), 6);
+    }
+
+    #[test]
+    fn words_that_no_lesson_had_are_one_unknown_word() {
+        let networks = Network::several(3, 2);
+        let scores = |word| Network::scores(&networks, &[word], vec![Some(0), None, Some(1)].into_iter());
+        assert_eq!(scores(None), scores(Some(Symbol::new(3))));
+        assert_ne!(scores(None), scores(Some(Symbol::new(2))));
+        assert_eq!(scores(None)[1], None);
+    }
+}
