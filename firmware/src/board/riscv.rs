@@ -22,6 +22,11 @@ core::arch::global_asm!(
     ".section .text.pre_init, \"ax\", @progbits",
     ".global __pre_init",
     "__pre_init:",
+    // Physical memory protection forbids the 64 KiB below the RAM, which begins with the stack: the emulator ignores accesses there.
+    "li t0, {guard}",
+    "csrw pmpaddr0, t0",
+    "li t0, {locked}",
+    "csrw pmpcfg0, t0",
     "la t0, _stack_end",
     "li t1, {paint}",
     "0: bgeu t0, sp, 1f",
@@ -30,6 +35,10 @@ core::arch::global_asm!(
     "j 0b",
     "1: ret",
     paint = const STACK_PAINT_VALUE,
+    // A naturally aligned power of two: its address, and its size in the low bits.
+    guard = const (0x7FFF_0000 >> 2) | ((0x1_0000 >> 3) - 1),
+    // Locked, by power of two, neither read nor written nor executed.
+    locked = const 0x98,
 );
 
 /// Steps of the timer since the counter was started.
