@@ -20,7 +20,7 @@ use alloc::{collections::BTreeSet, string::String};
 ///
 /// ```
 /// use goodbot::session::Lessons;
-/// Twenty commands of at most eight words, with thirty different words, of 180 bytes together.
+/// // Twenty commands of at most eight words, with thirty different words, of 180 bytes together.
 /// let lessons = Lessons { different_words: 30, word_bytes: 180, ..Lessons::new(20, 8) };
 /// assert_eq!((lessons.sessions, lessons.words), (20, 8));
 /// ```
