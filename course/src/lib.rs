@@ -18,7 +18,7 @@
 //! goodbot::memory! { struct Memory = goodbot::Capacities::SMALL; }
 //! let mut memory = Memory::new();
 //! let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::PAPER)?;
-//! The trainer never rewards; the agent assumes that it may.
+//! // The trainer never rewards; the agent assumes that it may.
 //! let (trainer, believed) = (CourseTrainer::PUNISH_ONLY, Strategy::PUNISH_ONLY);
 //! let results = run_course(&mut agent, &mut memory.home, &Homes::FIXED, &trainer, believed, &mut generator(1), &mut ())?;
 //! assert!(results.tests.iter().all(|test| test.right));
