@@ -90,7 +90,7 @@ impl Restraint {
         }
     }
 
-    /// Records how probable an answer is that is about to be taken in. One that is less probable than most is a surprise.
+    /// Records the probability of an answer before it changes the belief, to tell surprises.
     pub fn expect(&mut self, agent: &Agent<AgentHeap>, answer: Answer) {
         let Some((tasks, yes, others)) = agent.open_question().and_then(|question| question.meaning(answer)) else { return };
         let among: f32 = tasks.iter().map(|task| agent.belief().probability(task)).sum();
@@ -106,7 +106,7 @@ fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
     std::iter::once(question.yes).chain(question.choices.into_iter().take(count)).filter(|set| !set.is_empty())
 }
 
-/// Whether two tasks that differ in one object fit what was said nearly as well.
+/// Whether two tasks that differ in one object fit the command nearly as well.
 fn has_tie(agent: &Agent<AgentHeap>) -> bool {
     let belief = agent.belief();
     let next = |than: Option<usize>| {
@@ -124,7 +124,7 @@ impl<D: Place> Lesson<D> {
     /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or what [`Agent::question`] refuses.
+    /// [`LiveError::NoSession`], or the errors of [`Agent::question`].
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
         loop {
             match self.consider(asking, u32::MAX)? {

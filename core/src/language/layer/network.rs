@@ -1,6 +1,6 @@
-//! What a robot learns of the order of words, in a scene that was taught often: small recurrent networks over the tasks that were meant there.
+//! The order of words in a scene that was taught often: small recurrent networks score the tasks that were meant there.
 //!
-//! One reads word by word. A word and the one before it move the state h of each unit, by a share z, towards c. With n words, w(0) the
+//! A network reads word by word. A word and the one before it move the state h of each unit, by a share z, towards c. With n words, w(0) the
 //! beginning and t a task,
 //!
 //! ```text
@@ -8,8 +8,8 @@
 //! Pr(t|e) proportional to exp(sum over the units of u[t] h(n))
 //! ```
 //!
-//! So it knows which room was named last, and what "then" or "back" change. While it learns, three words of ten are taken for unknown ones.
-//! There are several, which begin with other weights and forget other words; the mean of what they say counts.
+//! So it knows which room was named last, and the effect of "then" or "back". In training, three words of ten are replaced by the unknown word.
+//! The networks differ in their first weights and in the replaced words; the mean of their scores counts.
 
 use super::weights::{Weights, hashed};
 use crate::probability::exp;
@@ -20,18 +20,18 @@ const NETWORKS: u16 = 3;
 const UNITS: usize = 16;
 /// The tables of a word: a, d, b and f.
 const TABLES: usize = 4;
-/// How far a state moves where nothing was learned: about a twentieth of the way.
+/// The bias of the gate: before training, a state moves about a twentieth of the way.
 const STILL: f32 = 3.0;
-/// The number that stands for a word that is unknown, and for the beginning.
+/// The numbers of an unknown word and of the beginning of a command.
 const UNKNOWN: usize = 0;
 const BEGINNING: usize = 1;
-/// The words of ten that are taken for unknown ones.
+/// In training, this many words of ten are replaced by the unknown word.
 const FORGOTTEN: usize = 3;
-/// How long its steps are, beside those of the layer's other weights, and the squares that they begin with.
+/// The step size relative to the layer's other weights, and the initial sum of squared slopes.
 const STEPS: f32 = 1.33;
 const SQUARES: f32 = 0.1;
 
-/// The weights, and the sum of the squares of each one's slopes.
+/// The weights of one network, and for each the sum of its squared slopes (AdaGrad).
 #[derive(Clone, Debug)]
 pub(super) struct Network {
     number: u16,
@@ -40,7 +40,7 @@ pub(super) struct Network {
     squares: Vec<f32>,
 }
 
-/// A word, after the one before it, by their numbers.
+/// A word and the one before it, by their numbers.
 #[derive(Clone, Copy)]
 struct Heard {
     before: usize,
@@ -48,7 +48,7 @@ struct Heard {
 }
 
 impl Heard {
-    /// Where a unit finds these words in the tables: those that say how far it moves, and those that say to where.
+    /// The positions of a unit's weights for these words: those of the gate z, and those of the target c.
     fn cells(self, unit: usize) -> ([usize; 2], [usize; 2]) {
         let at = |word: usize, table: usize| word.saturating_mul(TABLES).saturating_add(table).saturating_mul(UNITS).saturating_add(unit);
         ([at(self.word, 0), at(self.before, 2)], [at(self.word, 1), at(self.before, 3)])
@@ -56,7 +56,7 @@ impl Heard {
 }
 
 impl Network {
-    /// Some that have learned nothing, for so many words and tasks: none without a task.
+    /// Untrained networks for this many words and tasks; none if there is no task.
     pub fn several(words: usize, tasks: usize) -> Vec<Self> {
         let words = words.saturating_add(2);
         let count = words.saturating_mul(TABLES).saturating_add(tasks).saturating_mul(UNITS);
@@ -83,13 +83,13 @@ impl Network {
         self.values.get(at).copied().unwrap_or(0.0)
     }
 
-    /// How far words move a unit, and to where.
+    /// The gate z and the target c of a unit at a word.
     fn moves(&self, heard: Heard, unit: usize) -> (f32, f32) {
         let ([gate, gate_before], [to, to_before]) = heard.cells(unit);
         (1.0 / (1.0 + exp(STILL - self.value(gate) - self.value(gate_before))), self.value(to) + self.value(to_before))
     }
 
-    /// What the words do to a unit, one after another: the share, and the way to where they move it.
+    /// For each word, the gate z and the distance c - h(i-1) of a unit.
     fn read(&self, heard: &[Heard], unit: usize) -> Vec<(f32, f32)> {
         let mut state = 0.0;
         let each = heard.iter().map(|&heard| {
@@ -101,17 +101,17 @@ impl Network {
         each.collect()
     }
 
-    /// Where a unit's weight for a task is.
+    /// The position of a unit's weight for a task.
     const fn of_task(&self, task: usize, unit: usize) -> usize {
         self.words.saturating_mul(TABLES).saturating_add(task).saturating_mul(UNITS).saturating_add(unit)
     }
 
-    /// What speaks for a task where the words move the units so.
+    /// The score of a task after these moves of the units.
     fn score(&self, moves: &[Vec<(f32, f32)>], task: usize) -> f32 {
         moves.iter().enumerate().map(|(unit, moves)| state(moves) * self.value(self.of_task(task, unit))).sum()
     }
 
-    /// What speaks for each of these tasks, by their positions among all that were taught in such scenes.
+    /// The mean score of each task, given by its position among the tasks of scenes that were taught often.
     pub fn scores(several: &[Self], words: &[Option<Symbol>], tasks: impl Iterator<Item = Option<usize>>) -> Vec<Option<f32>> {
         let read = |network: &Self| {
             let heard = network.heard(words.iter().copied());
@@ -122,7 +122,7 @@ impl Network {
         tasks.map(|task| task.map(mean)).collect()
     }
 
-    /// One step towards what is wanted of each of some tasks, in one pass of a training. Returns about how many table cells it was.
+    /// One step of a training pass towards the wanted share of each of these tasks. Returns the cost, in table cells.
     pub fn learn(&mut self, session: u16, pass: u8, words: &[Symbol], wanted: &[(usize, f32)], rate: f32) -> usize {
         if wanted.is_empty() {
             return 0;
@@ -141,7 +141,7 @@ impl Network {
                 of_state += slope * self.value(at);
                 self.step(at, slope * state, rate);
             }
-            // Back from the last word to the first.
+            // Backpropagation, from the last word to the first.
             for (&heard, &(share, way)) in heard.iter().zip(moves).rev() {
                 let (gates, ends) = heard.cells(unit);
                 gates.into_iter().for_each(|at| self.step(at, of_state * way * share * (1.0 - share), rate));
@@ -157,7 +157,7 @@ impl Network {
     }
 }
 
-/// The state of a unit that was moved so.
+/// The state of a unit after these moves.
 fn state(moves: &[(f32, f32)]) -> f32 {
     moves.iter().map(|(share, way)| share * way).sum()
 }
@@ -167,7 +167,7 @@ mod tests {
     use super::*;
     use alloc::vec;
 
-    /// How often the room that is named last is the best one, for pairs that no lesson had.
+    /// The number of pairs without a lesson for which the room named last scores best.
     fn right(passes: u8) -> usize {
         const ROOMS: u16 = 6;
         let said = |first: u16, second: u16| [first, ROOMS, second].map(Symbol::new);
