@@ -44,7 +44,7 @@ pub enum Class {
     Polite,
     /// "it": the thing of the last task.
     It,
-    /// "there": the place named last.
+    /// "there": the place named last. If it is of the class `here` as well, such as "where" and "beside", it tells a place by a thing there.
     There,
     /// "back": the place before the last task.
     Back,
@@ -180,6 +180,11 @@ impl Classes {
         self.contains(Class::Act) && self.contains(Class::If)
     }
 
+    /// Whether it tells a place by a thing there, such as "where" and "beside".
+    pub const fn is_beside(self) -> bool {
+        self.contains(Class::There) && self.contains(Class::Here)
+    }
+
     /// Whether it introduces the command that is done last, such as "before".
     pub const fn is_before(self) -> bool {
         self.contains(Class::Connective) && self.contains(Class::If)
@@ -193,6 +198,7 @@ impl Classes {
     /// The classes without those of words that occur in commands themselves.
     pub const fn about_commands(self) -> Self {
         let of_commands = Self::of(Class::Toward).with(Class::Clitic).with(Class::Act);
+        let of_commands = if self.is_beside() { of_commands.with(Class::There).with(Class::Here) } else { of_commands };
         Self(self.0 & !of_commands.0)
     }
 

@@ -164,7 +164,7 @@ impl Conversation {
 }
 
 /// The place in a proposition about a subject and its place: the last argument.
-fn place_of<D: Domain + ?Sized>(domain: &D, part: &GroundProposition) -> Option<ObjectId> {
+pub(super) fn place_of<D: Domain + ?Sized>(domain: &D, part: &GroundProposition) -> Option<ObjectId> {
     let last = domain.world().schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
     part.arguments.get(last).copied()
 }

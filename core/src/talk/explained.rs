@@ -5,6 +5,7 @@ use super::classes::{Class, Classes};
 use super::heard::{Heard, Words};
 use super::place::{DONE, View};
 use super::recalled::Recalled;
+
 use super::wording::{Wording, is_plain, rest};
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::LanguageRef;
@@ -126,10 +127,18 @@ impl<M: AgentMemory> Agent<M> {
         if let Some(recalled) = &recalled {
             named.cover(recalled.has_place(), recalled.has_thing());
         }
+        let is_told_place = view.told.is_some_and(|told| told.is_place);
+        if is_told_place {
+            named.cover(true, recalled.is_some_and(|recalled| recalled.has_thing()));
+        }
         *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
-        let is_meant = |task: &GroundedTask| recalled.is_none_or(|recalled| recalled.fits(domain, &self.lifted, task));
+        let is_told = |position: usize| view.told.is_none_or(|told| told.tasks.contains(position));
+        let is_meant = |position: usize| {
+            let fits = |recalled: Recalled<'_>| tasks.get(position).is_some_and(|task| recalled.fits(domain, &self.lifted, task));
+            is_told(position) && recalled.is_none_or(fits)
+        };
         for (position, task) in tasks.iter().enumerate() {
             rest(wording.pause)?;
             let mut description = Tokens::new();
@@ -142,7 +151,7 @@ impl<M: AgentMemory> Agent<M> {
                 likelihood(tables, &said, description, wording.new).times(share)
             };
             let whole = explain(&description, None);
-            if named.is_own(tables, bitext, &description) {
+            if is_told(position) && named.is_own(tables, bitext, &description) {
                 explained.own = explained.own.with(position);
                 if named.places(tables.layout(), &description) {
                     explained.fitting = explained.fitting.with(position);
@@ -166,7 +175,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
-            let share = if recalled.is_some() { share_among(tasks, task, is_meant) } else { 1.0 };
+            let share = if recalled.is_some() || view.told.is_some() { share_among(tasks, position, is_meant) } else { 1.0 };
             // "The bag where it is" is not about the robot's place.
             let is_other_thing = recalled.is_some_and(|recalled| recalled.is_here()) && !explained.own.contains(position);
             let whole = if share > 0.0 && !is_other_thing { whole } else { Scaled::ZERO };
@@ -237,12 +246,11 @@ pub(super) fn new_names(words: Words<'_>) -> usize {
 }
 
 /// The factor on a task's prior if only some tasks of its kind are meant; 0 for the others.
-fn share_among(tasks: &[GroundedTask], task: &GroundedTask, is_meant: impl Fn(&GroundedTask) -> bool) -> f32 {
-    if !is_meant(task) {
-        return 0.0;
-    }
-    let of_kind = || tasks.iter().filter(|other| other.lifted == task.lifted);
-    let (all, meant): (f32, f32) = (of_kind().map(|it| it.prior).sum(), of_kind().filter(|it| is_meant(it)).map(|it| it.prior).sum());
+fn share_among(tasks: &[GroundedTask], task: usize, is_meant: impl Fn(usize) -> bool) -> f32 {
+    let Some(kind) = tasks.get(task).filter(|_| is_meant(task)).map(|task| task.lifted) else { return 0.0 };
+    let of_kind = || tasks.iter().enumerate().filter(|(_, other)| other.lifted == kind);
+    let prior = |(_, task): (usize, &GroundedTask)| task.prior;
+    let (all, meant): (f32, f32) = (of_kind().map(prior).sum(), of_kind().filter(|&(at, _)| is_meant(at)).map(prior).sum());
     if meant > 0.0 { all / meant } else { 0.0 }
 }
 

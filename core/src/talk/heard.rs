@@ -50,6 +50,8 @@ pub(super) struct Heard {
     pub is_article: bool,
     /// Whether it leaves a thing in its place, such as "leave".
     pub leaves: bool,
+    /// Whether it tells a place by the thing named next, such as "where" and "beside".
+    pub is_beside: bool,
     /// Whether it is a single sign of a script without spaces.
     pub is_sign: bool,
     /// The number of its piece in the utterance, from 0.
@@ -184,6 +186,7 @@ impl Heard {
         let (is_toward, is_forgetting) = (classes.contains(Class::Toward), classes.forgets());
         let is_article = classes.contains(Class::Clitic);
         let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
+        let is_beside = classes.is_beside();
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -222,6 +225,7 @@ impl Heard {
             is_forgetting,
             is_article,
             leaves,
+            is_beside,
             is_sign: false,
             piece: 0,
             phrase: 0,

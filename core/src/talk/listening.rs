@@ -19,6 +19,7 @@ use crate::session::phase::Progressed;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
+use core::ops::Range;
 use heapless::Vec;
 
 /// The prior of a reworded command: with its place in front, "to the red room take the bag", or with a correction in it.
@@ -104,7 +105,7 @@ impl<M: AgentMemory> Agent<M> {
         if let Some((part, start)) = part.zip(start) {
             conversation = conversation.after(domain, &self.lifted, &start, &part);
         }
-        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before() }, pause)
+        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before(), told: None }, pause)
     }
 
     /// Hears the rest of an utterance with several commands, from [`Listened::rest`] on, in the state that the previous part leads to. A
@@ -136,7 +137,7 @@ impl<M: AgentMemory> Agent<M> {
         kind: Option<u8>,
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
-        let place = Place { is_rest: true, kind, before: conversation.before() };
+        let place = Place { is_rest: true, kind, before: conversation.before(), told: None };
         self.listen_to(domain, state, rest, words, place, &|| true)
     }
 
@@ -192,29 +193,13 @@ impl<M: AgentMemory> Agent<M> {
         let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
         self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        for reading in 0..10 {
-            let (other, prior) = match reading {
-                0 => (has_slips.then_some(Words::new(&mended, is_asked)), 1.0),
-                1 => (told(words), TURNED),
-                2 => (corrected(words), TURNED),
-                3 => (taken_up(words), TURNED),
-                4 => (left(words), TURNED),
-                5 => (subject(words), TURNED),
-                6 => (curt(words), TURNED),
-                7 => (went(words), TURNED),
-                8 => (both(words), TURNED),
-                _ => (fronted(words), TURNED),
-            };
-            let Some(other) = other else { continue };
-            let here = explained.here;
-            self.explain_all(domain, other, &wording, place.view(View::PLAIN), &mut explained)?;
-            if explained.here.scaled_by(prior).exceeds(here) {
-                words = other;
-            } else {
-                // Computed again rather than kept: two explanations would be too much for a controller's stack.
-                self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-            }
+        words = self.reworded(domain, words, has_slips.then_some(Words::new(&mended, is_asked)), 0..1, &wording, place, &mut explained)?;
+        let (told, mut place) = (self.tell_apart(domain, &mut words, &wording, &mut explained)?, place);
+        if told.is_some() {
+            place.told = told.as_ref();
+            self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
         }
+        words = self.reworded(domain, words, None, 1..10, &wording, place, &mut explained)?;
         let judged = self.judge(domain, words, &mut explained, &wording, place)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
@@ -231,6 +216,45 @@ impl<M: AgentMemory> Agent<M> {
         let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
         let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
         Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
+    }
+
+    /// The most probable of some simpler wordings of the words, and of the words themselves. Leaves its explanation in `explained`.
+    #[allow(clippy::too_many_arguments, reason = "the readings share what they are read with")]
+    fn reworded<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        mended: Option<Words<'w>>,
+        readings: Range<usize>,
+        wording: &Wording<'_>,
+        place: Place<'_>,
+        explained: &mut Explained,
+    ) -> Result<Words<'w>, AgentError> {
+        let mut words = words;
+        for reading in readings {
+            let (other, prior) = match reading {
+                0 => (mended, 1.0),
+                1 => (told(words), TURNED),
+                2 => (corrected(words), TURNED),
+                3 => (taken_up(words), TURNED),
+                4 => (left(words), TURNED),
+                5 => (subject(words), TURNED),
+                6 => (curt(words), TURNED),
+                7 => (went(words), TURNED),
+                8 => (both(words), TURNED),
+                _ => (fronted(words), TURNED),
+            };
+            let Some(other) = other else { continue };
+            let here = explained.here;
+            self.explain_all(domain, other, wording, place.view(View::PLAIN), explained)?;
+            if explained.here.scaled_by(prior).exceeds(here) {
+                words = other;
+            } else {
+                // Computed again rather than kept: two explanations would be too much for a controller's stack.
+                self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
+            }
+        }
+        Ok(words)
     }
 
     /// The tasks of the session that hold in its start state: for these the robot rests.

@@ -11,6 +11,7 @@
 //! - `heard`: the words of the utterance; `slips`: known words that new ones may be slips for;
 //! - `conversation`: earlier tasks and places; `recalled`: words that refer to them, such as "it" and "there";
 //! - `wording`: how commands are worded in the lessons; `place`: whether words come after another command;
+//! - `told`: places told by a thing, and things told by their place;
 //! - `explained`: how well the tasks here explain the words; `absent`: tasks about things that are not here;
 //! - `readings`: negated commands, all things of a kind, and several commands;
 //! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them;
@@ -31,6 +32,7 @@ mod recalled;
 mod renamed;
 mod reworded;
 mod slips;
+mod told;
 mod verdict;
 mod voice;
 mod wording;

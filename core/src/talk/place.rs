@@ -1,6 +1,7 @@
 //! The place of words in an utterance, and how they are read there.
 
 use super::recalled::Before;
+use super::told::Told;
 
 /// The share of each kind of task that goes to tasks that are done already.
 pub(super) const DONE: f32 = 0.08;
@@ -16,11 +17,13 @@ pub(super) struct View<'c> {
     pub kind: Option<u8>,
     /// What words can refer to.
     pub before: Before<'c>,
+    /// The tasks that fit other words.
+    pub told: Option<&'c Told>,
 }
 
 impl View<'_> {
     /// A plain command.
-    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None, before: Before::Nothing };
+    pub const PLAIN: Self = Self { done: DONE, has_act: false, kind: None, before: Before::Nothing, told: None };
 }
 
 /// The place of words in an utterance.
@@ -32,10 +35,12 @@ pub(super) struct Place<'c> {
     pub kind: Option<u8>,
     /// What words can refer to.
     pub before: Before<'c>,
+    /// The tasks that fit other words.
+    pub told: Option<&'c Told>,
 }
 
 impl<'c> Place<'c> {
-    pub const WHOLE: Self = Self { is_rest: false, kind: None, before: Before::Nothing };
+    pub const WHOLE: Self = Self { is_rest: false, kind: None, before: Before::Nothing, told: None };
 
     /// Whether something was done before.
     pub const fn is_known(self) -> bool {
@@ -44,7 +49,7 @@ impl<'c> Place<'c> {
 
     /// After another part of the same utterance.
     pub const fn after_first(self) -> Self {
-        Self { is_rest: true, before: Before::Open, ..self }
+        Self { is_rest: true, before: Before::Open, told: None, ..self }
     }
 
     /// Adapts a view to this place, without the kind of the previous command.
@@ -54,6 +59,6 @@ impl<'c> Place<'c> {
 
     /// Adapts a view to this place.
     pub const fn view(self, view: View<'_>) -> View<'c> {
-        View { done: view.done, has_act: view.has_act || self.is_rest, kind: self.kind, before: self.before }
+        View { done: view.done, has_act: view.has_act || self.is_rest, kind: self.kind, before: self.before, told: self.told }
     }
 }

@@ -101,7 +101,7 @@ enum Before {
 /// The words read as a negated command, if there is a cue for one.
 pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     // "All chairs out of the blue room into the red room" states a goal.
-    if !words.has(Class::Negation) && !from_place(words).1.is_empty() {
+    if !words.has(Class::Negation) && !from_place(words, first_of_all(words), false).1.is_empty() {
         return None;
     }
     let cues = [Class::Negation, Class::Out, Class::But];
@@ -150,7 +150,7 @@ fn is_all_out(words: Words<'_>) -> bool {
         && words.has(Class::All)
         && !words.has(Class::Negation)
         && !words.has(Class::But)
-        && from_place(words).1.is_empty()
+        && from_place(words, first_of_all(words), false).1.is_empty()
 }
 
 /// Whether several things may be meant that must leave a place: "the chairs".
@@ -172,7 +172,7 @@ pub(super) fn all(words: Words<'_>) -> Option<WithoutCues<'_>> {
     let words = but.map_or(words, |but| words.part(0, but).with(behind.part(until, words.len())));
     let is_exception =
         |word: &Heard| is_but(word) || word.classes.contains_any(&[Class::Negation, Class::Out]) && !word.classes.contains(Class::All);
-    let (words, from) = from_place(words);
+    let (words, from) = from_place(words, first_of_all(words), false);
     let has_exception = words.iter().any(is_exception) || but.is_some() && !except.iter().any(|word| word.is_name);
     let (rest, prior, is_clear) = if let Some((rest, probability)) = without(words, &[Class::All]) {
         let behind = words.iter().skip_while(|word| !word.classes.contains(Class::All));
@@ -197,10 +197,15 @@ pub(super) fn all(words: Words<'_>) -> Option<WithoutCues<'_>> {
     })
 }
 
-/// Splits the words for the present place of all things from the others: "everything in the blue room" to another. Both places then share a
-/// word that is no name: "room".
-fn from_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
-    let sign = words.iter().position(|word| word.classes.contains(Class::All) || word.is_plural).unwrap_or(words.len());
+/// The position of the word for all things.
+fn first_of_all(words: Words<'_>) -> usize {
+    words.iter().position(|word| word.classes.contains(Class::All) || word.is_plural).unwrap_or(words.len())
+}
+
+/// Splits the words for the present place of things, named at a position, from the others: "everything in the blue room" to another. Both
+/// places then share a word that is no name: "room". A place of one thing needs no such word after "from", and begins with another word
+/// than its goal.
+pub(super) fn from_place(words: Words<'_>, sign: usize, is_one: bool) -> (Words<'_>, Words<'_>) {
     let way = words.iter().enumerate().filter_map(|(at, word)| word.is_toward.then_some(at)).last().unwrap_or(0);
     let leads = |(at, word): (usize, &Heard)| at > sign && (word.is_toward || word.classes.contains(Class::From));
     let Some(begin) = words.iter().enumerate().position(leads).filter(|&begin| begin < way) else { return (words, Words::NONE) };
@@ -208,8 +213,16 @@ fn from_place(words: Words<'_>) -> (Words<'_>, Words<'_>) {
     // "All of the chairs" names no place, although "the" occurs in both parts.
     let is_same = |word: &Heard| !word.is_name && goal.iter().skip(ARTICLE).any(|other| other.said.symbol == word.said.symbol);
     let has = |is: &dyn Fn(&Heard) -> bool| from.iter().any(|word| word.classes == Classes::NONE && is(word));
-    if has(&|word| word.is_name) && has(&is_same) {
-        (words.part(0, begin).with(goal), from.part(1, from.len()))
+    // "The chair that is in the red room".
+    let named = words.part(sign, begin).iter().enumerate().filter_map(|(at, word)| word.is_name.then_some(at)).last().unwrap_or(0);
+    let end = sign.saturating_add(named).saturating_add(1);
+    let is_relative = |word: &Heard| word.is_new || word.classes.contains(Class::Asking);
+    let start = if is_one && words.part(end, begin).iter().any(is_relative) { end } else { begin };
+    let symbol = |words: Words<'_>| words.get(0).and_then(|word| word.said.symbol);
+    let is_from = is_one && (start < begin || from.get(0).is_some_and(|word| word.classes.contains(Class::From)));
+    let is_other = !is_one || is_from || symbol(from) != symbol(goal);
+    if has(&|word| word.is_name) && is_other && (is_from || has(&is_same)) {
+        (words.part(0, start).with(goal), from.part(1, from.len()))
     } else {
         (words, Words::NONE)
     }

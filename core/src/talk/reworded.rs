@@ -11,7 +11,7 @@ const MOST_BEFORE_IT: usize = 3;
 const MOST_CALLED: usize = 2;
 
 /// A phrase with such a word is about the command.
-const OF_SENTENCES: [Class; 14] = [
+pub(super) const OF_SENTENCES: [Class; 14] = [
     Class::Negation,
     Class::Out,
     Class::But,
@@ -118,14 +118,19 @@ pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     let is_of_case =
         |word: &Heard| word.classes != Classes::NONE && (word.classes.contains(Class::If) || !word.classes.contains_any(&OF_SENTENCES));
     let is_polite = |phrase: u8| of(phrase).any(|word| word.classes.contains(Class::If)) && of(phrase).all(is_of_case);
-    let rest = words.only(|word| {
-        if is_polite(word.phrase) {
+    // "... , can you do that?", but not "..., did you take it?".
+    let is_other =
+        |word: &Heard| word.is_name || acts(word) || !word.classes.contains(Class::Pronoun) && word.classes.contains_any(&OF_SENTENCES);
+    let is_tag = |phrase: u8| phrase > first && of(phrase).any(|word| word.classes.contains(Class::You)) && !of(phrase).any(is_other);
+    let mut rest = words.only(|word| {
+        if is_polite(word.phrase) || is_tag(word.phrase) {
             return false;
         }
         let is_front = word.phrase < first;
         let new = of(word.phrase).filter(|word| word.is_new).count();
         of(word.phrase).any(says) || is_front && (new > MOST_CALLED || of(word.phrase).any(|word| word.classes.contains(Class::Asking)))
     });
+    rest.is_asked &= !words.iter().last().is_some_and(|word| is_tag(word.phrase));
     (rest.len() < words.len()).then_some(rest)
 }
 

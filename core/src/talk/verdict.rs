@@ -176,7 +176,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The first object of a task of one proposition.
-    fn thing(&self, task: usize) -> Option<ObjectId> {
+    pub(super) fn thing(&self, task: usize) -> Option<ObjectId> {
         let task = self.task(task);
         let lifted = self.lifted().get(usize::from(task.lifted))?;
         task.propositions(lifted).next()?.arguments.first().copied()
@@ -224,11 +224,18 @@ fn tells(words: Words<'_>) -> bool {
     let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
     let mut before: Option<&Heard> = None;
     // "Tomorrow Paul will take": several new words, perhaps after an article, before the verb. Two signs make a word.
-    let (mut at, mut subject) = (usize::from(words.get(0).is_some_and(|word| word.is_article)), 0_usize);
+    let is_plain = |word: &Heard| word.count > 0.0 && word.is_plain() && word.classes == Classes::NONE && !word.is_toward;
+    let has_article = words.get(0).is_some_and(|word| word.is_article || is_plain(word));
+    let (mut at, mut subject) = (usize::from(has_article), 0_usize);
     while let Some(word) = words.get(at).filter(|word| word.is_new_word() && word.classes == Classes::NONE) {
         (at, subject) = (at.saturating_add(1), subject.saturating_add(if word.is_sign { 1 } else { 2 }));
     }
-    if subject / 2 >= LEAST_SUBJECT && words.get(at).is_some_and(|word| word.is_of_task && !word.is_toward) {
+    let verb = words.iter().skip(at).find(|word| !word.classes.contains(Class::Polite));
+    // "The vacuum cleaner goes to the red room".
+    let is_thing = has_article && subject > 0;
+    if verb.is_some_and(|verb| {
+        if is_thing { verb.may_act() || verb.is_toward } else { subject / 2 >= LEAST_SUBJECT && verb.is_of_task && !verb.is_toward }
+    }) {
         return true;
     }
     // "You went to the red room".
