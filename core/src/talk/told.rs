@@ -1,4 +1,4 @@
-//! Places that are told by a thing in them, and things that are told by their place: "go where the basket is", "bring the bag to the room
+//! Places that are told by a thing in them, and things that are told by their place: "take the bag where the basket is", "bring the bag to the room
 //! with the chair", "take the chair from the red room to the blue room".
 //!
 //! The words that tell are read apart. The other words are then a command for the tasks that fit them.
@@ -52,9 +52,8 @@ fn apart(words: Words<'_>) -> Option<Apart<'_>> {
     let end = words.iter().skip(1).position(|word| word.classes.contains(Class::Connective) && !word.is_beside);
     let end = end.map_or(words.len(), |end| end.saturating_add(1));
     let (command, behind) = (words.part(0, end), words.part(end, words.len()));
-    let (rest, by, is_place) = beside(command)
-        .map(|(rest, by)| (rest, by, true))
-        .or_else(|| taken_from(command).or_else(|| before_thing(command)).map(|(rest, by)| (rest, by, false)))?;
+    let (rest, by, is_place) =
+        beside(command).map(|(rest, by)| (rest, by, true)).or_else(|| taken_from(command).map(|(rest, by)| (rest, by, false)))?;
     (rest.iter().any(acts) || !is_place && has_name(rest)).then(|| Apart { words: rest.with(behind), by, is_place })
 }
 
@@ -66,9 +65,7 @@ fn beside(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
         // "The room of the basket", "the room with the basket", but not "go with the bag".
         let is_behind_noun =
             before.is_some_and(|noun| noun.count > 0.0 && noun.is_plain() && noun.classes == Classes::NONE && !noun.is_article);
-        let is_behind_name = before.is_some_and(|name| name.is_name);
         let marks_here = match () {
-            () if word.is_sign && word.classes.contains(Class::There) => is_behind_name,
             () if word.classes.contains(Class::From) || word.classes.contains(Class::Polite) && word.is_beside => is_behind_noun,
             // "Look where the bag is" asks for nothing else.
             () => word.is_beside && before.is_some_and(|before| !before.is_new),
@@ -78,13 +75,7 @@ fn beside(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
     }
     let mark = marks?;
     let by = words.part(mark, words.len());
-    let (rest, by) = if has_name(by) {
-        (words.part(0, mark), by.only(|word| !word.is_beside))
-    } else {
-        // Chinese puts such a word after the thing.
-        let verb = words.part(0, mark).iter().enumerate().filter_map(|(at, word)| acts(word).then_some(at)).last()?.saturating_add(1);
-        (words.part(0, verb), words.part(verb, mark).only(|word| word.is_sign))
-    };
+    let (rest, by) = (words.part(0, mark), by.only(|word| !word.is_beside));
     // "Next to the basket".
     let is_thing = is_name_alone(by) && !by.iter().skip_while(|word| !word.is_name).any(|word| word.is_toward);
     let first = rest.get(0)?.phrase;
@@ -96,25 +87,6 @@ fn taken_from(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
     let thing = words.iter().position(|word| word.is_name)?;
     let (rest, from) = from_place(words, thing, true);
     is_name_alone(from).then_some((rest, from))
-}
-
-/// The same if the place comes first, as in Chinese: a name and a noun, the thing, a verb, another name and the same noun.
-fn before_thing(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
-    let first = words.iter().position(|word| word.is_name).filter(|&first| words.get(first).is_some_and(|word| word.is_sign))?;
-    let verb = first.saturating_add(words.part(first, words.len()).iter().position(acts)?);
-    let (front, goal) = (words.part(first, verb), words.part(verb, words.len()));
-    let is_noun = |word: &Heard| {
-        !word.is_name
-            && word.classes == Classes::NONE
-            && goal.iter().skip_while(|word| !word.is_name).any(|other| other.said.symbol == word.said.symbol)
-    };
-    let noun = front.iter().enumerate().filter_map(|(at, word)| is_noun(word).then_some(at)).last()?;
-    let thing = front.iter().enumerate().skip(noun).find_map(|(at, word)| word.is_name.then_some(at))?;
-    let is_before = |word: &Heard| word.classes.contains_any(&[Class::From, Class::Asking]);
-    let begin = first.checked_sub(1).filter(|&before| words.get(before).is_some_and(is_before)).unwrap_or(first);
-    let from = front.part(0, thing);
-    let rest = words.part(0, begin).with(words.part(first.saturating_add(thing), words.len()));
-    (has_name(goal) && is_name_alone(from)).then_some((rest, from))
 }
 
 impl<M: AgentMemory> Agent<M> {
