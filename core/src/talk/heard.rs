@@ -208,7 +208,8 @@ impl Heard {
             false => share(background(language.tables(), symbol), NEW),
         };
         let is_of_task = is_of_task(language.tables(), symbol);
-        let is_new = classes == Classes::NONE && !is_toward && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
+        let is_new =
+            classes == Classes::NONE && !is_toward && !is_beside && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
         let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };

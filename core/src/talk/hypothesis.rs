@@ -106,7 +106,7 @@ impl<M: AgentMemory> Agent<M> {
             let words = words.iter().enumerate();
             words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
         };
-        add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING));
+        add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING * if place.told.is_some() { FOREIGN } else { 1.0 }));
         add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT * of_one));
         if !explained.signed.contains(explained.best().0) && !place.is_rest {
             let without = wording.coverage.most_without_task(self.language().tables().layout());
