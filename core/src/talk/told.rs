@@ -52,14 +52,8 @@ fn apart(words: Words<'_>) -> Option<Apart<'_>> {
     let end = words.iter().skip(1).position(|word| word.classes.contains(Class::Connective) && !word.is_beside);
     let end = end.map_or(words.len(), |end| end.saturating_add(1));
     let (command, behind) = (words.part(0, end), words.part(end, words.len()));
-<<<<<<< ours
     let (rest, by, is_place) =
         beside(command).map(|(rest, by)| (rest, by, true)).or_else(|| taken_from(command).map(|(rest, by)| (rest, by, false)))?;
-    (rest.iter().any(acts) || !is_place && has_name(rest)).then(|| Apart { words: rest.with(behind), by, is_place })
-=======
-    let (rest, by, is_place) = beside(command)
-        .map(|(rest, by)| (rest, by, true))
-        .or_else(|| taken_from(command).or_else(|| before_thing(command)).map(|(rest, by)| (rest, by, false)))?;
     // "Tell me where the bag is" asks for nothing else.
     let asks = command.iter().any(|word| word.is_beside && word.classes.contains(Class::Asking));
     (rest.iter().any(|word| acts(word) || word.is_new && !asks) || !is_place && has_name(rest)).then(|| Apart {
@@ -67,7 +61,6 @@ fn apart(words: Words<'_>) -> Option<Apart<'_>> {
         by,
         is_place,
     })
->>>>>>> theirs
 }
 
 /// The words without those for the place by a thing: "put the bag next to the basket".
