@@ -11,10 +11,10 @@ use goodbot_lesson::world::robot::Robot;
 use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
 /// A warning: the object's position in the environment, if it is about one object, and the message.
-pub type Doubt = (Option<usize>, String);
+pub type Warning = (Option<usize>, String);
 
 /// The warnings for a home without faults.
-pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
+pub fn of_home(environment: &EnvironmentFile) -> Vec<Warning> {
     let mut doubts = unnamed(environment);
     doubts.extend(overlaps(environment));
     let mut memory = home::memory();
@@ -25,7 +25,7 @@ pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Colours and shapes that no word can name.
-fn unnamed(environment: &EnvironmentFile) -> Vec<Doubt> {
+fn unnamed(environment: &EnvironmentFile) -> Vec<Warning> {
     let mut doubts = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         let (color, shape) = match object {
@@ -43,7 +43,7 @@ fn unnamed(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Rooms that share more than their walls.
-fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
+fn overlaps(environment: &EnvironmentFile) -> Vec<Warning> {
     let rooms: Vec<(usize, &str, [i32; 4])> = environment
         .objects
         .iter()
@@ -65,7 +65,7 @@ fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Rooms that the agent cannot reach, and doors that lead nowhere.
-fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Doubt> {
+fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Warning> {
     let free: BTreeSet<(i32, i32)> = home.places().iter().map(|place| (place.cell().x, place.cell().y)).collect();
     let around = |(x, y): (i32, i32)| [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)].into_iter().filter(|cell| free.contains(cell));
     let Cell { x, y } = home.agent_cell(start);

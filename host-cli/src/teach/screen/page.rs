@@ -71,7 +71,7 @@ fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
     }
     if let Some(kept) = visit.classroom.kept() {
         lines.push(Line::styled(
-            format!("Kept in {}, sessions in {}.", kept.places().model.display(), kept.places().log.display()),
+            format!("Kept in {}, sessions in {}.", kept.files().model.display(), kept.files().log.display()),
             palette.quiet(),
         ));
     }

@@ -12,7 +12,7 @@ use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::pupil::Judged;
-use crate::teach::pupil::{Acted, Heard, WordSupport};
+use crate::teach::pupil::{Acted, Reaction, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
@@ -300,7 +300,7 @@ impl Visit {
     /// Says a command.
     fn command(&mut self, command: &str) -> Result<(), Failure> {
         let heard = self.classroom.say(command)?;
-        if heard != Heard::Command {
+        if heard != Reaction::Command {
             // The session before is over.
             self.phase = Phase::Idle;
             self.message = telling::declined(&heard);
