@@ -122,9 +122,15 @@ pub struct TeachOptions {
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
-    /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
+    /// Write a picture of a lesson under way, taught by a simulated trainer, and leave: the tour's fifth, or in HOME one with --command
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
+    /// The command of the picture's lesson
+    #[arg(long, value_name = "WORDS", requires_all = ["picture", "home", "intended"])]
+    command: Option<String>,
+    /// The task that it means, as in logs
+    #[arg(long, value_name = "TASK", requires = "command")]
+    intended: Option<String>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "picture")]
     force: bool,
@@ -171,15 +177,27 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     }
 }
 
-/// The fifth lesson of the tour after a few steps.
+/// A lesson after a few steps: the fifth of the tour, or one in a home or world of the user's.
 fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Failure> {
     const SIZE: (u16, u16) = (80, 24);
     const LESSON: usize = 5;
     const STEPS: usize = 3;
-    let pupil = Pupil::new(&Setting::Floor(first_home()?), seed, false, None)?;
-    let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
-    let mut visit = Visit::new(Classroom::new(pupil, None, Some(tour))?, Pace::Normal, seed);
+    if options.home.is_some() && options.command.is_none() {
+        return Err(Failure::Input("a picture of this home needs a lesson: give --command and --intended".to_owned()));
+    }
+    let pupil = Pupil::new(&setting(options)?, seed, false, None)?;
+    let tour = options.home.is_none().then(|| Tour::new(options.seed.filter(|_| options.tour), std::iter::empty()));
+    let mut visit = Visit::new(Classroom::new(pupil, None, tour)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
+    if let Some(command) = &options.command {
+        visit.prompt.set(command);
+        visit.take(Intent::Say, now);
+        if visit.phase() == Phase::Idle {
+            return Err(Failure::Input(visit.message));
+        }
+        visit.classroom.mean(options.intended.as_deref())?;
+        visit.take(Intent::Auto, now);
+    }
     loop {
         let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
         match visit.phase() {

@@ -263,8 +263,9 @@ impl Visit {
                 self.classroom.forget()?;
                 self.idle("Finished without learning: it knows what it knew before.".to_owned());
             }
-            Intent::Auto if self.stop().is_none_or(|stop| stop.test) => {
-                self.message = "A simulated trainer judges only in lessons of the tour, where it knows the intended task.".to_owned();
+            Intent::Auto if self.tested.is_some() || self.classroom.pupil.intended().is_none() => {
+                self.message =
+                    "A simulated trainer judges only where it knows the intended task: in lessons of the tour, and after m.".to_owned();
             }
             Intent::Auto => {
                 self.auto = !self.auto;
