@@ -30,7 +30,7 @@ pub enum Step {
     Trust,
     /// the documentation is built without a warning
     Docs,
-    /// the command line compiles for Windows, and a robot on pins for Cortex-M0 and M4F
+    /// the command line compiles for Windows, and a robot on pins for Cortex-M4F
     Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
