@@ -197,7 +197,8 @@ impl AStar {
         most: u32,
     ) -> Option<Self> {
         // If pieces can be pulled, another piece behind one may be needed.
-        let is_asked = |other: &Piece| scene.grid.swaps() || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
+        let swaps = scene.grid.swaps();
+        let is_asked = |other: &Piece| swaps || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
         let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
         let mut it = Self {
             task,
@@ -213,7 +214,7 @@ impl AStar {
             threshold: distance,
             beyond: u32::MAX,
             left: most,
-            long: if scene.grid.swaps() { 0 } else { most.saturating_sub((scene.relaxation.states() / STATES_AN_EXPANSION) as u32) },
+            long: if swaps { 0 } else { most.saturating_sub((scene.relaxation.states() / STATES_AN_EXPANSION) as u32) },
             distance: u32::MAX,
             reached: Reached::NOT,
             present,
