@@ -49,8 +49,8 @@ function take(line) {
   if (why) failed(new Error(t('serial.says', { why })));
 }
 
-// Reads until the board is unplugged, or does not answer.
-async function listen(port, reader) {
+// Reads until the board is unplugged, or the reader is cancelled.
+async function listen(port, reader, piped) {
   let text = '';
   try {
     for (;;) {
@@ -65,7 +65,8 @@ async function listen(port, reader) {
   }
   writer?.releaseLock();
   writer = null;
-  port.close().catch(() => {});
+  await piped;
+  await port.close().catch(() => {});
   const error = new Error(t('serial.lost'));
   pending?.failed(error);
   if (connected()) fail(error);
@@ -90,11 +91,24 @@ async function connect() {
     const port = await serial.requestPort({ filters: [MICROBIT] });
     await port.open({ baudRate: 115200 });
     writer = port.writable.getWriter();
-    const reader = port.readable.pipeThrough(new TextDecoderStream()).getReader();
-    listen(port, reader);
-    setTimeout(() => { if (!connected()) reader.cancel(); }, MOST_WAIT);
-    await ask('help').catch(() => { throw new Error(t('serial.silent')); });
+    const decoder = new TextDecoderStream();
+    const piped = port.readable.pipeTo(decoder.writable).catch(() => {});
+    const reader = decoder.readable.getReader();
+    const over = listen(port, reader, piped);
+    const leave = () => reader.cancel().catch(() => {});
+    const silent = setTimeout(leave, MOST_WAIT);
+    try {
+      await ask('help');
+    } catch {
+      leave();
+      await over;
+      throw new Error(t('serial.silent'));
+    } finally {
+      clearTimeout(silent);
+    }
+    refused = null;
     show(true);
+    $('serial-fetch').focus();
     tell(t('serial.on'));
   } catch (error) {
     // Whoever has chosen no board knows that.
