@@ -7,11 +7,12 @@ import { render } from './render.js';
 import { LEARN_BUDGET, heatNow, leaveSession, refresh } from './session.js';
 import { $, inParts, state, tell } from './state.js';
 import { change } from './store.js';
+import { sessionsWord } from './words.js';
 
 // TypeScript does not know Web Serial.
 /** @type {any} */
 const { serial } = /** @type {any} */ (navigator);
-const MICROBIT = { usbVendorId: 0x0d28 };
+const MADE_BY = 0x0d28;
 const MOST_WAIT = 5000;
 
 /** @type {WritableStreamDefaultWriter<Uint8Array> | null} */
@@ -46,7 +47,7 @@ function take(line) {
   if (line !== 'ok' && !why) lines.push(line);
   else pending = null;
   if (line === 'ok') done(lines);
-  if (why) failed(new Error(t('serial.says', { why })));
+  if (why) failed(new Error('micro:bit: ' + why));
 }
 
 // Reads until the board is unplugged, or the reader is cancelled.
@@ -88,7 +89,7 @@ function fail(error) {
 
 async function connect() {
   try {
-    const port = await serial.requestPort({ filters: [MICROBIT] });
+    const port = await serial.requestPort({ filters: [{ usbVendorId: MADE_BY }] });
     await port.open({ baudRate: 115200 });
     writer = port.writable.getWriter();
     const decoder = new TextDecoderStream();
@@ -169,7 +170,7 @@ async function fetchLessons() {
       }
       return '';
     });
-    tell(t('serial.fetched', { n }));
+    tell('micro:bit: +' + sessionsWord(n));
   } catch (error) {
     fail(error);
   }

@@ -134,7 +134,7 @@ test('what the micro:bit cannot do is told, and the lesson goes on without it', 
   const page = await connected();
   await page.evaluate(() => { window.board.answer = request => [request === 'build' ? 'error: there are too many cells and blocks' : 'ok']; });
   await command(page, 'go to the red room');
-  await told(page, 'The micro:bit says: there are too many cells and blocks');
+  await told(page, 'micro:bit: there are too many cells and blocks');
   const before = await asked(page);
   assert.equal(before.at(-1), 'build');
   await step(page, 'good', 2);
@@ -213,7 +213,7 @@ test('the lessons of a class’s robots come together in one, each once', async 
   const fetched = async (model, news, count) => {
     await page.evaluate(lines => { window.board.answer = request => (request === 'model' ? [...lines, 'ok'] : ['ok']); }, model);
     await page.click('#serial-fetch');
-    await told(page, 'Lessons from the micro:bit: ' + news + ' new.');
+    await told(page, 'micro:bit: +' + news + ' session');
     await learned(page, count);
   };
   await fetched(models[0], 1, 1);
@@ -229,7 +229,7 @@ test('the lessons of a class’s robots come together in one, each once', async 
 
 test('a model that cannot be used, and a lesson under way there, are told and change nothing', async () => {
   const page = await connected();
-  for (const [answer, said] of [[['error: a lesson is under way; say `finish` or `again` first'], 'The micro:bit says: a lesson is under way'], [['00ff', 'ok'], 'model']]) {
+  for (const [answer, said] of [[['error: a lesson is under way; say `finish` or `again` first'], 'micro:bit: a lesson is under way'], [['00ff', 'ok'], 'model']]) {
     await page.evaluate(lines => { window.board.answer = () => lines; }, answer);
     await page.click('#serial-fetch');
     await told(page, said);
@@ -271,7 +271,7 @@ test('the firmware itself does a lesson along with the page, and hands over what
     await page.click('#new-robot');
     await page.waitForFunction(() => window.goodbot.sessions() === 0);
     await page.click('#serial-fetch');
-    await told(page, 'Lessons from the micro:bit: 1 new.');
+    await told(page, 'micro:bit: +1 session');
     assert.equal(await sessions(page), 1);
     await close(page);
   } finally {
