@@ -354,6 +354,12 @@ impl Goodbot {
         self.0.restore(bytes).map_err(thrown)
     }
 
+    /// Adds the lessons of another robot's model file; call `learn` until it is done. Returns the number of those that were not known.
+    /// Throws if the file cannot be used; the training data are then unchanged.
+    pub fn join(&mut self, bytes: &[u8]) -> Thrown<usize> {
+        self.0.join(bytes).map_err(thrown)
+    }
+
     /// Whether a micro:bit has room for the home.
     #[wasm_bindgen(js_name = fitsMicrobit)]
     pub fn fits_microbit(&self) -> bool {

@@ -206,6 +206,16 @@ impl World {
         Ok(())
     }
 
+    /// Adds the lessons of another robot's model file, and begins to train: call [`learn`](Self::learn) until it is done. Returns the number
+    /// of lessons that were not known. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the file cannot be used; the training data are then unchanged.
+    pub fn join(&mut self, bytes: &[u8]) -> Result<usize, Refusal> {
+        self.forget();
+        self.lesson.agent.join(bytes).map_err(Refusal::from)
+    }
+
     /// Whether a micro:bit has room for the home.
     pub fn fits_microbit(&self) -> bool {
         build(&self.file, Moves::Push, &Capacities::TINY).is_ok()

@@ -167,10 +167,12 @@ pub fn page(run: &mut Run) -> Result<()> {
     npm_packages()?;
     crate::release::make_and_try(run)?;
     sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
-    match FIREFOX.path() {
-        Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),
-        // Its tests then report that they are ignored.
-        Err(error) => eprintln!("the page is not tried in a second browser: {error:#}"),
+    for (name, program, place) in [("GOODBOT_FIREFOX", &FIREFOX, "in a second browser"), ("GOODBOT_QEMU", &QEMU, "with a micro:bit")] {
+        match program.path() {
+            Ok(path) => sh.set_var(name, path),
+            // Its tests then report that they are ignored.
+            Err(error) => eprintln!("the page is not tried {place}: {error:#}"),
+        }
     }
     // Exports of an earlier run must not be taken for this one's.
     let folder = target_dir().join("page-export");
