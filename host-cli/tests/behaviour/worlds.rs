@@ -57,6 +57,13 @@ fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
     assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("intended: fanOn(d)"), "{}", read.output);
     let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
     assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
+    // A world with more names than the model has ever met.
+    let lamp = |room: u32| format!(r#"{{"name":"x{room}","class":"lamp","attributes":{{"room":"room{room}","kind":"lamp"}}}},"#);
+    let lamps: String = (0..300).map(lamp).collect();
+    let large = file(folder.path(), "large.json", &WORLD.replacen(r#"{"name":"a""#, &(lamps + r#"{"name":"a""#), 1));
+    let large = large.to_str().expect("UTF-8");
+    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", large, "--json", "küche licht an"], b""));
+    assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some("lampOn(a)"), Some(607)), "{answer}");
 }
 
 #[test]
