@@ -392,6 +392,14 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
         assert!(checked.code == 0 && checked.messages.contains("standard input:4: field \"actions[1]"), "{told}: {}", checked.messages);
         assert!(checked.messages.contains(told), "{told}: {}", checked.messages);
     }
+    let two = world(&[r#"{"name":"x","effects":["at(b,a)","at(b,b)"]},{"name":"y","effects":["at(a,a)","at(b,a)"]}"#]).replace(
+        "\"on\":[\"lamp\"]}",
+        "\"on\":[\"lamp\"],\"at\":[\"lamp\",\"lamp\"]},\"variables\":[\"at\"],\"facts\":[\"at(a,b)\",\"at(b,a)\"]",
+    );
+    let checked = goodbot(&["check", "-"], two.as_bytes());
+    let told =
+        "field \"actions[1]\": warning: at(b,a) and at(b,b) give one variable two values; the last one counts, so leave one of the two out";
+    assert!(checked.messages.contains(told) && !checked.messages.contains("actions[2]"), "{}", checked.messages);
     let once = r#"{"name":"x","conditions":["on(a)","on(b)"],"effects":["!on(a)","!on(b)"]}"#;
     let sound = goodbot(&["check", "-"], world(&[once]).as_bytes());
     assert!(sound.output.contains("no fault\n"), "{}{}", sound.output, sound.messages);
