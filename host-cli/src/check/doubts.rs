@@ -123,6 +123,10 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
             let message = format!("{literal} both holds and does not hold after {name}; the last one counts, so leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
         }
+        if let Some((one, other)) = two_values(&robot.file().variables, &action.effects) {
+            let message = format!("{one} and {other} give one variable two values; the last one counts, so leave one of the two out");
+            doubts.push((format!("actions[{position}]"), message));
+        }
         if let Some(literal) = contradicted(&action.conditions) {
             let message = format!("{literal} is to hold and not to hold, so that {name} can never be done; leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
@@ -144,6 +148,13 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
 fn contradicted(literals: &[Literal]) -> Option<&Literal> {
     let is_opposite = |one: &Literal, other: &Literal| other.negated && other.proposition == one.proposition && other.terms == one.terms;
     literals.iter().find(|one| !one.negated && literals.iter().any(|other| is_opposite(one, other)))
+}
+
+/// The first two effects that give the same variable different values.
+fn two_values<'a>(variables: &[String], effects: &'a [Literal]) -> Option<(&'a Literal, &'a Literal)> {
+    let of = |literal: &'a Literal| literal.terms.split_last().map(|(_, of)| (&literal.proposition, of));
+    let mut given = effects.iter().enumerate().filter(|(_, literal)| variables.contains(&literal.proposition));
+    given.find_map(|(at, one)| Some(one).zip(effects.iter().skip(at + 1).find(|&other| of(other) == of(one) && other.terms != one.terms)))
 }
 
 /// The names of the actions that are ever possible, without their objects, and whether each ever changes something. Stops when all do.

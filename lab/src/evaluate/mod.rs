@@ -248,7 +248,7 @@ fn with_model(
         true if options.starter.is_given() => {
             return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
         }
-        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.act())?)),
+        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.asked(), sessions.act())?)),
         false => Trained::Robot(Box::new(restored::agent_beside(file, lifted, &starter)?)),
     };
     let answers = experiment.ask(&mut trained)?;

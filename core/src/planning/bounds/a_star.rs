@@ -88,10 +88,13 @@ struct Here {
 impl Here {
     /// The piece on a cell, except for the robot and the task's own.
     fn at(&self, cell: CellId) -> Option<Piece> {
-        // A look at all of them at once; most cells are free.
-        let is_taken = self.cells.iter().fold(false, |is_taken, &other| is_taken | (other == cell));
-        let other = if is_taken { self.cells.iter().position(|&other| other == cell) } else { None };
-        other.map(|other| Piece(other as u8))
+        // A look at all at once: no two are on one cell.
+        let number = self
+            .cells
+            .iter()
+            .enumerate()
+            .fold(0, |at, (other, &there)| at | if there == cell { (other as u16).wrapping_add(1) } else { 0 });
+        number.checked_sub(1).map(|other| Piece(other as u8))
     }
 }
 

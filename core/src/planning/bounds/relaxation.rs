@@ -66,15 +66,19 @@ pub(super) fn others<G: PushGrid + ?Sized>(grid: &G, piece: Piece) -> impl Itera
 /// The piece that moves besides the robot in a task's lower bound: the first that the task depends on and that is not at its goal. The
 /// robot, if the task depends on no other piece; `None` if no single pieces decide the task.
 pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
-    let asked = goals.pieces_of(task)?;
-    let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
-    let mut blocks = others(grid, Piece::ROBOT).filter(|piece| asked & piece.bit() != 0);
-    Some(blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT))
+    goals.pieces_of(task).map(|asked| piece_among(asked, grid, goals, state, task))
 }
 
-/// The number of pieces besides the robot that a task depends on; `None` if no single pieces decide the task.
-fn blocks_of(goals: &Goals<'_>, task: usize) -> Option<u32> {
-    goals.pieces_of(task).map(|pieces| (pieces & !Piece::ROBOT.bit()).count_ones())
+/// The same, where these pieces decide the task.
+fn piece_among<G: PushGrid + ?Sized>(asked: u32, grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Piece {
+    let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
+    let mut blocks = others(grid, Piece::ROBOT).filter(|piece| asked & piece.bit() != 0);
+    blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT)
+}
+
+/// The number of these pieces besides the robot.
+const fn blocks_of(pieces: u32) -> u32 {
+    (pieces & !1).count_ones()
 }
 
 /// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or
@@ -140,7 +144,8 @@ impl Relaxation {
         task: usize,
         lasting: u32,
     ) -> Option<Self> {
-        let (piece, blocks) = (piece_of(grid, goals, state, task)?, blocks_of(goals, task)?);
+        let asked_pieces = goals.pieces_of(task)?;
+        let piece = piece_among(asked_pieces, grid, goals, state, task);
         let cells = grid.floor().cells.len();
         let rows = if piece == Piece::ROBOT { 1 } else { cells };
         let mut places = [(Piece::ROBOT, CellId::NONE); MOST_LASTING];
@@ -155,7 +160,7 @@ impl Relaxation {
             cells,
             rows,
             states,
-            blocks,
+            blocks: blocks_of(asked_pieces),
             lasting: places,
             others: has_others,
             tabled: has_others,
@@ -201,10 +206,11 @@ impl Relaxation {
         state: &G::State,
         task: usize,
     ) -> bool {
-        if !self.tabled || self.blocks > 1 || blocks_of(goals, task) != Some(self.blocks) {
+        if !self.tabled || self.blocks > 1 {
             return false;
         }
-        let Some(piece) = piece_of(grid, goals, state, task) else { return false };
+        let Some(asked) = goals.pieces_of(task).filter(|&asked| blocks_of(asked) == self.blocks) else { return false };
+        let piece = piece_among(asked, grid, goals, state, task);
         let is_alike = |own: Piece, other: Piece, cell: CellId| {
             goals.allowed(grid, state, own, cell).contains(self.task) == goals.allowed(grid, state, other, cell).contains(task)
         };
