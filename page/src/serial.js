@@ -125,7 +125,8 @@ function requests({ command, decided, committed, feedback, given }) {
   const steps = state.evidence.map(step => [step.action, step.feedback]);
   if (decided && decided !== committed) steps.push([decided.action, given && feedback || '']);
   const words = { reward: ['good'], punish: ['bad'] };
-  return ['pace 0', 'begin', ...home, 'build', 'say ' + command, ...steps.flatMap(([action, word]) => ['act ' + action, ...words[word] || []]), ...state.phase === 'learning' ? ['finish'] : []];
+  const done = steps.flatMap(([action, word]) => ['act ' + action, ...words[word] || []]);
+  return ['pace 0', 'begin', ...home, 'build', 'say ' + command, ...done, ...state.phase === 'learning' ? ['finish'] : []];
 }
 
 /** Has the micro:bit do what the session under way has done since the last call. If a step or a word was taken back, it does the whole session
