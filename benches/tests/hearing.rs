@@ -45,12 +45,12 @@ fn lessons(tasks: usize) -> Vec<Lesson> {
 }
 
 /// A model trained in a world, and a lesson that it hears there.
-struct Heard<'m> {
+struct Trained<'m> {
     model: LanguageModel<&'m mut AgentHeap>,
     lesson: Lesson,
 }
 
-impl<'m> Heard<'m> {
+impl<'m> Trained<'m> {
     fn new(memory: &'m mut AgentHeap, lessons: &[Lesson], settings: Settings) -> Self {
         Self { model: training::train(memory, lessons.iter(), settings).expect("room"), lesson: lessons[0].clone() }
     }
@@ -73,7 +73,7 @@ fn ten_times_as_many_tasks_take_about_ten_times_as_long_to_hear_and_to_learn_amo
     for learner in [Learner::Roles, Learner::Default] {
         let settings = learner.options().language;
         let (mut memory, mut large) = (training::memory(&few, &settings), training::memory(&many, &settings));
-        let (mut one, mut ten) = (Heard::new(&mut memory, &few, settings), Heard::new(&mut large, &many, settings));
+        let (mut one, mut ten) = (Trained::new(&mut memory, &few, settings), Trained::new(&mut large, &many, settings));
         let heard = ratio(in_turn(&mut || ten.hear(), &mut || one.hear()));
         let times = |lessons: &[Lesson]| median((0..3).map(|_| learn(lessons, settings)).collect());
         let learned = ratio((times(&many), times(&few)));
@@ -94,7 +94,7 @@ fn the_cost_of_up_to_ten_thousand_tasks() {
         for learner in [Learner::Roles, Learner::Default] {
             let settings = learner.options().language;
             let mut memory = training::memory(&lessons, &settings);
-            let mut heard = Heard::new(&mut memory, &lessons, settings);
+            let mut heard = Trained::new(&mut memory, &lessons, settings);
             let milliseconds = |time: Duration| format!(" {:.1} ms |", time.as_secs_f64() * 1e3);
             hearing += &milliseconds(median((0..9).map(|_| time(&mut || heard.hear())).collect()));
             learning += &milliseconds(median((0..3).map(|_| learn(&lessons, settings)).collect()));

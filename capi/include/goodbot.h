@@ -427,7 +427,7 @@ typedef struct goodbot_lessons {
   // How many sessions.
   uint32_t sessions;
   // The most words of one command, at most 64.
-  uint32_t words;
+  uint32_t words_per_command;
   // How many different words the commands have together.
   uint32_t different_words;
   // Bytes that those words take together.

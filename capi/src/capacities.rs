@@ -220,7 +220,7 @@ pub struct GoodbotLessons {
     /// How many sessions.
     pub sessions: u32,
     /// The most words of one command, at most 64.
-    pub words: u32,
+    pub words_per_command: u32,
     /// How many different words the commands have together.
     pub different_words: u32,
     /// Bytes that those words take together.
@@ -244,10 +244,11 @@ pub unsafe extern "C" fn goodbot_least_capacities(
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let Some(&GoodbotLessons { sessions, words, different_words, word_bytes }) = lessons.as_ref() else {
+            let Some(&GoodbotLessons { sessions, words_per_command, different_words, word_bytes }) = lessons.as_ref() else {
                 return Err(GoodbotStatus::Null.into());
             };
-            let [sessions, words, different_words, word_bytes] = [sessions, words, different_words, word_bytes].map(|it| it as usize);
+            let [sessions, words, different_words, word_bytes] =
+                [sessions, words_per_command, different_words, word_bytes].map(|it| it as usize);
             let lessons = Lessons { sessions, words, different_words, word_bytes };
             let Goodbot { agent, world, .. } = robot;
             let least = in_world!(&*world, |domain, _state| agent.least_capacities(domain, &lessons)?);

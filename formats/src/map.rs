@@ -14,7 +14,7 @@ const COLORS: [(char, &str); 7] =
 /// The fault of a drawing, and its line.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {message}")]
-pub struct Misdrawn {
+pub struct MapFault {
     /// The line, from 1.
     pub line: usize,
     /// The fault, and the remedy.
@@ -53,7 +53,7 @@ impl Notes {
     }
 
     /// The error of a note about a room or block that is not drawn.
-    fn idle(&self, objects: &[ObjectRecord]) -> Option<Misdrawn> {
+    fn idle(&self, objects: &[ObjectRecord]) -> Option<MapFault> {
         let room = |place: &[i32; 4]| {
             objects
                 .iter()
@@ -64,7 +64,7 @@ impl Notes {
             self.rooms.iter().filter(|(place, _)| !room(place)).map(|(_, (line, _))| (*line, "no room has this box, its walls included"));
         let blocks = self.blocks.iter().filter(|(cell, _)| !block(cell)).map(|(_, (line, _))| (*line, "no block is in this cell"));
         let (line, what) = rooms.chain(blocks).next()?;
-        Some(Misdrawn { line, message: format!("{what}; mend the numbers, or leave the line out") })
+        Some(MapFault { line, message: format!("{what}; mend the numbers, or leave the line out") })
     }
 }
 
@@ -83,8 +83,8 @@ impl Drawing {
         self.first + usize::try_from(self.rows - 1 - y).unwrap_or(0)
     }
 
-    fn wrong<T>(&self, cell: (i32, i32), message: String) -> Result<T, Misdrawn> {
-        Err(Misdrawn { line: self.line(cell), message })
+    fn wrong<T>(&self, cell: (i32, i32), message: String) -> Result<T, MapFault> {
+        Err(MapFault { line: self.line(cell), message })
     }
 }
 
@@ -92,7 +92,7 @@ impl Drawing {
 ///
 /// # Errors
 /// The fault, and its line.
-pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
+pub fn parse(text: &str) -> Result<EnvironmentFile, MapFault> {
     let drawing = taken_apart(text)?;
     let mut objects = rooms(&drawing)?;
     let (mut doors, mut blocks, mut agents) = (Vec::new(), Vec::new(), Vec::new());
@@ -119,7 +119,7 @@ pub fn parse(text: &str) -> Result<EnvironmentFile, Misdrawn> {
     }
 }
 
-fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
+fn taken_apart(text: &str) -> Result<Drawing, MapFault> {
     let (mut rows, mut legend, mut notes, mut first) = (Vec::new(), BTreeMap::new(), Notes::default(), 0);
     for (line, number) in text.trim_start_matches('\u{feff}').lines().zip(1..).filter(|(line, _)| !line.trim().is_empty()) {
         let line = line.trim_end();
@@ -127,7 +127,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
         let named = letters.next().zip(letters.as_str().split_once(':')).filter(|(_, (blank, _))| blank.trim().is_empty());
         if let Some((letter, (_, meaning))) = named {
             if let Some((before, _)) = legend.insert(letter, (number, meaning.trim().to_owned())) {
-                return Err(Misdrawn {
+                return Err(MapFault {
                     line: number,
                     message: format!("{letter} was given on line {before} already; choose another letter"),
                 });
@@ -138,7 +138,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
             continue;
         }
         if line.chars().count() > MOST || rows.len() == MOST {
-            return Err(Misdrawn { line: number, message: format!("the drawing has more than {MOST} lines or columns; make it smaller") });
+            return Err(MapFault { line: number, message: format!("the drawing has more than {MOST} lines or columns; make it smaller") });
         }
         if rows.is_empty() {
             first = number;
@@ -152,7 +152,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
             if !(character.is_alphabetic() || "#+@.".contains(character)) {
                 let message =
                     format!("{character:?} means nothing here; write # for a wall, + for a door, @ for the robot, letters for the rest");
-                return Err(Misdrawn { line: first + usize::try_from(height - 1 - y).unwrap_or(0), message });
+                return Err(MapFault { line: first + usize::try_from(height - 1 - y).unwrap_or(0), message });
             }
             cells.insert((x, y), character);
         }
@@ -161,7 +161,7 @@ fn taken_apart(text: &str) -> Result<Drawing, Misdrawn> {
 }
 
 /// The rooms. Each is a full rectangle of one small letter; the robot and blocks may be in it.
-fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, Misdrawn> {
+fn rooms(drawing: &Drawing) -> Result<Vec<ObjectRecord>, MapFault> {
     let inside = |cell: &(i32, i32)| drawing.cells.get(cell).copied().filter(|&c| c == '@' || c.is_alphabetic());
     let mut seen: BTreeSet<(i32, i32)> = BTreeSet::new();
     let mut rooms = Vec::new();

@@ -7,7 +7,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_lesson::Fault;
 use goodbot_lesson::world::pddl;
-use goodbot_lesson::world::robot::{self, Flaw, Tables};
+use goodbot_lesson::world::robot::{self, Tables, WorldFlaw};
 use std::io::Write;
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ pub struct ConvertArgs {
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let domain = read(&args.domain, Domain::parse)?;
     let problem = read(&args.problem, Problem::parse)?;
-    let refused = |flaw: Flaw| Failure::Input(format!("{}: {flaw}", input::name(&args.problem)));
+    let refused = |flaw: WorldFlaw| Failure::Input(format!("{}: {flaw}", input::name(&args.problem)));
     let world = pddl::world(&domain, &problem).map_err(|flaw| match flaw.field.as_str() {
         "types" | "predicates" | "actions" => Failure::Input(format!("{}: {flaw}", input::name(&args.domain))),
         _ => refused(flaw),

@@ -47,7 +47,7 @@ fn share(text: &str) -> Result<f32, String> {
 type Shares = BTreeMap<String, f32>;
 
 /// The sessions and words of a model.
-struct Known {
+struct ModelContents {
     sessions: Vec<String>,
     words: BTreeMap<String, Shares>,
 }
@@ -69,7 +69,7 @@ struct Moved {
 pub fn run(args: &DiffArgs) -> Result<(), Failure> {
     let [before, after] = [known(&args.first)?, known(&args.second)?];
     let (gone, added) = (without(&before.sessions, &after.sessions), without(&after.sessions, &before.sessions));
-    let words = |known: &Known| known.words.keys().cloned().collect::<Vec<_>>();
+    let words = |known: &ModelContents| known.words.keys().cloned().collect::<Vec<_>>();
     let (old, new) = (words(&before), words(&after));
     let (forgotten, learned) = (without(&old, &new), without(&new, &old));
     let moved: Vec<Moved> = moved(&before.words, &after.words).into_iter().filter(|word| word.by >= args.least).collect();
@@ -111,7 +111,7 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-fn known(file: &Path) -> Result<Known, Failure> {
+fn known(file: &Path) -> Result<ModelContents, Failure> {
     let tasks = paper_tasks()?;
     let agent = restored::agent(file, &tasks)?;
     let lexicon = Lexicon::of(agent.language());
@@ -122,7 +122,7 @@ fn known(file: &Path) -> Result<Known, Failure> {
         lexicon.rows.iter().map(|(token, row)| (token.clone(), if whole > 0.0 { of(row) / whole } else { 0.0 })).collect()
     };
     let words = lexicon.words.iter().enumerate().map(|(column, word)| (full.of(word), shares(column))).collect();
-    Ok(Known { sessions: sessions::commands(&agent), words })
+    Ok(ModelContents { sessions: sessions::commands(&agent), words })
 }
 
 /// The texts that the others do not have. A text that is missing twice is listed twice.

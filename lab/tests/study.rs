@@ -6,13 +6,13 @@ use goodbot_lab::study::agent::{AGENTS, Contestant, Learns};
 use goodbot_lab::study::course::Course;
 use goodbot_lab::study::trainer::TRAINERS;
 use goodbot_lab::study::trainer::population::Population;
-use goodbot_lab::study::trial::{Ending, MOST_STEPS, Outcome, Places, run};
+use goodbot_lab::study::trial::{CoursePlaces, Ending, MOST_STEPS, Outcome, run};
 
 fn agent(name: &str) -> &'static Contestant {
     AGENTS.iter().find(|agent| agent.name == name).expect("an agent of this name")
 }
 
-fn outcome(agent: &Contestant, trainer: &str, places: &mut Places, seed: u64) -> Outcome {
+fn outcome(agent: &Contestant, trainer: &str, places: &mut CoursePlaces, seed: u64) -> Outcome {
     let trainer = TRAINERS.iter().find(|known| known.name == trainer).expect("a trainer of this name");
     run(&agent.learns, trainer.habits(&Population::fitted(), seed), places, seed).expect("a course")
 }
@@ -22,7 +22,7 @@ fn means<const N: usize>(course: Course, who: [(&str, &str); N], of: fn(&Outcome
     const SEEDS: u64 = 6;
     let mut means = [0.0; N];
     for seed in 1..=SEEDS {
-        let mut places = Places::new(course, seed).expect("homes");
+        let mut places = CoursePlaces::new(course, seed).expect("homes");
         for (mean, (name, trainer)) in means.iter_mut().zip(who) {
             *mean += of(&outcome(agent(name), trainer, &mut places, seed)) / SEEDS as f64;
         }
@@ -40,7 +40,7 @@ fn answers(outcome: &Outcome) -> f64 {
 
 #[test]
 fn every_agent_gets_through_the_course_with_every_trainer_and_the_same_seed_gives_the_same() {
-    let [mut one, mut other] = [(); 2].map(|()| Places::new(Course::Paper, 3).expect("homes"));
+    let [mut one, mut other] = [(); 2].map(|()| CoursePlaces::new(Course::Paper, 3).expect("homes"));
     for agent in AGENTS {
         for trainer in &TRAINERS {
             let outcome = outcome(agent, trainer.name, &mut one, 3);
@@ -56,7 +56,7 @@ fn every_agent_gets_through_the_course_with_every_trainer_and_the_same_seed_give
 #[test]
 fn every_inference_and_language_gets_through_the_other_courses() {
     for course in [Course::Free, Course::Told] {
-        let mut places = Places::new(course, 5).expect("homes");
+        let mut places = CoursePlaces::new(course, 5).expect("homes");
         for agent in AGENTS.iter().filter(|agent| matches!(agent.learns, Learns::Factors(..))) {
             assert_eq!(outcome(agent, "balanced", &mut places, 5).tests.len(), 5, "{}", agent.name);
         }

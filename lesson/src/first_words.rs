@@ -6,7 +6,7 @@ use std::fmt;
 
 /// A command as it is read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Read<'c> {
+pub struct FirstWords<'c> {
     /// The words that are read.
     pub words: &'c str,
     /// How many words the command has, read or not.
@@ -33,7 +33,7 @@ impl fmt::Display for Long {
     }
 }
 
-impl Read<'_> {
+impl FirstWords<'_> {
     /// The command's length, if only its first words are read.
     pub fn long(&self) -> Option<Long> {
         (self.count > WORDS_PER_COMMAND).then_some(Long { count: self.count })
@@ -53,7 +53,7 @@ impl Read<'_> {
 ///
 /// # Errors
 /// A [`CapacityError`] if one of the read words is too long.
-pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
+pub fn read(command: &str) -> Result<FirstWords<'_>, CapacityError> {
     let mut count = 0;
     let mut counted = |words: &str| {
         for_each_piece(words, |_| {
@@ -65,10 +65,10 @@ pub fn read(command: &str) -> Result<Read<'_>, CapacityError> {
         Err(CapacityError { capacity: Capacity::WordsPerCommand, given, .. }) => {
             let words = first_words(command).trim_end();
             counted(words)?;
-            Ok(Read { words, count: given as usize })
+            Ok(FirstWords { words, count: given as usize })
         }
         Err(error) => Err(error),
-        Ok(()) => Ok(Read { words: command, count }),
+        Ok(()) => Ok(FirstWords { words: command, count }),
     }
 }
 

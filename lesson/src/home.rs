@@ -11,14 +11,14 @@ use goodbot_formats::map;
 
 /// A flaw of a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Flaw {
+pub struct HomeFlaw {
     /// The position of the object in the environment, if the flaw is in one of them.
     pub object: Option<usize>,
     /// The flaw.
     pub problem: HomeProblem,
 }
 
-impl Flaw {
+impl HomeFlaw {
     /// The flaw and its remedy, with the object's name.
     pub fn message(&self, environment: &EnvironmentFile) -> String {
         match self.object.and_then(|object| environment.objects.get(object)) {
@@ -76,20 +76,20 @@ pub fn memory() -> HomeHeap {
 }
 
 /// Builds the home of an environment, with its initial state.
-pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory: M) -> Result<(Home<M>, HomeState), Flaw> {
+pub fn build<M: HomeMemory>(environment: &EnvironmentFile, moves: Moves, memory: M) -> Result<(Home<M>, HomeState), HomeFlaw> {
     let mut builder = HomeBuilder::new(memory);
     for (position, object) in environment.objects.iter().enumerate() {
-        add(&mut builder, object).map_err(|problem| Flaw { object: Some(position), problem })?;
+        add(&mut builder, object).map_err(|problem| HomeFlaw { object: Some(position), problem })?;
     }
-    let (home, start) = builder.build(moves).map_err(|error| Flaw { object: error.object.map(usize::from), problem: error.problem })?;
+    let (home, start) = builder.build(moves).map_err(|error| HomeFlaw { object: error.object.map(usize::from), problem: error.problem })?;
     Ok((home.with_derived(environment.derived), start))
 }
 
 /// All flaws of a home.
-pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
+pub fn flaws(environment: &EnvironmentFile) -> Vec<HomeFlaw> {
     let most = Capacities::STANDARD.objects;
     if environment.objects.len() > most {
-        return vec![Flaw {
+        return vec![HomeFlaw {
             object: None,
             problem: HomeProblem::Capacity(CapacityError::new(Capacity::Objects, most, environment.objects.len())),
         }];
@@ -97,10 +97,10 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
     let mut flaws = Vec::new();
     let has = |wanted: fn(&ObjectRecord) -> bool| environment.objects.iter().any(wanted);
     if !has(|object| matches!(object, ObjectRecord::Agent { .. })) {
-        flaws.push(Flaw { object: None, problem: HomeProblem::NoAgent });
+        flaws.push(HomeFlaw { object: None, problem: HomeProblem::NoAgent });
     }
     if !has(|object| matches!(object, ObjectRecord::Room { .. })) {
-        flaws.push(Flaw { object: None, problem: HomeProblem::NoRoom });
+        flaws.push(HomeFlaw { object: None, problem: HomeProblem::NoRoom });
     }
     flaws.extend(flawed_alone(environment));
     if flaws.is_empty() {
@@ -110,13 +110,13 @@ pub fn flaws(environment: &EnvironmentFile) -> Vec<Flaw> {
 }
 
 /// The objects that cannot be added, whatever other objects there are.
-fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
+fn flawed_alone(environment: &EnvironmentFile) -> Vec<HomeFlaw> {
     let mut memory = memory();
     let mut builder = HomeBuilder::new(&mut memory);
     let mut flaws = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         if let Err(problem) = add(&mut builder, object) {
-            flaws.push(Flaw { object: Some(position), problem });
+            flaws.push(HomeFlaw { object: Some(position), problem });
             // After one that does not fit, no other fits.
             if matches!(problem, HomeProblem::Capacity(_)) {
                 break;
@@ -127,8 +127,8 @@ fn flawed_alone(environment: &EnvironmentFile) -> Vec<Flaw> {
 }
 
 /// The objects at impossible positions. Each pass leaves out those found before.
-fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
-    let (mut flaws, mut left): (Vec<Flaw>, Vec<usize>) = (Vec::new(), (0..environment.objects.len()).collect());
+fn misplaced(environment: &EnvironmentFile) -> Vec<HomeFlaw> {
+    let (mut flaws, mut left): (Vec<HomeFlaw>, Vec<usize>) = (Vec::new(), (0..environment.objects.len()).collect());
     loop {
         let rest = EnvironmentFile::new(left.iter().filter_map(|&position| environment.objects.get(position).cloned()).collect());
         let mut memory = memory();
@@ -138,7 +138,7 @@ fn misplaced(environment: &EnvironmentFile) -> Vec<Flaw> {
             return flaws;
         }
         let object = flaw.object.and_then(|object| left.get(object).copied());
-        flaws.push(Flaw { object, ..flaw });
+        flaws.push(HomeFlaw { object, ..flaw });
         let Some(object) = object else { return flaws };
         left.retain(|&position| position != object);
     }

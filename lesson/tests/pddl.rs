@@ -4,7 +4,7 @@ use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::pddl;
-use goodbot_lesson::world::robot::{self, Flaw};
+use goodbot_lesson::world::robot::{self, WorldFlaw};
 
 const GRIPPER: &str = include_str!("pddl/gripper.pddl");
 const GRIPPER_4: &str = include_str!("pddl/gripper-4.pddl");
@@ -22,7 +22,7 @@ const PROBLEMS: [(&str, &str, u32); 6] = [
     (DELIVERY, DELIVERY_4, 14),
 ];
 
-fn converted(domain: &str, problem: &str) -> Result<WorldFile, Flaw> {
+fn converted(domain: &str, problem: &str) -> Result<WorldFile, WorldFlaw> {
     pddl::world(&Domain::parse(domain).expect("a domain"), &Problem::parse(problem).expect("a problem"))
 }
 

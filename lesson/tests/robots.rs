@@ -102,7 +102,7 @@ fn where_all_states_can_be_numbered_a_session_may_begin_with_what_no_action_brin
     let file = lamps(4, "", r#"{"name":"light","effects":["on(l0)"]}"#);
     let begun = robot::with(&file, |robot, _| {
         let state = robot.state_of(&["on(l3)".parse().expect("a fact")])?;
-        Ok::<_, robot::Flaw>((robot.state_count(), state, robot.facts(state).len()))
+        Ok::<_, robot::WorldFlaw>((robot.state_count(), state, robot.facts(state).len()))
     });
     assert_eq!(begun.expect("a robot"), Ok((16, 8, 1)));
 }

@@ -61,6 +61,15 @@ function slotsWith(model) {
   return slots;
 }
 
+/** The board's requests for this home: an object's fields are one, `room room0 0 0 4 4 red`. `null` if the board has no room for the home, or a
+ * name is not one word.
+ * @param {any} environment the home with its things where they are now
+ * @returns {string[] | null} */
+export function homeRequests({ objects }) {
+  const parts = objects.map(Object.values);
+  return world.fitsMicrobit() && parts.flat().every(word => /^\S+$/.test(word)) ? parts.map(words => words.join(' ')) : null;
+}
+
 const size = text => new TextEncoder().encode(text).length;
 
 /** Saves the chosen program with this robot in it.
@@ -82,11 +91,7 @@ export async function toMicrobit(input, name) {
       if (fits) lines += line + '\n';
       return fits;
     };
-    // An object's fields are its request: `room room0 0 0 4 4 red`.
-    const home = world.fitsMicrobit() && JSON.parse(world.environment()).objects.every(object => {
-      const words = Object.values(object);
-      return !words.some(word => /^$|\s/.test(word)) && add(words.join(' '));
-    });
+    const home = homeRequests(JSON.parse(world.environment()))?.every(add);
     if (!home) lines = '';
     for (const command of new Set(logOf(state.robot).split('\n').filter(Boolean).map(line => JSON.parse(line).command).filter(Boolean))) add('say ' + command.trim());
     if (lines) {

@@ -9,6 +9,7 @@ import { renderPlan } from './plan.js';
 import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
 import { renderSecret } from './secret.js';
+import { followSession } from './serial.js';
 import { hasWords } from './session.js';
 import { renderSettings } from './settings.js';
 import { $, all, make, state } from './state.js';
@@ -81,6 +82,7 @@ export function render() {
   $('choose').hidden = $('home').value !== 'random' || Boolean(session);
   renderIdeas();
   renderQuestion();
+  followSession();
   waiting?.cancel();
   if (session && state.phase === 'waiting' && session.delay > 300 && session.delay < Infinity && !session.paused) {
     waiting = $('wait').animate([{ transform: 'scaleX(0)' }, { transform: 'scaleX(1)' }], { duration: session.delay, delay: session.since - performance.now(), fill: 'both' });

@@ -91,7 +91,7 @@ function newSession(command, { intended = null, looking = false, recorded = unde
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onEnd: null, onLearn: null,
+    committed: null, began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onEnd: null, onLearn: null,
   };
 }
 
@@ -355,6 +355,7 @@ function commit(session) {
   const evidence = session.looking && !session.recorded ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
   if (evidence) state.evidence.push(evidence);
   else if (!session.looking) return;
+  session.committed = session.decided;
   session.times.push(timeOfStep(session));
   session.steps += 1;
   session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;

@@ -11,6 +11,7 @@ import { writeHomes } from './play.js';
 import { render } from './render.js';
 import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
 import { shareSecret } from './secret.js';
+import { setUpSerial } from './serial.js';
 import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
 import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
@@ -142,6 +143,7 @@ export function setUpSettings() {
   });
   $('load-model').addEventListener('change', () => loadModel($('load-model')));
   $('to-microbit').addEventListener('change', () => toMicrobit($('to-microbit'), fileName()));
+  setUpSerial();
   for (const label of all('label.button')) {
     // A file can be dropped there too.
     label.addEventListener('dragover', event => event.preventDefault());

@@ -21,6 +21,7 @@ import { t } from './language.js';
  * @property {boolean} looking a test: no feedback
  * @property {Ranked[]} heard the belief at first
  * @property {Decided | null} decided
+ * @property {Decided | null} committed the last step whose feedback was taken in
  * @property {string | null} feedback
  * @property {boolean} given whether the trainer has given feedback to the last action
  * @property {number} rests

@@ -94,7 +94,7 @@ export function tellRest() {
   return Boolean(heard);
 }
 
-/** @param {import('goodbot-wasm').Heard} heard */
+/** @param {import('goodbot-wasm').Reaction} heard */
 function follow(heard, words) {
   if (heard.begun) begin(heard.command, {});
   else if (heard.negated) remark(t('talk.not'), '');

@@ -12,7 +12,7 @@ use goodbot::{Capacities, home::SCHEMA};
 use goodbot_course::{Exercise, HomeName, Layout, generator};
 use goodbot_formats::environment::{EnvironmentFile, object_line};
 use goodbot_formats::map;
-use goodbot_lesson::home::{Flaw, environment};
+use goodbot_lesson::home::{HomeFlaw, environment};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -134,7 +134,7 @@ impl Home {
 }
 
 /// The exception for a flaw of a home, naming the object and its line.
-fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &Flaw, text: &str) -> PyErr {
+fn flaw(py: Python<'_>, environment: &EnvironmentFile, error: &HomeFlaw, text: &str) -> PyErr {
     if let Problem::Capacity(error) = error.problem {
         return full(py, error);
     }

@@ -29,12 +29,12 @@ pub struct Robot {
     name_ends: Vec<u16>,
     count: ObjectCount,
     state_count: u64,
-    known: Mutex<Known>,
+    known: Mutex<CachedAnswers>,
 }
 
 /// The cached answers of the class.
 #[derive(Debug, Default)]
-struct Known {
+struct CachedAnswers {
     states: HashMap<u64, Py<PyAny>>,
     steps: HashMap<(u64, u8), Option<u64>>,
     holds: HashMap<(u64, GroundProposition), bool>,
@@ -167,7 +167,7 @@ impl Robot {
         self.object.is(object)
     }
 
-    fn known(&self) -> MutexGuard<'_, Known> {
+    fn known(&self) -> MutexGuard<'_, CachedAnswers> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

@@ -1,6 +1,6 @@
 //! The robot's questions, as a page shows them, and the trainer's answers.
 
-use crate::view::{About, Question, Told};
+use crate::view::{About, AnswerEvidence, Question};
 use crate::world::{Refusal, World};
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
@@ -62,7 +62,7 @@ impl World {
     ///
     /// # Errors
     /// Where there is no open question, or this is no answer to it.
-    pub fn answer(&mut self, answer: &str) -> Result<Told, Refusal> {
+    pub fn answer(&mut self, answer: &str) -> Result<AnswerEvidence, Refusal> {
         let given = match answer {
             "yes" => Answer::Yes,
             "no" => Answer::No,
@@ -77,7 +77,7 @@ impl World {
             Evidence::SaysNothing => "says nothing",
             Evidence::Impossible => "impossible",
         };
-        Ok(Told { outcome, before, after: self.probabilities() })
+        Ok(AnswerEvidence { outcome, before, after: self.probabilities() })
     }
 
     /// Takes in an answer with all its parts, as in a log: whether the meant task is among those named, the probability that this is wrong,

@@ -196,7 +196,7 @@ impl Goodbot {
         self.0.learn_voice(words, feedback).map_err(thrown)
     }
 
-    /// Tells the robot something: JSON, [`Heard`](crate::view::Heard). With some lessons it listens, and begins a session if there is
+    /// Tells the robot something: JSON, [`Reaction`](crate::view::Reaction). With some lessons it listens, and begins a session if there is
     /// something to do. `insists` makes it a command, whatever the robot takes it for, unless it is negated.
     pub fn listen(&mut self, words: &str, insists: bool) -> Thrown<String> {
         json(&self.0.listen(words, insists).map_err(thrown)?)
@@ -208,7 +208,7 @@ impl Goodbot {
         self.0.is_more()
     }
 
-    /// Begins with the rest of the utterance, once a session is over: JSON, [`Heard`](crate::view::Heard), or `null` without a rest.
+    /// Begins with the rest of the utterance, once a session is over: JSON, [`Reaction`](crate::view::Reaction), or `null` without a rest.
     #[wasm_bindgen(js_name = listenOn)]
     pub fn listen_on(&mut self) -> Thrown<String> {
         json(&self.0.listen_on().map_err(thrown)?)
@@ -231,7 +231,7 @@ impl Goodbot {
     }
 
     /// Begins a session of a log anew, one that began by listening: the utterance, the task of the command before, if there was one, and
-    /// the conversation, as a name and a text on two lines each. JSON, [`Heard`](crate::view::Heard).
+    /// the conversation, as a name and a text on two lines each. JSON, [`Reaction`](crate::view::Reaction).
     #[wasm_bindgen(js_name = listenAs)]
     pub fn listen_as(&mut self, utterance: &str, after: Option<String>, conversation: &str) -> Thrown<String> {
         json(&self.0.listen_as(utterance, after.as_deref(), &pairs(conversation)).map_err(thrown)?)
@@ -301,7 +301,7 @@ impl Goodbot {
     }
 
     /// Takes in the answer to the open question, `yes`, `no` (none of these) or the number of a choice from 1 on: JSON,
-    /// [`Told`](crate::view::Told).
+    /// [`AnswerEvidence`](crate::view::AnswerEvidence).
     pub fn answer(&mut self, answer: &str) -> Thrown<String> {
         json(&self.0.answer(answer).map_err(thrown)?)
     }
@@ -352,6 +352,12 @@ impl Goodbot {
     /// Replaces the robot's model by a model file; call `learn` until it is done. Throws if the file is none; the old model then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Thrown<()> {
         self.0.restore(bytes).map_err(thrown)
+    }
+
+    /// Adds the lessons of another robot's model file; call `learn` until it is done. Returns the number of those that were not known.
+    /// Throws if the file cannot be used; the training data are then unchanged.
+    pub fn join(&mut self, bytes: &[u8]) -> Thrown<usize> {
+        self.0.join(bytes).map_err(thrown)
     }
 
     /// Whether a micro:bit has room for the home.

@@ -13,7 +13,7 @@ use goodbot_lesson::walk::Listening;
 use crate::cells::MIND;
 use crate::replay::{not_begun, with_names};
 use crate::training::task_name;
-use crate::view::Heard;
+use crate::view::Reaction;
 use crate::world::{Refusal, World};
 
 /// All tasks that commands may mean in this state, with those that are done already, each with its name.
@@ -90,11 +90,11 @@ impl World {
     ///
     /// # Errors
     /// Why it cannot be heard; the training data are kept.
-    pub fn listen(&mut self, words: &str, insists: bool) -> Result<Heard, Refusal> {
+    pub fn listen(&mut self, words: &str, insists: bool) -> Result<Reaction, Refusal> {
         self.forget();
         let knows_little = self.sessions() > 0 && !tells_talk(self.agent());
         if let Some(task) = if knows_little && !insists { self.already(words)? } else { None } {
-            return Ok(Heard { begun: false, verdict: "done", task, negated: false, command: String::new() });
+            return Ok(Reaction { begun: false, verdict: "done", task, negated: false, command: String::new() });
         }
         let environment = self.environment_now();
         let mut listened = self.lesson.tell(words, environment).map_err(Refusal::from)?;
@@ -115,7 +115,7 @@ impl World {
     ///
     /// # Errors
     /// As [`listen`](Self::listen).
-    pub fn listen_on(&mut self) -> Result<Option<Heard>, Refusal> {
+    pub fn listen_on(&mut self) -> Result<Option<Reaction>, Refusal> {
         let environment = self.environment_now();
         let listened = self.lesson.listen_on(environment).map_err(Refusal::from)?;
         listened.map(|listened| self.heard(Some(listened))).transpose()
@@ -149,7 +149,7 @@ impl World {
     ///
     /// # Errors
     /// A name that is no task's or object's here.
-    pub fn listen_as(&mut self, utterance: &str, after: Option<&str>, conversation: &[(String, String)]) -> Result<Heard, Refusal> {
+    pub fn listen_as(&mut self, utterance: &str, after: Option<&str>, conversation: &[(String, String)]) -> Result<Reaction, Refusal> {
         self.forget();
         let environment = self.environment_now();
         let (mind, home, state) = self.lesson.parts();
@@ -183,7 +183,7 @@ impl World {
     }
 
     /// The effect of words that the robot has listened to; `listened` is `None` if it took them for a command.
-    fn heard(&mut self, listened: Option<Listened>) -> Result<Heard, Refusal> {
+    fn heard(&mut self, listened: Option<Listened>) -> Result<Reaction, Refusal> {
         let begun = self.lesson.is_under_way();
         let Self { scout, lesson, .. } = self;
         if begun {
@@ -199,6 +199,6 @@ impl World {
         let task = task.and_then(|task| Some(task_name(lesson.home(), lesson.agent.lifted().get(usize::from(task.lifted))?, task)));
         let task = task.unwrap_or_default();
         let command = lesson.command().unwrap_or_default().to_owned();
-        Ok(Heard { begun, verdict, task, negated: lesson.is_prohibition(), command })
+        Ok(Reaction { begun, verdict, task, negated: lesson.is_prohibition(), command })
     }
 }

@@ -125,7 +125,7 @@ pub struct Evidence {
 
 /// The effect of words to the robot.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Tsify)]
-pub struct Heard {
+pub struct Reaction {
     /// Whether a session has begun.
     pub begun: bool,
     /// The verdict on the words: `sure`, `unsure`, `done` or `none`.
@@ -190,7 +190,7 @@ pub struct NextLesson {
 
 /// The evidence of an answer for each task.
 #[derive(Clone, Debug, PartialEq, Serialize, Tsify)]
-pub struct Told {
+pub struct AnswerEvidence {
     /// Its effect: `used`, `says nothing`, or `impossible` under every task.
     pub outcome: &'static str,
     /// The tasks' probabilities before.

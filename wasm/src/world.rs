@@ -11,7 +11,7 @@ use goodbot::snapshot::{Contents, Part, RestoreError, SAVED};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_lesson::home::Flaw;
+use goodbot_lesson::home::HomeFlaw;
 use goodbot_lesson::live::Lesson;
 use goodbot_lesson::replay::expect_ends;
 use rand_pcg::Pcg32;
@@ -73,7 +73,7 @@ fn plain_mind(capacities: &Capacities, ways: bool) -> Result<Agent<AgentHeap>, R
 
 /// Builds the home of a file. The message of a refusal names the object.
 pub(crate) fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> Result<(Home<HomeHeap>, HomeState), Refusal> {
-    goodbot_lesson::home::build(file, moves, HomeHeap::new(room)).map_err(|Flaw { object, problem }| {
+    goodbot_lesson::home::build(file, moves, HomeHeap::new(room)).map_err(|HomeFlaw { object, problem }| {
         let object = object.and_then(|at| file.objects.get(at));
         Refusal(object.map_or_else(|| problem.to_string(), |object| format!("{}: {problem}", object.name())))
     })
@@ -204,6 +204,16 @@ impl World {
         self.forget();
         self.lesson.replace_agent(mind);
         Ok(())
+    }
+
+    /// Adds the lessons of another robot's model file, and begins to train: call [`learn`](Self::learn) until it is done. Returns the number
+    /// of lessons that were not known. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the file cannot be used; the training data are then unchanged.
+    pub fn join(&mut self, bytes: &[u8]) -> Result<usize, Refusal> {
+        self.forget();
+        self.lesson.agent.join(bytes).map_err(Refusal::from)
     }
 
     /// Whether a micro:bit has room for the home.

@@ -201,6 +201,24 @@ fn a_damaged_model_is_refused_and_the_old_one_stays() {
 }
 
 #[test]
+fn the_lessons_of_another_robot_are_added_once_and_a_damaged_model_adds_none() {
+    let (mut world, mut other) = (world("A"), world("A"));
+    train(&mut world, "go to the green room", "agentInRoom(agent0,room1)");
+    train(&mut other, "walk to the red room", "agentInRoom(agent0,room2)");
+    let mut theirs = other.save().unwrap();
+    for (added, sessions) in [(1, 2), (0, 2)] {
+        assert_eq!(world.join(&theirs).unwrap(), added);
+        while !world.learn(1_000) {}
+        assert_eq!(world.sessions(), sessions);
+    }
+    let known = world.save().unwrap();
+    let middle = theirs.len() / 2;
+    theirs[middle] ^= 1;
+    assert!(world.join(&theirs).is_err());
+    assert_eq!(world.save().unwrap(), known);
+}
+
+#[test]
 fn a_home_that_is_none_is_refused_by_the_name_of_what_is_wrong() {
     let json = r#"{"version":1,"objects":[{"class":"room","name":"hall","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"robbie","x":0,"y":2}]}"#;
     let refusal = check(json).unwrap_err();

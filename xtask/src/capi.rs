@@ -58,7 +58,9 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
         Some(target) => {
             let cargo = toolchain::cargo(&sh, target, "rustc")?.args(["--profile", "controller"]);
             // The smallest code would listen half as fast.
-            let cargo = if features.contains("talk") { cargo.env("CARGO_PROFILE_CONTROLLER_OPT_LEVEL", "s") } else { cargo };
+            let faster =
+                if features.contains("talk") { toolchain::faster("controller", &["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
+            let cargo = cargo.args(faster);
             (cargo, toolchain::artifacts(target, "controller"))
         }
     };

@@ -125,7 +125,11 @@ fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
         toolchain::cargo(&sh, target, "build")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
     // The smallest code has a deeper stack, for which the micro:bit's RAM is too small, and takes longer than is promised for ways and full tables.
     let is_faster = target == CORTEX_M0 || what.iter().any(|&what| ["full", "ways"].contains(&what));
-    let cargo = if is_faster { cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s") } else { cargo };
+    let cargo = match is_faster {
+        true if target == CORTEX_M0 => cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s"),
+        true => cargo.args(toolchain::faster("release", &["goodbot", "goodbot-firmware", "libm"])),
+        false => cargo,
+    };
     toolchain::in_any_folder(cargo)?.args(what).run()?;
     Ok(toolchain::artifacts(target, "release"))
 }
@@ -247,16 +251,15 @@ fn is_panic(symbol: &str) -> bool {
 /// Builds a program with a package of its own: the micro:bit's, `microbit`; the robot among embassy's tasks, `embassy`; the Raspberry Pi
 /// Pico's, `pico`. Returns its path.
 pub fn for_cortex_m0(name: &str) -> Result<PathBuf> {
-    package(CORTEX_M0, name)
+    Ok(build(CORTEX_M0, &["--package", &format!("goodbot-{name}")])?.join(name))
 }
 
-/// Builds the ESP32-C3's program. No available emulator runs it.
-pub fn for_esp32c3() -> Result<PathBuf> {
-    package(RISCV_C3, "esp32c3")
-}
-
-fn package(target: &str, name: &str) -> Result<PathBuf> {
-    Ok(build(target, &["--package", &format!("goodbot-{name}")])?.join(name))
+/// Checks the ESP32-C3's program without building it, because no available emulator runs it.
+pub fn check_esp32c3() -> Result<()> {
+    let sh = shell()?;
+    let check =
+        toolchain::cargo(&sh, RISCV_C3, "check")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
+    Ok(check.args(["--package", "goodbot-esp32c3"]).run()?)
 }
 
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns the file's path.

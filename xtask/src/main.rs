@@ -2,7 +2,6 @@
 
 mod api;
 mod benches;
-mod beside;
 mod capi;
 #[cfg(test)]
 mod dependencies;
@@ -11,6 +10,7 @@ mod footprint;
 mod fuzz;
 mod guide;
 mod page;
+mod parallel;
 mod process;
 mod programs;
 mod release;

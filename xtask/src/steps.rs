@@ -6,13 +6,13 @@ use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, deliver, for_cortex_m0, for_esp32c3, full, images, nothing_panics, obeying, run_alone, run_pico,
+    FLASH, Image, Report, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico,
     trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::test::{Run, Step};
-use crate::toolchain::{self, CORTEX_M0, CORTEX_M4F, WASM, WINDOWS};
+use crate::toolchain::{self, CORTEX_M4F, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
 /// minutes to build, and making the page tests it.
@@ -103,13 +103,12 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks, without a linker, that the command line compiles for another system, and a robot on a board's pins for controllers.
+/// Checks, without a linker, that the command line compiles for another system, and a robot on a board's pins for a controller.
 pub fn portable() -> Result<()> {
     let sh = shell()?;
-    for target in [CORTEX_M0, CORTEX_M4F] {
-        let check = toolchain::cargo(&sh, target, "check")?.arg("--locked");
-        check.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
-    }
+    // The profile of the C library, whose standard library the steps for C need too.
+    let check = toolchain::cargo(&sh, CORTEX_M4F, "check")?.args(["--locked", "--profile", "controller"]);
+    check.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
     toolchain::add_windows()?;
     let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
     Ok(check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?)
@@ -128,7 +127,8 @@ pub fn tests(run: &mut Run) -> Result<()> {
         (false, _) => run.count(cmd!(sh, "cargo test {WORKSPACE...}"))?,
         (true, true) => run.count(cmd!(sh, "cargo nextest run --no-fail-fast --profile fast {WORKSPACE...}"))?,
         (true, false) => {
-            run.count(cmd!(sh, "cargo nextest run --no-fail-fast {WORKSPACE...}"))?;
+            // Without the examples, which clippy has compiled.
+            run.count(cmd!(sh, "cargo nextest run --no-fail-fast --tests {WORKSPACE...}"))?;
             run.count(cmd!(sh, "cargo test --doc {WORKSPACE...}"))?;
         }
     }
@@ -167,10 +167,12 @@ pub fn page(run: &mut Run) -> Result<()> {
     npm_packages()?;
     crate::release::make_and_try(run)?;
     sh.set_var("GOODBOT_CHROMIUM", CHROMIUM.path().or_else(|missing| on_path("chromium").ok_or(missing))?);
-    match FIREFOX.path() {
-        Ok(second) => sh.set_var("GOODBOT_FIREFOX", second),
-        // Its tests then report that they are ignored.
-        Err(error) => eprintln!("the page is not tried in a second browser: {error:#}"),
+    for (name, program, place) in [("GOODBOT_FIREFOX", &FIREFOX, "in a second browser"), ("GOODBOT_QEMU", &QEMU, "with a micro:bit")] {
+        match program.path() {
+            Ok(path) => sh.set_var(name, path),
+            // Its tests then report that they are ignored.
+            Err(error) => eprintln!("the page is not tried {place}: {error:#}"),
+        }
     }
     // Exports of an earlier run must not be taken for this one's.
     let folder = target_dir().join("page-export");
@@ -265,7 +267,7 @@ pub fn same_bits() -> Result<()> {
     }
     all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
     all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
-    println!("built and not run: {}", for_esp32c3()?.display());
+    check_esp32c3()?;
     let other = all.iter().find(|(_, digest)| *digest != host);
     ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));
     Ok(())

@@ -9,7 +9,7 @@ use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
 use xshell::Cmd;
 
-use crate::beside::Beside;
+use crate::parallel::ParallelSteps;
 use crate::programs::Missing;
 use crate::{capi, footprint, guide, release, steps};
 
@@ -30,7 +30,7 @@ pub enum Step {
     Trust,
     /// the documentation is built without a warning
     Docs,
-    /// the command line compiles for Windows, and a robot on pins for Cortex-M0 and M4F
+    /// the command line compiles for Windows, and a robot on pins for Cortex-M4F
     Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
@@ -61,7 +61,7 @@ pub enum Step {
 impl Step {
     /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
     /// the time it uses only one processor, to link one program.
-    const fn is_beside(self) -> bool {
+    const fn is_parallel(self) -> bool {
         use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Packages, Portable, SameBits, Tick};
         matches!(self, Portable | CHost | CBoard | Packages | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
     }
@@ -174,10 +174,10 @@ pub fn run(options: &Options) -> Result<()> {
     let chosen = chosen(options);
     ensure!(!chosen.is_empty(), "no step was chosen: --fast leaves out those that --only names");
     let start = Instant::now();
-    let (there, here): (Vec<_>, Vec<_>) = chosen.iter().partition(|step| step.is_beside());
+    let (there, here): (Vec<_>, Vec<_>) = chosen.iter().partition(|step| step.is_parallel());
     let has_both =
         !there.is_empty() && !here.is_empty() && std::thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
-    let (mut beside, here) = if has_both { (Some(Beside::start(&there)?), here) } else { (None, chosen.clone()) };
+    let (mut parallel, here) = if has_both { (Some(ParallelSteps::start(&there)?), here) } else { (None, chosen.clone()) };
 
     let mut run = Run { fast: options.fast, chosen: here.clone(), tally: Tally::default() };
     let mut ends: Vec<End> = Vec::new();
@@ -185,17 +185,17 @@ pub fn run(options: &Options) -> Result<()> {
     for step in here {
         ends.push(work(step, &mut run));
         if let Some(report) = &options.report {
-            crate::beside::report(report, &ends, run.tally)?;
+            crate::parallel::report(report, &ends, run.tally)?;
         }
-        if has_failed(&ends) || beside.as_mut().is_some_and(Beside::has_failed) {
+        if has_failed(&ends) || parallel.as_mut().is_some_and(ParallelSteps::has_failed) {
             break;
         }
     }
     if options.report.is_some() {
         return Ok(());
     }
-    if let Some(beside) = beside {
-        let (more, tally) = beside.end(has_failed(&ends))?;
+    if let Some(parallel) = parallel {
+        let (more, tally) = parallel.end(has_failed(&ends))?;
         ends.extend(more);
         run.tally.add(tally);
     }

@@ -154,7 +154,7 @@ pub fn cargo<'sh>(sh: &'sh Shell, target: &str, subcommand: &str) -> Result<Cmd<
     Ok(cargo.args([subcommand, "--target", target, "--target-dir"]).arg(target_dir().join("cross")))
 }
 
-/// Set where this program stands between cargo and the compiler.
+/// Set where this program stands between cargo and the compiler. Its value is the user's own program at that place, if there is one.
 const AS_COMPILER: &str = "GOODBOT_XTASK_AS_COMPILER";
 
 /// The same build, with the same bytes in any folder.
@@ -162,13 +162,15 @@ const AS_COMPILER: &str = "GOODBOT_XTASK_AS_COMPILER";
 /// Cargo numbers the crates, and the numbers order what the compiler writes. A crate outside the workspace, as the core is for the firmware, is numbered by
 /// its whole path. So this program calls the compiler, and gives the project's crates their names instead.
 pub fn in_any_folder(cargo: Cmd) -> Result<Cmd> {
-    Ok(cargo.env("RUSTC_WRAPPER", std::env::current_exe()?).env(AS_COMPILER, "1"))
+    let own = std::env::var_os("RUSTC_WRAPPER").unwrap_or_default();
+    Ok(cargo.env("RUSTC_WRAPPER", std::env::current_exe()?).env(AS_COMPILER, own))
 }
 
 /// Calls the compiler, if cargo calls this program for that.
 pub fn as_compiler() -> Option<Result<()>> {
-    std::env::var_os(AS_COMPILER).map(|_| {
-        let (mut arguments, package) = (std::env::args_os().skip(1), std::env::var("CARGO_PKG_NAME").unwrap_or_default());
+    std::env::var_os(AS_COMPILER).map(|own| {
+        let package = std::env::var("CARGO_PKG_NAME").unwrap_or_default();
+        let mut arguments = Some(own).filter(|own| !own.is_empty()).into_iter().chain(std::env::args_os().skip(1));
         let mut compiler = Command::new(arguments.next().context("cargo names no compiler")?);
         let ended = compiler.args(arguments.map(|argument| without_number(argument, &package))).status();
         let ended = ended.with_context(|| format!("{} could not be started", compiler.get_program().display()))?;
@@ -186,6 +188,12 @@ fn without_number(argument: OsString, package: &str) -> OsString {
 /// Where [`cargo`] leaves what it builds with a profile.
 pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
+}
+
+/// Arguments for [`cargo`] that optimise packages for size and speed ("s") where a profile optimises for size alone ("z"). The standard library stays
+/// as it is, so that it is built once for both.
+pub fn faster(profile: &str, packages: &[&str]) -> Vec<String> {
+    packages.iter().map(|package| format!("--config=profile.{profile}.package.{package}.opt-level=\"s\"")).collect()
 }
 
 /// Arguments for [`cargo`] that make a profile's panics abort at once, without the code for their messages. Empty with rustup's

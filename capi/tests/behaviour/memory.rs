@@ -114,7 +114,7 @@ fn a_table_robot_needs_what_its_size_says() {
 
 #[test]
 fn a_robot_in_roomy_memory_tells_the_least_capacities_and_another_lives_in_them() {
-    let lessons = GoodbotLessons { sessions: 4, words: 6, different_words: 12, word_bytes: 60 };
+    let lessons = GoodbotLessons { sessions: 4, words_per_command: 6, different_words: 12, word_bytes: 60 };
     let roomy = at_home();
     let mut least = small();
     unsafe {

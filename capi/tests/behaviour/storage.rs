@@ -126,7 +126,7 @@ fn a_power_cut_at_any_byte_leaves_the_older_model_or_the_newer_one() {
 fn a_robot_in_the_least_capacities_loads_its_own_model() {
     let commands = [c"go to the green room", c"please walk over to the red one now", c"take the chair to the green room", c"red"];
     let (roomy, mut least) = (at_home(), small());
-    let lessons = GoodbotLessons { sessions: 4, words: 8, different_words: 15, word_bytes: 57 };
+    let lessons = GoodbotLessons { sessions: 4, words_per_command: 8, different_words: 15, word_bytes: 57 };
     assert_eq!(unsafe { goodbot_least_capacities(roomy.robot, &raw const lessons, &raw mut least) }, GoodbotStatus::Ok);
     let (mut flash, mut buffer, mut count) = (Flash::new(), vec![0; SLOT], 0);
     let robots = [in_homes(least), in_homes(least)];

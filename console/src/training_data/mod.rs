@@ -25,7 +25,7 @@ use goodbot::task::LiftedTask;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader, SessionReader};
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_lesson::Fault;
-use goodbot_lesson::first_words::{Read, told};
+use goodbot_lesson::first_words::{FirstWords, told};
 use rayon::prelude::*;
 use std::sync::Arc;
 
@@ -84,7 +84,7 @@ pub struct Lesson {
 
 impl Lesson {
     /// A command in a world without a robot. Its meaning is still unknown, and it is not learned from.
-    fn told(id: String, world: String, command: &Read<'_>, header: SessionHeader, readings: Arc<[Reading]>) -> Self {
+    fn told(id: String, world: String, command: &FirstWords<'_>, header: SessionHeader, readings: Arc<[Reading]>) -> Self {
         Self {
             id,
             command: command.words.to_owned(),
@@ -139,7 +139,7 @@ pub struct Lessons {
 
 /// The options for reading logs.
 #[derive(Clone, Debug, Default)]
-pub struct Told {
+pub struct LogOptions {
     /// The expected trainers, in place of the sessions' own.
     pub believes: Option<Believes>,
     /// Whether faulty sessions are skipped.
@@ -149,13 +149,13 @@ pub struct Told {
 }
 
 /// Reads the sessions of all files and replays them.
-pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, told: &Told) -> Result<Lessons, Failure> {
-    let keep_going = told.keep_going;
+pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, log_options: &LogOptions) -> Result<Lessons, Failure> {
+    let keep_going = log_options.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);
     let (mut lessons, mut homes, mut remarks) = (Vec::new(), None, Vec::new());
     let ways = lifted.iter().any(LiftedTask::has_way);
-    let mut left = told.limit.count();
+    let mut left = log_options.limit.count();
     let progress = counting("reading sessions");
     for file in files {
         let opened = input::log(file)?;
@@ -166,7 +166,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
             return Err(Fault::new(name, message).into());
         }
         if !is_of_homes {
-            worlds::read(name, opened, options, told.believes.as_ref(), plans, &mut left, |lesson| {
+            worlds::read(name, opened, options, log_options.believes.as_ref(), plans, &mut left, |lesson| {
                 progress.inc(1);
                 match lesson {
                     Ok(Some(_)) if lessons.len() >= MOST_SESSIONS => return Err(too_many(name)),
@@ -197,7 +197,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     let walked: Vec<Result<Lesson, Vec<Fault>>> = sessions
         .par_iter()
         .map_init(
-            || Witness::new(lifted, options, told.believes.clone(), plans),
+            || Witness::new(lifted, options, log_options.believes.clone(), plans),
             |witness, (file, session)| {
                 let lesson = match witness {
                     Ok(witness) => witness.lesson(file, session),

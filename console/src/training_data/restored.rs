@@ -4,7 +4,7 @@ use crate::learner;
 use crate::messages::{counted, working};
 use crate::outcome::Failure;
 use crate::starter::Starter;
-use crate::training_data::training;
+use crate::training_data::{Lesson, training};
 use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
@@ -66,12 +66,17 @@ pub fn options(file: &Path) -> Result<Options, Failure> {
     Ok(contents.options)
 }
 
-/// The language model of a file, for questions. `acts` says whether a robot acts in the place of the question. `memory` is replaced by
+/// The language model of a file, for these questions. `acts` says whether a robot acts in the place of the question. `memory` is replaced by
 /// memory of the right size.
 ///
 /// # Errors
 /// The errors of [`agent`], and an error if the model was learned by a robot that acts, but none acts in the place of the question.
-pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
+pub fn language<'m, 'q>(
+    file: &Path,
+    memory: &'m mut AgentHeap,
+    questions: impl IntoIterator<Item = &'q Lesson>,
+    acts: bool,
+) -> Result<LanguageModel<&'m mut AgentHeap>, Failure> {
     let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
     let bytes = read_model(file)?;
     let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
@@ -81,7 +86,8 @@ pub fn language<'m>(file: &Path, memory: &'m mut AgentHeap, acts: bool) -> Resul
             &"was learned in homes, or in a world where a robot acts, and none acts here; name a model of a log of commands",
         ));
     }
-    *memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    let room = room_for(&contents).plus(training::to_name_tasks(questions));
+    *memory = learner::memory(&room, &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
     model.restore(&bytes).map_err(|error| fault(&error))?;
     while model.train(u32::MAX) == Progress::Working {}

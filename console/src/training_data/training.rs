@@ -27,10 +27,8 @@ pub fn tasks(lessons: &[Lesson]) -> usize {
 
 /// Capacities for these lessons, and at least `least`.
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
-    let (mut words, mut tokens, mut commands) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
+    let (mut words, mut commands) = (BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
-    // Lessons in one world share their tasks.
-    let mut counted = BTreeSet::new();
     for lesson in lessons {
         // The words as each model reads them. A command that is too long has only its first words here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
@@ -45,17 +43,14 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
             lengths.insert((command.len(), count));
             commands.insert(command);
         }
-        if counted.insert(lesson.readings.as_ptr()) {
-            tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
-        }
     }
-    let spare = 64;
-    let (word_count, token_count) = (words.len() + spare, tokens.len() + spare);
+    let (spare, named) = (64, to_name_tasks(lessons));
+    let (word_count, token_count) = (words.len() + spare, named.tokens + spare);
     Capacities {
         words: least.words.max(word_count),
         word_bytes: least.word_bytes.max(words.iter().map(String::len).sum::<usize>() + 16 * spare),
         tokens: least.tokens.max(token_count),
-        token_bytes: least.token_bytes.max(tokens.iter().map(|token| token.len()).sum::<usize>() + 32 * spare),
+        token_bytes: least.token_bytes.max(named.token_bytes + 32 * spare),
         commands: least.commands.max(commands.len()),
         command_tokens: least.command_tokens.max(commands.iter().map(|command| command.len()).sum()),
         sessions: least.sessions.max(lessons.len()),
@@ -66,6 +61,19 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
         length_pairs: least.length_pairs.max(lengths.len()),
         ..least
     }
+}
+
+/// Capacities for the machine tokens of all possible tasks in these lessons.
+pub fn to_name_tasks<'l>(lessons: impl IntoIterator<Item = &'l Lesson>) -> Capacities {
+    let (mut counted, mut tokens) = (BTreeSet::new(), BTreeSet::new());
+    for lesson in lessons {
+        // Lessons in one world share their tasks.
+        if counted.insert(lesson.readings.as_ptr()) {
+            tokens.extend(lesson.readings.iter().flat_map(|reading| &reading.commands).flatten());
+        }
+    }
+    let token_bytes = tokens.iter().map(|token| token.len()).sum();
+    Capacities { tokens: tokens.len(), token_bytes, ..Capacities::NONE }
 }
 
 /// Trains a model on lessons, from uniform parameters.

@@ -14,7 +14,7 @@ use goodbot_lesson::Fault;
 use goodbot_lesson::fault::quoted;
 use goodbot_lesson::first_words::{self, too_long};
 use goodbot_lesson::world::before::{self, Step};
-use goodbot_lesson::world::robot::{self, Flaw, Robot, Tables};
+use goodbot_lesson::world::robot::{self, Robot, Tables, WorldFlaw};
 use goodbot_lesson::world::{TooMany, meanings};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -28,7 +28,7 @@ struct Scene {
 }
 
 /// A world of a log.
-enum Known {
+enum LoggedWorld {
     /// A world without a robot, with the scenes of its commands by their [`place`].
     Told(Arc<WorldFile>, HashMap<String, Scene>),
     /// A world with a robot.
@@ -40,7 +40,7 @@ struct Worlds<'b> {
     options: Options,
     believes: Option<&'b Believes>,
     plans: bool,
-    worlds: HashMap<String, Known>,
+    worlds: HashMap<String, LoggedWorld>,
     /// For each named command: the steps of its conversation up to it.
     conversations: HashMap<String, Vec<Arc<Step>>>,
 }
@@ -106,7 +106,7 @@ pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) 
 impl Worlds<'_> {
     /// Adds a world. The same world again changes nothing; another of the same name replaces it.
     fn meet(&mut self, file: &str, world: &Arc<WorldFile>) -> Result<(), Fault> {
-        let (Known::Told(same, _) | Known::Acted(same, ..)) = match self.worlds.get(&world.name) {
+        let (LoggedWorld::Told(same, _) | LoggedWorld::Acted(same, ..)) = match self.worlds.get(&world.name) {
             Some(known) => known,
             None => return self.meet_anew(file, world),
         };
@@ -117,13 +117,13 @@ impl Worlds<'_> {
         // If the new world is at fault, its commands and sessions are skipped without further errors.
         self.worlds.remove(&world.name);
         let known = if world.actions.is_empty() {
-            Known::Told(Arc::clone(world), HashMap::new())
+            LoggedWorld::Told(Arc::clone(world), HashMap::new())
         } else {
-            let fault = |flaw: Flaw| Fault::new(file, format!("world {}: {}", quoted(&world.name), flaw.message)).in_field(flaw.field);
+            let fault = |flaw: WorldFlaw| Fault::new(file, format!("world {}: {}", quoted(&world.name), flaw.message)).in_field(flaw.field);
             let robot = Tables::of(Arc::clone(world)).map_err(fault)?.keep();
             let lifted = robot::tasks(world, &robot).map_err(fault)?;
             let witness = Witness::new(&lifted, self.options, self.believes.cloned(), self.plans);
-            Known::Acted(Arc::clone(world), robot, Box::new(witness.map_err(|error| Fault::new(file, error))?))
+            LoggedWorld::Acted(Arc::clone(world), robot, Box::new(witness.map_err(|error| Fault::new(file, error))?))
         };
         self.worlds.insert(world.name.clone(), known);
         Ok(())
@@ -131,9 +131,9 @@ impl Worlds<'_> {
 
     fn session(&mut self, file: &str, recorded: &SessionInWorld) -> Result<Lesson, Vec<Fault>> {
         match self.worlds.get_mut(&recorded.world.name) {
-            Some(Known::Acted(_, robot, witness)) => witness.lesson_in(file, recorded, *robot),
+            Some(LoggedWorld::Acted(_, robot, witness)) => witness.lesson_in(file, recorded, *robot),
             None => Err(vec![]),
-            Some(Known::Told(..)) => {
+            Some(LoggedWorld::Told(..)) => {
                 let message = "has no actions, so nothing can be done in it; add actions, or write a command with \"intended\"";
                 Err(vec![Fault::on_line(file, recorded.session.header_line, message).in_field("world")])
             }
@@ -169,7 +169,7 @@ impl Worlds<'_> {
     /// Remembers a command and the steps before it, by its name.
     fn remember(&mut self, command: &CommandRecord, before: &[Arc<Step>]) {
         let Some(id) = &command.id else { return };
-        let world = self.worlds.get(&command.world).map(|(Known::Told(world, _) | Known::Acted(world, ..))| Arc::clone(world));
+        let world = self.worlds.get(&command.world).map(|(LoggedWorld::Told(world, _) | LoggedWorld::Acted(world, ..))| Arc::clone(world));
         let steps = world.map_or_else(|| before.to_vec(), |world| before::after(before, &world, command));
         self.conversations.insert(id.clone(), steps);
     }
@@ -187,8 +187,8 @@ impl Worlds<'_> {
         let model = self.options.language.model;
         let (world, scenes) = match self.worlds.get_mut(&command.world) {
             None => return Ok(None),
-            Some(Known::Told(world, scenes)) => (world, scenes),
-            Some(Known::Acted(world, robot, witness)) => {
+            Some(LoggedWorld::Told(world, scenes)) => (world, scenes),
+            Some(LoggedWorld::Acted(world, robot, witness)) => {
                 let facts = command.facts.as_ref().unwrap_or(&world.facts).clone();
                 let session = RecordedSession {
                     header: SessionHeader { intended: None, ..header(command) },

@@ -188,7 +188,7 @@ impl<M: AgentMemory> Agent<M> {
             return Err(AgentError::NoAnswer);
         }
         let wrong = eta / f32::from(others);
-        let possible = self.belief_mut().observe_beside(|task| if tasks.contains(task) == yes { 1.0 - eta } else { wrong });
+        let possible = self.belief_mut().observe_unrelated(|task| if tasks.contains(task) == yes { 1.0 - eta } else { wrong });
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
     }
 }

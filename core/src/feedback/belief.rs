@@ -301,7 +301,7 @@ impl<'t> Belief<'t> {
 impl Belief<'_> {
     /// Observes evidence unrelated to the last action, by its likelihood for each task. It stays if a later word replaces an earlier one
     /// about the action. Evidence that is impossible under every task is ignored, and the result is `false`.
-    pub(crate) fn observe_beside(&mut self, likelihood: impl Fn(usize) -> f32) -> bool {
+    pub(crate) fn observe_unrelated(&mut self, likelihood: impl Fn(usize) -> f32) -> bool {
         if (0..self.count.tasks).all(|task| self.read().weight(task).scaled_by(likelihood(task)).is_zero()) {
             return false;
         }

@@ -3,7 +3,7 @@
 use super::bitext::{Bitext, BitextRef, Extent};
 use super::layer::Layer;
 #[cfg(feature = "layer")]
-use super::layer::{Known, LayerRef};
+use super::layer::{CommandIndex, LayerRef};
 #[cfg(feature = "snapshot")]
 use super::roles::Layout;
 use super::roles::Meaning;
@@ -394,7 +394,7 @@ impl<'t> LanguageMut<'t> {
             layer.possible.add_session(&[])?;
         }
         let extent = layer.possible.extent();
-        let mut known = Known::of(layer.possible.read());
+        let mut known = CommandIndex::of(layer.possible.read());
         let mut added = self.tables.fits_rows(self.tokens.len(), self.words.len());
         for (description, prior) in tasks {
             let weight = if is_weight(prior) { prior } else { 0.0 };
@@ -579,7 +579,7 @@ impl<'t> LanguageMut<'t> {
         wanted.see_length(words.len());
         self.tables.fits(&wanted)?;
         let memory = &mut self.tables.memory;
-        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis()) else { return Ok(()) };
+        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis_start()) else { return Ok(()) };
         roles::explanation::explain(&layout, memory.translations, parameters, trellis, &words, description, tell);
         Ok(())
     }

@@ -106,7 +106,7 @@ impl<'t> Tables<'t> {
         let wanted = Wanted { layout, ..Wanted::NONE };
         *self.trained = Trained { words: layout.words(), tokens: layout.tokens(), layout, wanted };
         let translations = first(self.memory.translations, layout.translations());
-        let alignments = first(self.memory.alignments, layout.trellis());
+        let alignments = first(self.memory.alignments, layout.trellis_start());
         translations.iter_mut().chain(alignments).zip(cells).for_each(|(slot, cell)| *slot = cell);
     }
 

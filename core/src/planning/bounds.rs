@@ -53,8 +53,8 @@ impl Bounds {
         is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, likely, relaxation: None, search: None })
     }
 
-    /// Continues, with at most about `left` expansions. Returns whether there is more to do. `marks` holds zeros at the beginning, and
-    /// again at the end.
+    /// Continues, with at most `left` expansions. Returns whether there is more to do. To open a lower bound's goals is one step, and so is to
+    /// clear what a search met. `marks` holds zeros at the beginning, and again at the end.
     pub(super) fn advance<G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],

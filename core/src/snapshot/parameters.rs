@@ -126,13 +126,13 @@ fn write(out: &mut Out<'_>, vocabulary: u32, language: LanguageRef<'_>) {
             out.bytes(text.as_bytes());
         }
     }
-    let cells = translations.iter().chain(alignments.iter().take(layout.trellis())).take(cells(layout));
+    let cells = translations.iter().chain(alignments.iter().take(layout.trellis_start())).take(cells(layout));
     cells.for_each(|cell| out.bytes(&cell.to_le_bytes()));
 }
 
 /// The number of cells after the texts. A model that has learned nothing has none.
 fn cells(layout: &Layout) -> usize {
-    if layout.words() == 0 { 0 } else { layout.translations().saturating_add(layout.trellis()) }
+    if layout.words() == 0 { 0 } else { layout.translations().saturating_add(layout.trellis_start()) }
 }
 
 /// A checked file of parameters.
@@ -198,7 +198,7 @@ impl<'a> Parameters<'a> {
             (Capacity::Tokens, tokens, layout.tokens()),
             (Capacity::TokenBytes, token_bytes, self.tokens.len().saturating_sub(layout.tokens())),
             (Capacity::Translations, translations.len(), layout.translations()),
-            (Capacity::Alignments, alignments.len(), layout.trellis().saturating_add(layout.memories())),
+            (Capacity::Alignments, alignments.len(), layout.trellis_start().saturating_add(layout.memories())),
         ];
         let full = needs.into_iter().find(|&(_, room, need)| need > room);
         full.map_or(Ok(()), |(capacity, room, need)| Err(CapacityError::new(capacity, room, need)))

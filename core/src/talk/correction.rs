@@ -139,7 +139,7 @@ impl<M: AgentMemory> Agent<M> {
             let fit = |task: usize| (1.0 - WRONG) * (fits.get(task).copied().unwrap_or(0.0) / most).min(1.0);
             let kept = |task: usize| kept.get(task).copied().unwrap_or(1.0);
             let possible =
-                self.belief_mut().observe_beside(|task| if is_meant { kept(task) * (WRONG + fit(task)) } else { 1.0 - fit(task) });
+                self.belief_mut().observe_unrelated(|task| if is_meant { kept(task) * (WRONG + fit(task)) } else { 1.0 - fit(task) });
             evidence = if possible { Evidence::Used } else { Evidence::Impossible };
         }
         Ok(evidence)

@@ -108,10 +108,15 @@ fn slots() -> Result<TwoSlots<Flash>, StorageError<Refused>> {
     TwoSlots::new(Flash, START, SLOT)
 }
 
-/// Stores the model, and returns its bytes. It is written into the robot's own tables: there is no room for a buffer.
+/// The model as it is stored. It is written into the robot's own tables: there is no room for a buffer.
+pub fn written(agent: &mut Agent) -> Result<&[u8], &'static str> {
+    agent.save_in_place().map_err(|_| "what was learned cannot be stored; say `forget` to begin anew")
+}
+
+/// Stores the model, and returns the number of its bytes.
 #[inline(never)]
 pub fn store(agent: &mut Agent) -> Result<usize, &'static str> {
-    let model = agent.save_in_place().map_err(|_| "what was learned cannot be stored; say `forget` to begin anew")?;
+    let model = written(agent)?;
     slots().and_then(|mut slots| slots.store(model)).map_err(|error| match error {
         StorageError::NotKept => "the flash did not keep what was learned; the older knowledge is still there",
         _ => "the flash refused to store; the older knowledge is still there",

@@ -9,8 +9,8 @@ pub enum Request<'l> {
     Help,
     /// A command in somebody's own words.
     Say(&'l str),
-    /// One action now.
-    Act,
+    /// One action now: the robot's choice, or the one of this name.
+    Act(Option<&'l str>),
     /// The last action was good, as button B says.
     Good,
     /// The last action was bad, as button A says.
@@ -43,6 +43,8 @@ pub enum Request<'l> {
     Forget,
     /// How much memory is used.
     Memory,
+    /// The bytes of the learned model.
+    Model,
 }
 
 /// The answer to `help`.
@@ -50,12 +52,12 @@ pub const HELP: [&str; 9] = [
     "say WORDS...: a command in your own words; next: the next one of the list",
     "good, bad: about the last action; finish: the lesson is over, learn from it",
     "believe: what the command may mean, and how probable that is",
-    "act: one action now; pace MILLISECONDS: between actions, 0 for none by itself",
+    "act: one action now; act NAME: that action; pace MILLISECONDS: 0 for none by itself",
     "again: everything back to its place; forget: all that was learned",
     "home: the robot's own home; begin: another one, which these describe:",
     "room NAME LEFT BOTTOM RIGHT TOP COLOR; door NAME LEFT BOTTOM RIGHT TOP",
     "block NAME X Y COLOR SHAPE; agent NAME X Y; and then build",
-    "memory: the bytes that are used",
+    "memory: the bytes that are used; model: the learned model, in hexadecimal digits",
 ];
 
 /// Reads a line.
@@ -68,7 +70,7 @@ pub fn read(line: &str) -> Result<Request<'_>, &'static str> {
     let request = match name {
         "help" => Request::Help,
         "say" => return Ok(Request::Say(rest)),
-        "act" => Request::Act,
+        "act" => Request::Act(words.next()),
         "good" => Request::Good,
         "bad" => Request::Bad,
         "finish" => Request::Finish,
@@ -85,6 +87,7 @@ pub fn read(line: &str) -> Result<Request<'_>, &'static str> {
         "build" => Request::Build,
         "forget" => Request::Forget,
         "memory" => Request::Memory,
+        "model" => Request::Model,
         _ => return Err("there is no such request; say help"),
     };
     if words.next().is_some() { Err("there is more on the line than the request needs; say help") } else { Ok(request) }

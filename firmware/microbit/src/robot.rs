@@ -4,12 +4,12 @@ use crate::buttons::Press;
 use crate::lights::{DARK, Picture};
 use crate::memory::{Agent, Builder, CAPACITIES, Home, Rooms};
 use crate::request::{self, HELP, Request};
-use crate::serial::{print, print_number, say};
+use crate::serial::{print, print_digits, print_number, say};
 use crate::{flash, house, picture, stack};
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
 use goodbot::home::{HomeState, Moves, Problem, SCHEMA, paper_tasks};
-use goodbot::oomdp::{Action, Domain};
+use goodbot::oomdp::{Action, action_name, action_named};
 use goodbot::planning::Progress;
 use goodbot::session::{Evidence, Phase};
 use goodbot::{AgentError, Options};
@@ -22,6 +22,8 @@ const SIGN: u32 = 500;
 /// The budget of one part of the work: at most about ten milliseconds.
 const PLAN: u32 = 50;
 const LEARN: u32 = 100;
+/// Bytes of the model on one line.
+const MODEL_LINE: usize = 32;
 
 /// Where the robot is.
 enum Place {
@@ -50,6 +52,8 @@ enum Doing {
         store: bool,
     },
     Storing,
+    /// Printing the model.
+    Printing,
 }
 
 /// A picture or a text on the lights, in place of the home.
@@ -133,7 +137,11 @@ impl<'a> Robot<'a> {
             Press::A => Request::Bad,
             Press::B => Request::Good,
             Press::Both => Request::Finish,
-            Press::Long => Request::Next,
+            Press::Long => {
+                // After lessons over the serial line, the robot acts by itself again.
+                self.pace = if self.pace == 0 { PACE } else { self.pace };
+                Request::Next
+            }
         };
         // A word about the last action may come while the robot plans.
         if self.listens() || (self.doing == Doing::Planning && matches!(press, Press::A | Press::B)) {
@@ -176,7 +184,7 @@ impl<'a> Robot<'a> {
         match request {
             Request::Help => HELP.iter().for_each(|line| say(&[line])),
             Request::Say(words) => self.hear(words, now)?,
-            Request::Act => return self.act(now),
+            Request::Act(name) => return self.act(name, now),
             Request::Good => return self.judge(Feedback::Reward, now),
             Request::Bad => return self.judge(Feedback::Punish, now),
             Request::Finish => {
@@ -212,6 +220,8 @@ impl<'a> Robot<'a> {
                 }
                 self.tell_usage();
             }
+            Request::Model if self.doing == Doing::Waiting => return Err("a lesson is under way; say `finish` or `again` first"),
+            Request::Model => self.doing = Doing::Printing,
         }
         Ok(())
     }
@@ -243,7 +253,7 @@ impl<'a> Robot<'a> {
     fn work_on(&mut self, now: u32) -> Result<(), &'static str> {
         let Place::Here { home, state, .. } = &self.place else { return self.learn() };
         match self.doing {
-            Doing::Nothing | Doing::Storing => {}
+            Doing::Nothing | Doing::Storing | Doing::Printing => {}
             Doing::Hearing => {
                 if self.agent.hear_on(home, 1).map_err(text)? == Progress::Done {
                     self.doing = Doing::Planning;
@@ -258,7 +268,7 @@ impl<'a> Robot<'a> {
             }
             Doing::Waiting => {
                 if self.pace > 0 && now.wrapping_sub(self.act_at) < u32::MAX / 2 {
-                    self.act(now)?;
+                    self.act(None, now)?;
                 }
             }
             Doing::Finishing => {
@@ -288,20 +298,21 @@ impl<'a> Robot<'a> {
         Ok(())
     }
 
-    /// Stores the model if that is due. Apart from other work: it takes as much of the stack.
+    /// Stores or prints the model if that is due. Apart from other work: it takes as much of the stack.
     #[inline(never)]
     pub fn store(&mut self) {
-        if self.doing != Doing::Storing {
-            return;
-        }
-        self.doing = Doing::Nothing;
-        match flash::store(self.agent) {
-            Ok(bytes) => {
+        let stored = match self.doing {
+            Doing::Storing => flash::store(self.agent).map(|bytes| {
                 print("stored ");
                 print_number(bytes as i32);
                 say(&[" bytes"]);
-                self.answer();
-            }
+            }),
+            Doing::Printing => flash::written(self.agent).map(|model| model.chunks(MODEL_LINE).for_each(print_digits)),
+            _ => return,
+        };
+        self.doing = Doing::Nothing;
+        match stored {
+            Ok(()) => self.answer(),
             Err(problem) => {
                 self.asked = false;
                 say(&["error: ", problem]);
@@ -318,14 +329,17 @@ impl<'a> Robot<'a> {
     }
 
     #[inline(never)]
-    fn act(&mut self, now: u32) -> Result<(), &'static str> {
+    fn act(&mut self, name: Option<&str>, now: u32) -> Result<(), &'static str> {
         let Place::Here { home, state, .. } = &mut self.place else { return Err(NO_HOME) };
-        let action = self.agent.decide_by(home, state, &mut self.random).map_err(text)?.action;
+        let action = match name {
+            None => self.agent.decide_by(home, state, &mut self.random).map_err(text)?.action,
+            Some(name) => action_named(home, name).ok_or("there is no such action; say north, east, south, west or noop")?,
+        };
         *state = self.agent.acted(home, state, action).map_err(text)?;
         self.doing = Doing::Planning;
         self.act_at = now.wrapping_add(self.pace);
         print("did ");
-        print(home.actions().get(action.index()).filter(|_| action != Action::NOOP).map_or("nothing", |kind| kind.name));
+        print(if action == Action::NOOP { "nothing" } else { action_name(home, action) });
         for &thing in [home.agent()].iter().chain(home.blocks()) {
             let cell = if thing == home.agent() { Some(home.agent_cell(state)) } else { home.block_cell(state, thing) };
             let Some(cell) = cell else { continue };

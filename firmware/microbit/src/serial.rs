@@ -83,13 +83,25 @@ pub fn read(take: impl FnOnce(Result<&str, &'static str>)) {
 
 /// Sends a text, and waits until it is sent.
 pub fn print(text: &str) {
+    text.bytes().for_each(send);
+}
+
+fn send(byte: u8) {
     // SAFETY: only the main program sends.
     let line = unsafe { &*UART0::ptr() };
-    for byte in text.bytes() {
-        line.txd.write(|out| unsafe { out.bits(u32::from(byte)) });
-        while line.events_txdrdy.read().bits() == 0 {}
-        line.events_txdrdy.write(|event| unsafe { event.bits(0) });
+    line.txd.write(|out| unsafe { out.bits(u32::from(byte)) });
+    while line.events_txdrdy.read().bits() == 0 {}
+    line.events_txdrdy.write(|event| unsafe { event.bits(0) });
+}
+
+/// Sends a line of bytes, two hexadecimal digits each.
+pub fn print_digits(bytes: &[u8]) {
+    for &byte in bytes {
+        for digit in [byte >> 4, byte & 15] {
+            send(if digit < 10 { b'0' + digit } else { b'a' - 10 + digit });
+        }
     }
+    say(&[]);
 }
 
 /// Sends a number.

@@ -5,7 +5,7 @@ pub(super) const LIMIT: usize = 1 << 16;
 
 /// The fault of a text, and the byte at which it is.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Fault {
+pub(super) struct JsonFault {
     pub(super) at: usize,
     /// The fault; `None` if the text ends too soon.
     pub(super) message: Option<&'static str>,
@@ -19,7 +19,7 @@ pub(super) struct Member<'a> {
 }
 
 /// The one value of a text.
-pub(super) fn whole(text: &str) -> Result<&str, Fault> {
+pub(super) fn whole(text: &str) -> Result<&str, JsonFault> {
     let mut scanner = Scanner { text, at: 0 };
     let value = scanner.value()?;
     scanner.blanks();
@@ -105,8 +105,8 @@ impl<'a> Scanner<'a> {
     }
 
     /// A fault at this byte. At the end of the text, the fault is that it ends.
-    fn fault(&self, message: &'static str) -> Fault {
-        Fault { at: self.at, message: Some(message).filter(|_| self.at < self.text.len()) }
+    fn fault(&self, message: &'static str) -> JsonFault {
+        JsonFault { at: self.at, message: Some(message).filter(|_| self.at < self.text.len()) }
     }
 
     /// Advances by one byte if it is wanted.
@@ -116,7 +116,7 @@ impl<'a> Scanner<'a> {
         takes
     }
 
-    fn needs(&mut self, wanted: impl Fn(u8) -> bool, message: &'static str) -> Result<(), Fault> {
+    fn needs(&mut self, wanted: impl Fn(u8) -> bool, message: &'static str) -> Result<(), JsonFault> {
         if self.takes(wanted) { Ok(()) } else { Err(self.fault(message)) }
     }
 
@@ -132,7 +132,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Passes a value of any depth, and returns it.
-    fn value(&mut self) -> Result<&'a str, Fault> {
+    fn value(&mut self) -> Result<&'a str, JsonFault> {
         self.blanks();
         let from = self.at;
         // The closing brackets of all open lists and objects.
@@ -164,7 +164,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Goes to the next value in a list or object that closes with `end`. In an object, passes the field name.
-    fn name(&mut self, end: u8) -> Result<(), Fault> {
+    fn name(&mut self, end: u8) -> Result<(), JsonFault> {
         self.blanks();
         if end == b']' {
             return Ok(());
@@ -180,7 +180,7 @@ impl<'a> Scanner<'a> {
     }
 
     /// Passes a value that contains no other values.
-    fn scalar(&mut self) -> Result<(), Fault> {
+    fn scalar(&mut self) -> Result<(), JsonFault> {
         match self.byte() {
             Some(b'"') => self.string(),
             Some(b'-' | b'0'..=b'9') => self.number(),
@@ -194,7 +194,7 @@ impl<'a> Scanner<'a> {
         }
     }
 
-    fn string(&mut self) -> Result<(), Fault> {
+    fn string(&mut self) -> Result<(), JsonFault> {
         self.at += 1;
         while !self.takes(|byte| byte == b'"') {
             if self.takes(|byte| byte == b'\\') {
@@ -210,7 +210,7 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    fn number(&mut self) -> Result<(), Fault> {
+    fn number(&mut self) -> Result<(), JsonFault> {
         self.takes(|byte| byte == b'-');
         if !self.takes(|byte| byte == b'0') {
             self.digits()?;
@@ -227,7 +227,7 @@ impl<'a> Scanner<'a> {
         Ok(())
     }
 
-    fn digits(&mut self) -> Result<(), Fault> {
+    fn digits(&mut self) -> Result<(), JsonFault> {
         self.needs(|byte| byte.is_ascii_digit(), "invalid number")?;
         while self.takes(|byte| byte.is_ascii_digit()) {}
         Ok(())
@@ -249,7 +249,7 @@ mod tests {
     fn a_text_that_is_cut_ends_too_soon() {
         for text in SOUND {
             for (end, _) in text.trim_end().char_indices() {
-                assert_eq!(whole(&text[..end]), Err(Fault { at: end, message: None }), "{}", &text[..end]);
+                assert_eq!(whole(&text[..end]), Err(JsonFault { at: end, message: None }), "{}", &text[..end]);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! A text that knows the lines of its parts.
 
 use super::Node;
-use super::scan::{self, Fault};
+use super::scan::{self, JsonFault};
 use crate::error::{FormatError, Problem};
 
 /// A JSON text and the number of its first line.
@@ -22,7 +22,7 @@ impl<'a> Source<'a> {
         }
         match scan::whole(self.text) {
             Ok(raw) => Ok(Node { source: self, raw, path: String::new() }),
-            Err(Fault { at, message }) => {
+            Err(JsonFault { at, message }) => {
                 let problem = message.map_or(Problem::CutShort, |message| Problem::Syntax(message.to_owned()));
                 let (line, column) = self.place_of(at);
                 let mut error = FormatError::new(line, problem);

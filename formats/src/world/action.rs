@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::file::Known;
+use super::file::WorldClasses;
 use crate::error::{FormatError, Problem};
 use crate::json::Node;
 use crate::task_text::GroundAtomText;
@@ -49,7 +49,7 @@ const VARIABLE: &str = "\u{e000}";
 const COSTS: std::ops::RangeInclusive<u64> = 1..=16;
 
 impl ActionOfWorld {
-    pub(super) fn read(node: &Node<'_>, known: &Known<'_>) -> Result<Self, FormatError> {
+    pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
         let fields = node.clone().object()?;
         fields.only(&["name", "parameters", "conditions", "effects", "cost"])?;
         let name = super::file::usable(&fields.required("name")?)?;
@@ -97,7 +97,7 @@ impl ActionOfWorld {
     }
 }
 
-impl Known<'_> {
+impl WorldClasses<'_> {
     /// Reads a proposition of an action. Only in conditions may variables be new.
     fn literal(&self, node: &Node<'_>, classes: &mut BTreeMap<String, String>, may_be_new: bool) -> Result<Literal, FormatError> {
         let text = node.text()?;

@@ -1,6 +1,6 @@
 //! Commands in worlds, with the intended propositions.
 
-use super::file::{Known, WorldFile};
+use super::file::{WorldClasses, WorldFile};
 use crate::error::FormatError;
 use crate::json::Object;
 use crate::task_text::GroundAtomText;
@@ -38,7 +38,7 @@ impl CommandRecord {
             text(name)?;
         }
         let before = fields.optional("before").map(|before| before.list()?.iter().map(|id| id.text()).collect()).transpose()?;
-        let known = Known::of(world);
+        let known = WorldClasses::of(world);
         let atoms = |name: &str| fields.optional(name).map(|node| known.atoms(&node)).transpose();
         Ok(Self {
             line,

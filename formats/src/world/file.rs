@@ -80,7 +80,7 @@ impl WorldFile {
         world.propositions = world.of_classes(fields.required("propositions")?, true)?;
         world.read_objects(&fields.required("objects")?)?;
         if let Some(facts) = fields.optional("facts") {
-            world.facts = Known::of(&world).atoms(&facts)?;
+            world.facts = WorldClasses::of(&world).atoms(&facts)?;
         }
         if let Some(variables) = fields.optional("variables") {
             world.read_variables(&variables)?;
@@ -170,7 +170,7 @@ impl WorldFile {
 
     fn read_actions(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
         let mut actions: Vec<ActionOfWorld> = Vec::new();
-        let known = Known::of(self);
+        let known = WorldClasses::of(self);
         for node in list.list()? {
             let action = ActionOfWorld::read(&node, &known)?;
             if actions.iter().any(|other| other.name == action.name) {
@@ -231,14 +231,14 @@ pub fn field_line(text: &str, field: &str) -> Option<usize> {
 }
 
 /// A world with a table of its objects' classes.
-pub(super) struct Known<'w> {
+pub(super) struct WorldClasses<'w> {
     world: &'w WorldFile,
     classes: BTreeMap<&'w str, &'w str>,
 }
 
-impl<'w> Known<'w> {
+impl<'w> WorldClasses<'w> {
     pub(super) fn of(world: &'w WorldFile) -> Self {
-        Known { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
+        WorldClasses { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
     }
 
     pub(super) const fn world(&self) -> &'w WorldFile {

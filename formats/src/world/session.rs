@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use super::WorldFile;
-use super::file::Known;
+use super::file::WorldClasses;
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
 use crate::json::{Object, Source};
@@ -89,7 +89,7 @@ impl SessionInWorld {
     ) -> Result<(Arc<WorldFile>, Vec<GroundAtomText>, SessionHeader), FormatError> {
         fields.version()?;
         fields.only(FIELDS)?;
-        let known = Known::of(&world);
+        let known = WorldClasses::of(&world);
         let facts = match fields.optional("facts") {
             Some(facts) => known.atoms(&facts)?,
             None => world.facts.clone(),

@@ -82,7 +82,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
 /// [`Failure`].
 pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let mut memory = AgentHeap::new(&Capacities::NONE);
-    let mut model = restored::language(&options.with, &mut memory, questions.act)?;
+    let mut model = restored::language(&options.with, &mut memory, questions.lessons.iter().flatten(), questions.act)?;
     let synonyms = options.synonyms.read()?;
     let mut out = BufWriter::new(std::io::stdout().lock());
     let mut refused = 0_usize;

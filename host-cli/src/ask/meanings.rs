@@ -31,7 +31,7 @@ pub struct Meaning {
 
 /// The reading of an utterance.
 #[derive(Debug)]
-pub struct Heard {
+pub struct Interpretation {
     /// The kind of utterance; `None` if the robot has too few lessons to tell.
     pub listened: Option<Listened>,
     /// The tasks and the plan, if it is no plain command.
@@ -53,12 +53,12 @@ pub fn meanings(
     start: &HomeState,
     utterance: &str,
     closed: ClosedWords<'_>,
-) -> Result<Heard, AgentError> {
+) -> Result<Interpretation, AgentError> {
     if !tells_talk(agent) {
         let meanings = of_command(agent, home, start, first_words(utterance))?;
         let likeliest = agent.most_likely().and_then(|task| agent.tasks().get(task));
         let steps = likeliest.map(|task| (*task, *start)).into_iter().collect();
-        return Ok(Heard { listened: None, followed: None, steps, meanings });
+        return Ok(Interpretation { listened: None, followed: None, steps, meanings });
     }
     let listened = agent.listen(home, start, utterance, closed)?;
     let followed = match following::is_followed(listened.hypothesis) {
@@ -78,7 +78,7 @@ pub fn meanings(
     };
     meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     match agent.hear(home, start, first_words(utterance)) {
-        Ok(()) | Err(AgentError::NoTask) => Ok(Heard { listened: Some(listened), followed, steps, meanings }),
+        Ok(()) | Err(AgentError::NoTask) => Ok(Interpretation { listened: Some(listened), followed, steps, meanings }),
         Err(error) => Err(error),
     }
 }

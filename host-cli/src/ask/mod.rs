@@ -38,7 +38,7 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_lesson::checked::moves;
 use goodbot_lesson::name::{in_words, task_name};
 use goodbot_lesson::{Fault, home};
-use meanings::{Heard, Meaning};
+use meanings::{Interpretation, Meaning};
 use plan::{Plan, plan};
 use serde_json::json;
 use std::io::{BufWriter, Write};
@@ -319,7 +319,7 @@ fn answer(
     let heard = said_in_known_words(synonyms, agent.language(), first)?.into_owned() + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
-    let Heard { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed)?;
+    let Interpretation { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed)?;
     let mut tasks = Vec::new();
     for (position, task) in agent.tasks().iter().enumerate() {
         let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };

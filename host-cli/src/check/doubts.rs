@@ -11,10 +11,10 @@ use goodbot_lesson::world::robot::Robot;
 use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
 
 /// A warning: the object's position in the environment, if it is about one object, and the message.
-pub type Doubt = (Option<usize>, String);
+pub type Warning = (Option<usize>, String);
 
 /// The warnings for a home without faults.
-pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
+pub fn of_home(environment: &EnvironmentFile) -> Vec<Warning> {
     let mut doubts = unnamed(environment);
     doubts.extend(overlaps(environment));
     let mut memory = home::memory();
@@ -25,7 +25,7 @@ pub fn of_home(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Colours and shapes that no word can name.
-fn unnamed(environment: &EnvironmentFile) -> Vec<Doubt> {
+fn unnamed(environment: &EnvironmentFile) -> Vec<Warning> {
     let mut doubts = Vec::new();
     for (position, object) in environment.objects.iter().enumerate() {
         let (color, shape) = match object {
@@ -43,7 +43,7 @@ fn unnamed(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Rooms that share more than their walls.
-fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
+fn overlaps(environment: &EnvironmentFile) -> Vec<Warning> {
     let rooms: Vec<(usize, &str, [i32; 4])> = environment
         .objects
         .iter()
@@ -65,7 +65,7 @@ fn overlaps(environment: &EnvironmentFile) -> Vec<Doubt> {
 }
 
 /// Rooms that the agent cannot reach, and doors that lead nowhere.
-fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Doubt> {
+fn ways(environment: &EnvironmentFile, home: &Home<impl HomeMemory>, start: &HomeState) -> Vec<Warning> {
     let free: BTreeSet<(i32, i32)> = home.places().iter().map(|place| (place.cell().x, place.cell().y)).collect();
     let around = |(x, y): (i32, i32)| [(x + 1, y), (x - 1, y), (x, y + 1), (x, y - 1)].into_iter().filter(|cell| free.contains(cell));
     let Cell { x, y } = home.agent_cell(start);
@@ -123,6 +123,10 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
             let message = format!("{literal} both holds and does not hold after {name}; the last one counts, so leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
         }
+        if let Some((one, other)) = two_values(&robot.file().variables, &action.effects) {
+            let message = format!("{one} and {other} give one variable two values; the last one counts, so leave one of the two out");
+            doubts.push((format!("actions[{position}]"), message));
+        }
         if let Some(literal) = contradicted(&action.conditions) {
             let message = format!("{literal} is to hold and not to hold, so that {name} can never be done; leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
@@ -144,6 +148,13 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
 fn contradicted(literals: &[Literal]) -> Option<&Literal> {
     let is_opposite = |one: &Literal, other: &Literal| other.negated && other.proposition == one.proposition && other.terms == one.terms;
     literals.iter().find(|one| !one.negated && literals.iter().any(|other| is_opposite(one, other)))
+}
+
+/// The first two effects that give the same variable different values.
+fn two_values<'a>(variables: &[String], effects: &'a [Literal]) -> Option<(&'a Literal, &'a Literal)> {
+    let of = |literal: &'a Literal| literal.terms.split_last().map(|(_, of)| (&literal.proposition, of));
+    let mut given = effects.iter().enumerate().filter(|(_, literal)| variables.contains(&literal.proposition));
+    given.find_map(|(at, one)| Some(one).zip(effects.iter().skip(at + 1).find(|&other| of(other) == of(one) && other.terms != one.terms)))
 }
 
 /// The names of the actions that are ever possible, without their objects, and whether each ever changes something. Stops when all do.

@@ -24,7 +24,7 @@ use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
-use goodbot_lesson::world::robot::{self, Flaw};
+use goodbot_lesson::world::robot::{self, WorldFlaw};
 use goodbot_lesson::{Fault, checked, home};
 use serde_json::json;
 use std::collections::{HashMap, HashSet};
@@ -248,10 +248,11 @@ fn check_environment(file: &str, text: &str) -> Findings {
 
 /// Finds the faults of a home or, without faults, its warnings. `line` gives the line of an object or of the whole.
 fn look_at(file: &str, environment: &EnvironmentFile, line: impl Fn(Option<usize>) -> Option<usize>, found: &mut Findings) {
-    let fault = |flaw: home::Flaw| Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field());
+    let fault =
+        |flaw: home::HomeFlaw| Fault { line: line(flaw.object), ..Fault::new(file, flaw.message(environment)) }.in_field(flaw.field());
     found.faults.extend(home::flaws(environment).into_iter().map(fault));
     if found.faults.is_empty() {
-        let warning = |(object, message): doubts::Doubt| warned(file, environment, line(object), "", object, &message);
+        let warning = |(object, message): doubts::Warning| warned(file, environment, line(object), "", object, &message);
         found.warnings.extend(doubts::of_home(environment).into_iter().map(warning));
     }
 }
@@ -305,7 +306,7 @@ const fn as_far(left: usize) -> &'static str {
 const MOST_STATES: usize = 1_000_000;
 
 /// Checks the robot of a world and its reachable states.
-fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), Flaw> {
+fn check_robot(read: &input::WorldInFile, found: &mut Findings) -> Result<(), WorldFlaw> {
     let world = &read.world;
     robot::with(world, |robot, start| {
         robot::tasks(world, robot)?;

@@ -1,7 +1,7 @@
 //! Models, and the robots that `goodbot teach` keeps by name: a model and a log each.
 
 use super::{Finding, State};
-use crate::teach::kept::Places;
+use crate::teach::kept::RobotFiles;
 use goodbot::snapshot::Contents;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Checks all robots that are kept.
 pub fn kept() -> Vec<Finding> {
-    let folder = match Places::folder() {
+    let folder = match RobotFiles::folder() {
         Ok(folder) => folder,
         Err(failure) => return vec![Finding::new(State::Wrong, failure.to_string())],
     };

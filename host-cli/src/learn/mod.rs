@@ -10,7 +10,7 @@ use goodbot_console::messages::{counted, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::starter::StarterOptions;
-use goodbot_console::training_data::{self, Told, training};
+use goodbot_console::training_data::{self, LogOptions, training};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -62,9 +62,9 @@ pub struct LearnOptions {
 pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
-    let told = Told { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
+    let log_options = LogOptions { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
     let training_data::Lessons { mut lessons, skipped, with_way, no_task, long } =
-        training_data::read(&options.files, &lifted, options.learner.options(), false, &told)?;
+        training_data::read(&options.files, &lifted, options.learner.options(), false, &log_options)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
         return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
     }

@@ -13,11 +13,11 @@ use goodbot_capi::capacities::bytes_32;
 use goodbot_console::load::input::{self, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
-use goodbot_console::training_data::{self, Lesson, Told, training};
+use goodbot_console::training_data::{self, Lesson, LogOptions, training};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::heard;
 use goodbot_lesson::home;
-use goodbot_lesson::world::robot::{self, Flaw, Robot};
+use goodbot_lesson::world::robot::{self, Robot, WorldFlaw};
 use std::collections::BTreeSet;
 
 /// The most states for a home: on a controller, exact plans in larger homes cost more memory than they are worth.
@@ -67,7 +67,7 @@ impl Needs {
         let log = if options.log.is_empty() {
             vec![]
         } else {
-            training_data::read(&options.log, &lifted, learner, false, &Told::default())?.lessons
+            training_data::read(&options.log, &lifted, learner, false, &LogOptions::default())?.lessons
         };
         let log: Vec<Lesson> = log.into_iter().filter(|lesson| lesson.learn).collect();
         if log.is_empty() && !options.log.is_empty() {
@@ -138,13 +138,13 @@ impl Needs {
 ///
 /// # Errors
 /// The fault of the world.
-pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, Flaw> {
+pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, WorldFlaw> {
     let lifted = robot::tasks(robot.file(), robot)?;
     let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner);
     let least = least.and_then(|mut agent| agent.least_capacities(robot, lessons));
     least.map_err(|error| {
         let (field, message) = refusal::in_a_world(&error);
-        Flaw { field: field.to_owned(), message }
+        WorldFlaw { field: field.to_owned(), message }
     })
 }
 

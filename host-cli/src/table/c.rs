@@ -4,7 +4,7 @@ use super::source::{Part, Source};
 use crate::size::source::c_table;
 use goodbot::task::LiftedTask;
 use goodbot_capi::capacities::bytes_32;
-use goodbot_lesson::world::robot::{DigitAt, Flaw};
+use goodbot_lesson::world::robot::{DigitAt, WorldFlaw};
 use std::fmt::Write;
 
 /// The limits of the library's tables.
@@ -29,8 +29,8 @@ fn digit(DigitAt { digit, value }: DigitAt) -> String {
 /// The header.
 ///
 /// # Errors
-/// A [`Flaw`] for a limit of the library's tables.
-pub fn text(source: &Source<'_>) -> Result<String, Flaw> {
+/// A [`WorldFlaw`] for a limit of the library's tables.
+pub fn text(source: &Source<'_>) -> Result<String, WorldFlaw> {
     let schema = &source.schema;
     let carriers: usize = schema.attributes.iter().map(|attribute| attribute.carriers.len()).sum();
     let given = [schema.classes.len(), schema.propositions.len(), source.tasks.len()];
@@ -39,7 +39,7 @@ pub fn text(source: &Source<'_>) -> Result<String, Flaw> {
         if given > most {
             let message =
                 format!("are {given} with their classes, and {most} are the most of a table in C; leave out some, or print --rust");
-            return Err(Flaw { field: field.to_owned(), message });
+            return Err(WorldFlaw { field: field.to_owned(), message });
         }
     }
     Ok(written(source).unwrap_or_default())

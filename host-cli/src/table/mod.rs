@@ -15,7 +15,7 @@ use goodbot_console::learner::Learner;
 use goodbot_console::load::input;
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
-use goodbot_lesson::world::robot::{self, Flaw, Robot};
+use goodbot_lesson::world::robot::{self, Robot, WorldFlaw};
 use source::Source;
 use std::io::Write;
 
@@ -60,15 +60,15 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
     let name = input::name(&options.world);
     let file = input::world(&options.world)?;
     let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
-    let refused = |flaw: Flaw| file.fault(&flaw.field, &flaw.message);
+    let refused = |flaw: WorldFlaw| file.fault(&flaw.field, &flaw.message);
     let text = robot::with(&file.world, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
     let mut out = std::io::stdout().lock();
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
 }
 
-fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, Flaw> {
-    let flaw = |field: &str, message: String| Flaw { field: field.to_owned(), message };
+fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, WorldFlaw> {
+    let flaw = |field: &str, message: String| WorldFlaw { field: field.to_owned(), message };
     // The kinds of task are checked before the states, which take longer.
     let kinds = robot::tasks(robot.file(), robot)?;
     let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;

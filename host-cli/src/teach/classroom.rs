@@ -4,7 +4,7 @@ use super::full_words::FullWords;
 use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
-use super::pupil::{Heard, Meaning, Pupil};
+use super::pupil::{Meaning, Pupil, Reaction};
 use super::site::{Recorded, Site, session};
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
@@ -58,7 +58,7 @@ impl Classroom {
             None => None,
             Some((kept, past)) => {
                 if let Some(model) = &past.model {
-                    let name = kept.places().model.display();
+                    let name = kept.files().model.display();
                     pupil.restore(model).map_err(|refusal| Failure::Input(format!("{name}: {refusal}; name another file with --model")))?;
                 }
                 words = FullWords::new(pupil.word_letters());
@@ -84,7 +84,7 @@ impl Classroom {
     }
 
     /// Gives a command. In the tour, everything is first put back, and the intended task is known.
-    pub fn say(&mut self, command: &str) -> Result<Heard, Failure> {
+    pub fn say(&mut self, command: &str) -> Result<Reaction, Failure> {
         self.forget()?;
         let stop = self.tour.as_ref().and_then(Tour::stop);
         if stop.is_some() {
@@ -93,7 +93,7 @@ impl Classroom {
         let id = stop.map_or_else(|| Some(format!("said-{}", self.sessions + 1)), |stop| stop.id());
         let heard = self.pupil.hear(command, id, stop.map(|stop| &stop.exercise.intention))?;
         self.last = Some(command.to_owned());
-        if heard == Heard::Command {
+        if heard == Reaction::Command {
             let read = words_read(command);
             self.words.hear(read);
             add_once(&mut self.said, read);
@@ -123,7 +123,7 @@ impl Classroom {
     }
 
     /// Hears the rest of the utterance after a session was learned from; `None` if there is no rest.
-    pub fn hear_rest(&mut self) -> Result<Option<Heard>, Failure> {
+    pub fn hear_rest(&mut self) -> Result<Option<Reaction>, Failure> {
         self.pupil.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }
 

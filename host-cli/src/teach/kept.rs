@@ -23,14 +23,14 @@ use std::time::Duration;
 
 /// The paths of a robot's files.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Places {
+pub struct RobotFiles {
     /// The model.
     pub model: PathBuf,
     /// The sessions.
     pub log: PathBuf,
 }
 
-impl Places {
+impl RobotFiles {
     /// The files of a named robot, in the platform's folder for a program's data.
     ///
     /// # Errors
@@ -100,7 +100,7 @@ struct Written {
 /// A robot's files.
 #[derive(Debug)]
 pub struct Kept {
-    places: Places,
+    files: RobotFiles,
     log: File,
     /// The model in the file.
     model: Option<Vec<u8>>,
@@ -116,7 +116,7 @@ pub struct Kept {
 impl Drop for Kept {
     fn drop(&mut self) {
         if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
-            let _ = std::fs::remove_file(&self.places.log);
+            let _ = std::fs::remove_file(&self.files.log);
         }
     }
 }
@@ -155,32 +155,25 @@ impl Kept {
     ///
     /// # Errors
     /// A [`Failure`] if one of the files is foreign, or cannot be written to.
-    pub fn open(places: Places, world: Option<&Arc<WorldFile>>) -> Result<(Self, Past), Failure> {
+    pub fn open(files: RobotFiles, world: Option<&Arc<WorldFile>>) -> Result<(Self, Past), Failure> {
         let mut past = Past::default();
-        if places.model.exists() {
-            past.model = Some(read_model(&places.model)?);
+        if files.model.exists() {
+            past.model = Some(read_model(&files.model)?);
         }
-        let log = open_log(&places.log)?;
+        let log = open_log(&files.log)?;
         // The lock ensures that nobody else writes these files now.
-        let torn = [&places.model, &places.log].map(|path| remove_torn(path, Duration::ZERO)).iter().sum();
+        let torn = [&files.model, &files.log].map(|path| remove_torn(path, Duration::ZERO)).iter().sum();
         if torn > 0 {
-            say!("{}: the program was stopped while it wrote; {} removed", places.model.display(), counted(torn, "unfinished file"));
+            say!("{}: the program was stopped while it wrote; {} removed", files.model.display(), counted(torn, "unfinished file"));
         }
-        let mut kept = Self {
-            places,
-            log,
-            model: past.model.clone(),
-            written: Vec::new(),
-            unwritten: String::new(),
-            newest: None,
-            introduction: None,
-        };
-        let name = kept.places.log.display().to_string();
+        let mut kept =
+            Self { files, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None, introduction: None };
+        let name = kept.files.log.display().to_string();
         // Both files exist now, so this finds two names of one file.
-        if are_one(&kept.places.model, &kept.places.log) {
+        if are_one(&kept.files.model, &kept.files.log) {
             return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
         }
-        let line_end = missing_line_end(&kept.log).map_err(|error| cannot(&kept.places.log, "read", error))?;
+        let line_end = missing_line_end(&kept.log).map_err(|error| cannot(&kept.files.log, "read", error))?;
         kept.introduction = Some(line_end).filter(|end| !end.is_empty()).map(str::to_owned);
         let refused = |error: FormatError| {
             Failure::Input(format!("{}\nthis log is not written to; mend it, or name another with --log", Fault::from_format(&name, error)))
@@ -206,8 +199,8 @@ impl Kept {
     }
 
     /// The paths of the files.
-    pub fn places(&self) -> &Places {
-        &self.places
+    pub fn files(&self) -> &RobotFiles {
+        &self.files
     }
 
     /// The number of sessions in the model's file.
@@ -221,7 +214,7 @@ impl Kept {
     /// A [`Failure`] that names the file. A failed write is tried again with the next session, and by
     /// [`write_what_is_left`](Self::write_what_is_left).
     pub fn keep(&mut self, session: &Recorded, model: Option<Vec<u8>>) -> Result<(), Failure> {
-        let lines = site::lines(session).map_err(|error| cannot(&self.places.log, "written to", error))?;
+        let lines = site::lines(session).map_err(|error| cannot(&self.files.log, "written to", error))?;
         let introduction = self.introduction.take();
         let text = format!("{}{}\n", introduction.as_deref().unwrap_or_default(), lines.join("\n"));
         let was_behind = self.is_behind();
@@ -250,7 +243,7 @@ impl Kept {
     /// # Errors
     /// A [`Failure`] that names the file.
     pub fn write_what_is_left(&mut self) -> Result<u64, Failure> {
-        let Places { model: model_path, log: log_path } = &self.places;
+        let RobotFiles { model: model_path, log: log_path } = &self.files;
         let start = self.log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
         if !self.unwritten.is_empty() {
             let appended = self.log.write_all(self.unwritten.as_bytes()).and_then(|()| self.log.sync_data());
@@ -275,7 +268,7 @@ impl Kept {
     /// # Errors
     /// A [`Failure`] that names the file. A file that was written before the error stays written.
     pub fn take_back(&mut self) -> Result<Option<Option<Vec<u8>>>, Failure> {
-        let Places { model: model_path, log: log_path } = &self.places;
+        let RobotFiles { model: model_path, log: log_path } = &self.files;
         if self.is_behind() {
             return Err(cannot(model_path, "changed", "the last session could not be written yet"));
         }
@@ -319,18 +312,18 @@ mod tests {
         Recorded::Floor(SessionReader::new(SESSION.as_bytes()).next().unwrap().unwrap())
     }
 
-    fn places(folder: &tempfile::TempDir) -> Places {
-        Places::beside(&folder.path().join("robot.goodbot"), None)
+    fn files(folder: &tempfile::TempDir) -> RobotFiles {
+        RobotFiles::beside(&folder.path().join("robot.goodbot"), None)
     }
 
     #[test]
     fn what_is_kept_is_there_again() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, past) = Kept::open(places(&folder), None).unwrap();
+        let (mut kept, past) = Kept::open(files(&folder), None).unwrap();
         assert_eq!((past.sessions, past.model), (0, None));
         kept.keep(&session(), Some(b"model".to_vec())).unwrap();
         drop(kept);
-        let (_, past) = Kept::open(places(&folder), None).unwrap();
+        let (_, past) = Kept::open(files(&folder), None).unwrap();
         assert_eq!((past.sessions, past.model.as_deref()), (1, Some(&b"model"[..])));
         assert_eq!((past.commands, past.learned), (vec!["go".to_owned()], vec!["said-1".to_owned()]));
     }
@@ -338,46 +331,46 @@ mod tests {
     #[test]
     fn a_session_begins_on_a_line_of_its_own_though_the_log_was_left_in_the_middle_of_one() {
         let folder = tempfile::tempdir().unwrap();
-        let places = places(&folder);
-        std::fs::write(&places.log, SESSION.trim_end()).unwrap();
-        let (mut kept, _) = Kept::open(places.clone(), None).unwrap();
+        let files = files(&folder);
+        std::fs::write(&files.log, SESSION.trim_end()).unwrap();
+        let (mut kept, _) = Kept::open(files.clone(), None).unwrap();
         kept.keep(&session(), Some(b"model".to_vec())).unwrap();
-        assert_eq!(std::fs::read_to_string(&places.log).unwrap(), SESSION.repeat(2));
+        assert_eq!(std::fs::read_to_string(&files.log).unwrap(), SESSION.repeat(2));
         kept.take_back().unwrap();
-        assert_eq!(std::fs::read_to_string(&places.log).unwrap(), SESSION.trim_end());
+        assert_eq!(std::fs::read_to_string(&files.log).unwrap(), SESSION.trim_end());
     }
 
     #[test]
     fn the_last_session_that_was_learned_from_is_taken_out_and_no_other() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
+        let (mut kept, _) = Kept::open(files(&folder), None).unwrap();
         let mut unlearned = session();
         site::session_mut(&mut unlearned).learn = false;
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
         kept.keep(&session(), Some(b"second".to_vec())).unwrap();
         kept.keep(&unlearned, None).unwrap();
         assert_eq!(kept.take_back().unwrap(), Some(Some(b"first".to_vec())));
-        assert_eq!(std::fs::read_to_string(&kept.places.log).unwrap(), SESSION.to_owned() + &SESSION.replace("true", "false"));
-        assert_eq!(std::fs::read(&kept.places.model).unwrap(), b"first");
+        assert_eq!(std::fs::read_to_string(&kept.files.log).unwrap(), SESSION.to_owned() + &SESSION.replace("true", "false"));
+        assert_eq!(std::fs::read(&kept.files.model).unwrap(), b"first");
         assert_eq!(kept.take_back().unwrap(), Some(None));
-        assert!(!kept.places.model.exists());
+        assert!(!kept.files.model.exists());
         assert_eq!(kept.take_back().unwrap(), None);
     }
 
     #[test]
     fn what_had_no_room_on_the_disk_is_written_when_there_is_room_again() {
         let folder = tempfile::tempdir().unwrap();
-        let (mut kept, _) = Kept::open(places(&folder), None).unwrap();
+        let (mut kept, _) = Kept::open(files(&folder), None).unwrap();
         kept.keep(&session(), Some(b"first".to_vec())).unwrap();
         // A folder in place of the model cannot be overwritten.
-        std::fs::remove_file(&kept.places.model).unwrap();
-        std::fs::create_dir_all(kept.places.model.join("full")).unwrap();
+        std::fs::remove_file(&kept.files.model).unwrap();
+        std::fs::create_dir_all(kept.files.model.join("full")).unwrap();
         assert!(kept.keep(&session(), Some(b"second".to_vec())).is_err());
         assert!(kept.take_back().unwrap_err().to_string().contains("could not be written yet"));
-        std::fs::remove_dir_all(&kept.places.model).unwrap();
+        std::fs::remove_dir_all(&kept.files.model).unwrap();
         kept.write_what_is_left().unwrap();
-        assert_eq!(std::fs::read(&kept.places.model).unwrap(), b"second");
-        assert_eq!(std::fs::read_to_string(&kept.places.log).unwrap(), SESSION.repeat(2));
+        assert_eq!(std::fs::read(&kept.files.model).unwrap(), b"second");
+        assert_eq!(std::fs::read_to_string(&kept.files.log).unwrap(), SESSION.repeat(2));
     }
 
     #[test]
@@ -387,7 +380,7 @@ mod tests {
         for name in [".robot.goodbot.Ab3dEf.part", ".robot.jsonl.x.part", ".other.goodbot.x.part", "robot.goodbot.part"] {
             std::fs::write(folder.path().join(name), b"half").unwrap();
         }
-        drop(Kept::open(places(&folder), None).unwrap());
+        drop(Kept::open(files(&folder), None).unwrap());
         let mut left: Vec<String> = names().collect();
         left.sort();
         assert_eq!(left, [".other.goodbot.x.part", "robot.goodbot.part"]);
@@ -404,7 +397,7 @@ mod tests {
             names.push(("one", path("link")));
         }
         for (log, model) in names {
-            let refused = Kept::open(Places::beside(&model, Some(&path(log))), None).unwrap_err();
+            let refused = Kept::open(RobotFiles::beside(&model, Some(&path(log))), None).unwrap_err();
             assert!(refused.to_string().contains("is both the model and the log"), "{refused}");
             assert!(!path("one").exists());
         }
@@ -413,12 +406,12 @@ mod tests {
     #[test]
     fn a_robot_is_taught_in_one_place_at_a_time_and_no_foreign_file_is_written_to() {
         let folder = tempfile::tempdir().unwrap();
-        let (kept, _) = Kept::open(places(&folder), None).unwrap();
-        assert!(Kept::open(places(&folder), None).unwrap_err().to_string().contains("in another window"));
+        let (kept, _) = Kept::open(files(&folder), None).unwrap();
+        assert!(Kept::open(files(&folder), None).unwrap_err().to_string().contains("in another window"));
         drop(kept);
         std::fs::write(folder.path().join("robot.jsonl"), "my diary\n").unwrap();
-        assert!(Kept::open(places(&folder), None).unwrap_err().to_string().contains("this log is not written to"));
+        assert!(Kept::open(files(&folder), None).unwrap_err().to_string().contains("this log is not written to"));
         assert_eq!(std::fs::read_to_string(folder.path().join("robot.jsonl")).unwrap(), "my diary\n");
-        assert!(Places::of_robot("../up").unwrap_err().to_string().contains("is no name"));
+        assert!(RobotFiles::of_robot("../up").unwrap_err().to_string().contains("is no name"));
     }
 }

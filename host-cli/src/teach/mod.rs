@@ -43,7 +43,7 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::world::robot::{self, Tables};
-use kept::{Kept, Places};
+use kept::{Kept, RobotFiles};
 use keys::Intent;
 use lessons::Tour;
 use pace::Pace;
@@ -122,9 +122,15 @@ pub struct TeachOptions {
     /// Read requests as lines, also in a terminal
     #[arg(long)]
     lines: bool,
-    /// Write a picture of the tour's fifth lesson under way, taught by a simulated trainer, and leave
-    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["home", "random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
+    /// Write a picture of a lesson under way, taught by a simulated trainer, and leave: the tour's fifth, or in HOME one with --command
+    #[arg(long, value_name = "FILE.svg", conflicts_with_all = ["random", "lines", "robot", "model", "speed", "starter"], value_hint = ValueHint::FilePath)]
     picture: Option<PathBuf>,
+    /// The command of the picture's lesson
+    #[arg(long, value_name = "WORDS", requires_all = ["picture", "home", "intended"])]
+    command: Option<String>,
+    /// The task that it means, as in logs
+    #[arg(long, value_name = "TASK", requires = "command")]
+    intended: Option<String>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "picture")]
     force: bool,
@@ -162,7 +168,7 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
         // If the window was closed, nobody reads this.
         let all = counted(learned, "session");
         let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
-        let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.places().model.display());
+        let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.files().model.display());
     }
     written.map_err(|refusal| Failure::Result(refusal.to_string()))?;
     match shown {
@@ -171,15 +177,27 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     }
 }
 
-/// The fifth lesson of the tour after a few steps.
+/// A lesson after a few steps: the fifth of the tour, or one in a home or world of the user's.
 fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Failure> {
     const SIZE: (u16, u16) = (80, 24);
     const LESSON: usize = 5;
     const STEPS: usize = 3;
-    let pupil = Pupil::new(&Setting::Floor(first_home()?), seed, false, None)?;
-    let tour = Tour::new(options.seed.filter(|_| options.tour), std::iter::empty());
-    let mut visit = Visit::new(Classroom::new(pupil, None, Some(tour))?, Pace::Normal, seed);
+    if options.home.is_some() && options.command.is_none() {
+        return Err(Failure::Input("a picture of this home needs a lesson: give --command and --intended".to_owned()));
+    }
+    let pupil = Pupil::new(&setting(options)?, seed, false, None)?;
+    let tour = options.home.is_none().then(|| Tour::new(options.seed.filter(|_| options.tour), std::iter::empty()));
+    let mut visit = Visit::new(Classroom::new(pupil, None, tour)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
+    if let Some(command) = &options.command {
+        visit.prompt.set(command);
+        visit.take(Intent::Say, now);
+        if visit.phase() == Phase::Idle {
+            return Err(Failure::Input(visit.message));
+        }
+        visit.classroom.mean(options.intended.as_deref())?;
+        visit.take(Intent::Auto, now);
+    }
     loop {
         let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
         match visit.phase() {
@@ -202,9 +220,9 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let name = options.home.as_deref().map(input::name);
     let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
-    let places = places(options, lines, world)?;
+    let places = robot_files(options, lines, world)?;
     let pupil = match places.as_ref().filter(|places| world.is_none() && places.model.exists()) {
-        Some(Places { model, .. }) => of_kept_kinds(options, pupil, model)?,
+        Some(RobotFiles { model, .. }) => of_kept_kinds(options, pupil, model)?,
         None => pupil,
     };
     if options.starter.is_given() && world.is_some() {
@@ -219,7 +237,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
     let mut classroom = Classroom::new(pupil, kept, tour)?;
     let known = classroom.pupil.lessons_learned();
-    if let Some(Places { model, log }) = classroom.kept().map(Kept::places).filter(|_| known < in_log) {
+    if let Some(RobotFiles { model, log }) = classroom.kept().map(Kept::files).filter(|_| known < in_log) {
         let (model, log) = (model.display(), log.display());
         say!(
             "{log} has {} that taught something, and {model} knows {known}: the others gave way to newer ones, or the program was stopped while it \
@@ -232,18 +250,18 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
 }
 
 /// The paths of the robot's files; `None` for a robot that is not kept.
-fn places(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -> Result<Option<Places>, Failure> {
+fn robot_files(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile>>) -> Result<Option<RobotFiles>, Failure> {
     Ok(match (&options.model, &options.robot) {
-        (Some(model), _) => Some(Places::beside(model, options.log.as_deref())),
-        (None, Some(robot)) => Some(Places::of_robot(robot)?),
+        (Some(model), _) => Some(RobotFiles::beside(model, options.log.as_deref())),
+        (None, Some(robot)) => Some(RobotFiles::of_robot(robot)?),
         (None, None) if lines => None,
         (None, None) => Some(match world {
             // A robot keeps the tasks of one world, so each world has its own robot.
-            Some(world) => Places::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
+            Some(world) => RobotFiles::of_robot(&format!("{ROBOT}-{}", world.name)).map_err(|_| {
                 let message = format!("the world {:?} has a name that no file can have; name the robot with --robot", world.name);
                 Failure::Input(message)
             })?,
-            None => Places::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
+            None => RobotFiles::of_robot(if options.tour { TOUR_ROBOT } else { ROBOT })?,
         }),
     })
 }

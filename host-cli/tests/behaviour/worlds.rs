@@ -57,6 +57,13 @@ fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
     assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("intended: fanOn(d)"), "{}", read.output);
     let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
     assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
+    // A world with more names than the model has ever met.
+    let lamp = |room: u32| format!(r#"{{"name":"x{room}","class":"lamp","attributes":{{"room":"room{room}","kind":"lamp"}}}},"#);
+    let lamps: String = (0..300).map(lamp).collect();
+    let large = file(folder.path(), "large.json", &WORLD.replacen(r#"{"name":"a""#, &(lamps + r#"{"name":"a""#), 1));
+    let large = large.to_str().expect("UTF-8");
+    let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", large, "--json", "küche licht an"], b""));
+    assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some("lampOn(a)"), Some(607)), "{answer}");
 }
 
 #[test]
@@ -385,6 +392,14 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
         assert!(checked.code == 0 && checked.messages.contains("standard input:4: field \"actions[1]"), "{told}: {}", checked.messages);
         assert!(checked.messages.contains(told), "{told}: {}", checked.messages);
     }
+    let two = world(&[r#"{"name":"x","effects":["at(b,a)","at(b,b)"]},{"name":"y","effects":["at(a,a)","at(b,a)"]}"#]).replace(
+        "\"on\":[\"lamp\"]}",
+        "\"on\":[\"lamp\"],\"at\":[\"lamp\",\"lamp\"]},\"variables\":[\"at\"],\"facts\":[\"at(a,b)\",\"at(b,a)\"]",
+    );
+    let checked = goodbot(&["check", "-"], two.as_bytes());
+    let told =
+        "field \"actions[1]\": warning: at(b,a) and at(b,b) give one variable two values; the last one counts, so leave one of the two out";
+    assert!(checked.messages.contains(told) && !checked.messages.contains("actions[2]"), "{}", checked.messages);
     let once = r#"{"name":"x","conditions":["on(a)","on(b)"],"effects":["!on(a)","!on(b)"]}"#;
     let sound = goodbot(&["check", "-"], world(&[once]).as_bytes());
     assert!(sound.output.contains("no fault\n"), "{}{}", sound.output, sound.messages);

@@ -32,10 +32,10 @@ use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_console::starter::{Starter, StarterOptions};
-use goodbot_console::training_data::{self, Lesson, Lessons, Told, restored};
+use goodbot_console::training_data::{self, Lesson, Lessons, LogOptions, restored};
 use method::{Method, Trained};
 use novel::Novel;
-use report::{Read, Summary};
+use report::{SessionCounts, Summary};
 use split::{Group, Split};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -229,8 +229,8 @@ fn with_model(
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
     let agent = restored::options(file)?;
-    let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
-    let asked = training_data::read(&files, lifted, agent, false, &told)?;
+    let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
+    let asked = training_data::read(&files, lifted, agent, false, &log_options)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -248,7 +248,7 @@ fn with_model(
         true if options.starter.is_given() => {
             return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
         }
-        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.act())?)),
+        true => Trained::Model2(Box::new(restored::language(file, &mut memory, sessions.asked(), sessions.act())?)),
         false => Trained::Robot(Box::new(restored::agent_beside(file, lifted, &starter)?)),
     };
     let answers = experiment.ask(&mut trained)?;
@@ -268,11 +268,11 @@ struct Sessions {
 impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let plans = options.learner == Method::Action;
-        let told = Told { keep_going: options.keep_going, limit: options.limit, ..Told::default() };
-        let taught = training_data::read(&options.files, lifted, agent, plans, &told)?;
+        let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
+        let taught = training_data::read(&options.files, lifted, agent, plans, &log_options)?;
         let asked = match options.test.as_slice() {
             [] => None,
-            files => Some(training_data::read(files, lifted, agent, plans, &told)?),
+            files => Some(training_data::read(files, lifted, agent, plans, &log_options)?),
         };
         Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }
@@ -296,7 +296,7 @@ impl Sessions {
     ///
     /// # Errors
     /// [`Failure::Input`] if no question has an intended task.
-    fn about(&self) -> Result<Read, Failure> {
+    fn about(&self) -> Result<SessionCounts, Failure> {
         let unknown = self.asked().iter().filter(|lesson| lesson.intended.is_none()).count();
         if unknown == self.asked().len() {
             let message = "no session has an intended task, so no answer can be checked; add \"intended\" to the session \
@@ -308,7 +308,7 @@ impl Sessions {
         }
         let evidence: Vec<bool> = self.taught.lessons.iter().filter_map(Lesson::evidence_is_right).collect();
         let (asked_skipped, asked_way) = self.asked.as_ref().map_or((0, 0), |asked| (asked.skipped, asked.with_way));
-        Ok(Read {
+        Ok(SessionCounts {
             is_given: self.taught.lessons.is_empty(),
             taught: self.taught.lessons.iter().filter(|lesson| lesson.learn).count(),
             skipped: self.taught.skipped + asked_skipped,

@@ -52,7 +52,7 @@ impl Score {
 
 /// Counts of the sessions that were read.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Read {
+pub struct SessionCounts {
     /// Whether the model was trained before. Its training data and copies of them are unknown then.
     pub is_given: bool,
     /// Sessions that models are trained on.
@@ -74,7 +74,7 @@ pub struct Read {
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// The counts of sessions.
-    pub read: Read,
+    pub read: SessionCounts,
     /// The model.
     pub score: Score,
     /// A learner without words.
@@ -89,7 +89,7 @@ pub struct Summary {
 
 impl Summary {
     /// The summary of answers.
-    pub fn of(answers: &[Answer], read: Read) -> Self {
+    pub fn of(answers: &[Answer], read: SessionCounts) -> Self {
         let model = |answer: &Answer| (answer.right, answer.probabilities.0);
         Self {
             read,
@@ -169,7 +169,7 @@ fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
 }
 
 fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
-    let Read { is_given, taught, skipped, with_way, unknown, evidence, .. } = summary.read;
+    let SessionCounts { is_given, taught, skipped, with_way, unknown, evidence, .. } = summary.read;
     let others: Vec<String> = [(skipped, "at fault"), (with_way, "left out with a way"), (unknown, "not asked: no intended task")]
         .iter()
         .filter(|(count, _)| *count > 0)

@@ -48,9 +48,9 @@ struct Parameters {
 
 /// The feedback of one trainer: how often each feedback came after each history of actions, the last action first.
 #[derive(Clone, Debug, Default)]
-pub struct Heard(BTreeMap<(Feedback, [Judged; LAGS]), f64>);
+pub struct FeedbackCounts(BTreeMap<(Feedback, [Judged; LAGS]), f64>);
 
-impl Heard {
+impl FeedbackCounts {
     /// Adds the feedback of a session with a known intended task.
     pub fn add(&mut self, walk: &Walk) {
         let Some(intended) = walk.intended else { return };
@@ -65,8 +65,8 @@ impl Heard {
 }
 
 /// The feedback of all sessions, by trainer.
-pub fn by_trainer(walks: &[Walk]) -> BTreeMap<&str, Heard> {
-    let mut trainers: BTreeMap<&str, Heard> = BTreeMap::new();
+pub fn by_trainer(walks: &[Walk]) -> BTreeMap<&str, FeedbackCounts> {
+    let mut trainers: BTreeMap<&str, FeedbackCounts> = BTreeMap::new();
     for walk in walks {
         trainers.entry(&walk.trainer).or_default().add(walk);
     }
@@ -138,7 +138,7 @@ impl Parameters {
     }
 
     /// The log likelihood of a trainer's feedback.
-    fn log_likelihood(&self, heard: &Heard) -> f64 {
+    fn log_likelihood(&self, heard: &FeedbackCounts) -> f64 {
         let log = |(&(feedback, judged), count): (&(Feedback, [Judged; LAGS]), &f64)| {
             let mut parts = self.parts(feedback, judged).map(|part| part.probability).peekable();
             // No action that the feedback may be about is known.
@@ -148,7 +148,7 @@ impl Parameters {
         heard.0.iter().filter_map(log).sum()
     }
 
-    fn expect(&self, heard: &Heard, share: f64, expected: &mut Expected) {
+    fn expect(&self, heard: &FeedbackCounts, share: f64, expected: &mut Expected) {
         for (&(feedback, judged), count) in &heard.0 {
             let whole: f64 = self.parts(feedback, judged).map(|part| part.probability).sum();
             if whole <= 0.0 {
@@ -192,11 +192,12 @@ pub struct Fit {
 
 impl Fit {
     /// Fits a population to the feedback of trainers. One strategy is that of all together; each other one begins as one trainer's own.
-    pub fn to(trainers: &[&Heard], shape: Shape) -> Self {
+    pub fn to(trainers: &[&FeedbackCounts], shape: Shape) -> Self {
         let held_out = |&hold: &f64| -> f64 {
             (0..trainers.len())
                 .map(|out| {
-                    let others: Vec<&Heard> = trainers.iter().enumerate().filter(|&(at, _)| at != out).map(|(_, &heard)| heard).collect();
+                    let others: Vec<&FeedbackCounts> =
+                        trainers.iter().enumerate().filter(|&(at, _)| at != out).map(|(_, &heard)| heard).collect();
                     Self::with_hold(&others, hold, shape).log_likelihood(trainers[out])
                 })
                 .sum()
@@ -206,11 +207,11 @@ impl Fit {
         Self::with_hold(trainers, hold, shape)
     }
 
-    fn with_hold(trainers: &[&Heard], hold: f64, shape: Shape) -> Self {
+    fn with_hold(trainers: &[&FeedbackCounts], hold: f64, shape: Shape) -> Self {
         let (manner, lags, words) = BEFORE;
         let lags = if shape.lagging { lags } else { Strategy::NO_LAG.map(f64::from) };
         let before = Parameters { manners: [manner; 2], lags, shape };
-        let fitted = |trainers: &[&Heard], to: &Parameters, hold: f64| {
+        let fitted = |trainers: &[&FeedbackCounts], to: &Parameters, hold: f64| {
             (0..ROUNDS).fold(*to, |strategy, _| {
                 let mut expected = Expected::default();
                 trainers.iter().for_each(|heard| strategy.expect(heard, 1.0, &mut expected));
@@ -244,7 +245,7 @@ impl Fit {
     }
 
     /// The log likelihood of a trainer's feedback.
-    pub fn log_likelihood(&self, heard: &Heard) -> f64 {
+    pub fn log_likelihood(&self, heard: &FeedbackCounts) -> f64 {
         log_sum(&self.strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect::<Vec<f64>>())
     }
 
@@ -267,11 +268,11 @@ impl Fit {
 }
 
 /// The strategy of all trainers together, and then those of single trainers, each chosen to raise the likelihood of all feedback most.
-fn most_different(trainers: &[&Heard], together: Parameters, mut own: Vec<Parameters>, most: usize) -> Vec<Parameters> {
+fn most_different(trainers: &[&FeedbackCounts], together: Parameters, mut own: Vec<Parameters>, most: usize) -> Vec<Parameters> {
     let mut chosen = vec![together];
     while chosen.len() < most && !own.is_empty() {
         let explained = |one: &Parameters| -> f64 {
-            let among = |heard: &Heard| {
+            let among = |heard: &FeedbackCounts| {
                 let logs = chosen.iter().chain([one]).map(|strategy| strategy.log_likelihood(heard));
                 log_sum(&logs.collect::<Vec<f64>>())
             };
@@ -291,7 +292,7 @@ fn log_sum(logs: &[f64]) -> f64 {
 }
 
 /// The probability of each strategy, given a trainer's feedback.
-fn shares(strategies: &[(Parameters, f64)], heard: &Heard) -> Vec<f64> {
+fn shares(strategies: &[(Parameters, f64)], heard: &FeedbackCounts) -> Vec<f64> {
     let logs: Vec<f64> = strategies.iter().map(|(strategy, share)| share.ln() + strategy.log_likelihood(heard)).collect();
     let whole = log_sum(&logs);
     logs.into_iter().map(|log| (log - whole).exp()).collect()

@@ -14,7 +14,7 @@ pub mod fit;
 use crate::recorded::{self, Walk};
 use believing::{Expectation, Rightness};
 use clap::{Args, ValueHint};
-use fit::{Fit, Heard, Shape};
+use fit::{FeedbackCounts, Fit, Shape};
 use goodbot::feedback::population::DRIFT;
 use goodbot::feedback::{Ending, Hazard, Strategy};
 use goodbot_console::load::kinds::TaskKinds;
@@ -71,7 +71,7 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
             "{found} with feedback whose intended task is known: give the sessions of 3 or more (a trainer is the id up to its first dot)"
         )));
     }
-    let everyone: Vec<&Heard> = trainers.values().collect();
+    let everyone: Vec<&FeedbackCounts> = trainers.values().collect();
     let fitted = Fit::to(&everyone, POPULATION.shape);
     let Expectation { strategies, ending, .. } = expectation(&walks.iter().collect::<Vec<_>>(), fitted.strategies(), POPULATION);
     let mut out = output::text(&[])?;
@@ -202,7 +202,8 @@ fn compare(walks: &[Walk]) -> Vec<Compared> {
         let parts: Vec<(Rightness, f64)> = trainers
             .par_iter()
             .map(|(&out, heard)| {
-                let others: Vec<&Heard> = trainers.iter().filter(|&(&trainer, _)| trainer != out).map(|(_, heard)| heard).collect();
+                let others: Vec<&FeedbackCounts> =
+                    trainers.iter().filter(|&(&trainer, _)| trainer != out).map(|(_, heard)| heard).collect();
                 let fitted = Fit::to(&others, settings.shape);
                 let known: Vec<&Walk> = walks.iter().filter(|walk| walk.trainer != out).collect();
                 let expected = expectation(&known, fitted.strategies(), settings);

@@ -26,10 +26,10 @@
 //! use goodbot_lab::study::agent::AGENTS;
 //! use goodbot_lab::study::course::Course;
 //! use goodbot_lab::study::trainer::{TRAINERS, population::Population};
-//! use goodbot_lab::study::trial::{Places, run};
+//! use goodbot_lab::study::trial::{CoursePlaces, run};
 //! let (agent, trainer, seed) = (&AGENTS[0], &TRAINERS[0], 1);
 //! let habits = trainer.habits(&Population::fitted(), seed);
-//! let outcome = run(&agent.learns, habits, &mut Places::new(Course::Paper, seed)?, seed)?;
+//! let outcome = run(&agent.learns, habits, &mut CoursePlaces::new(Course::Paper, seed)?, seed)?;
 //! assert_eq!(outcome.tests_right(), 5);
 //! # Ok::<(), goodbot_course::CourseError>(())
 //! ```

@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use crate::study::course::Course;
-use crate::study::trial::{Outcome, Places, run};
+use crate::study::trial::{CoursePlaces, Outcome, run};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use rayon::prelude::*;
@@ -33,7 +33,7 @@ pub fn run_all(plan: &Plan) -> Result<Vec<Run>, Failure> {
     let bar = bar(seeds.len() * each, "training agents");
     let of_seed = |&seed: &u64| -> Result<Vec<Run>, Failure> {
         let failed = |who: &str, error| Failure::Result(format!("seed {seed}, {who}: {error}"));
-        let places = |course: &Course| Places::new(*course, seed).map_err(|error| failed(course.name(), error));
+        let places = |course: &Course| CoursePlaces::new(*course, seed).map_err(|error| failed(course.name(), error));
         let mut places = plan.courses.iter().map(places).collect::<Result<Vec<_>, _>>()?;
         let mut runs = Vec::with_capacity(each);
         for &(course, trainer) in &taught {

@@ -112,12 +112,12 @@ fn chance(seed: u64, purpose: Chance) -> Pcg32 {
 
 /// The homes and commands of a seed, with all plans made in them: every agent meets the same.
 #[derive(Debug)]
-pub struct Places {
+pub struct CoursePlaces {
     lessons: Vec<Place>,
     tests: Vec<Place>,
 }
 
-impl Places {
+impl CoursePlaces {
     /// The places of a course.
     ///
     /// # Errors
@@ -132,7 +132,7 @@ impl Places {
 ///
 /// # Errors
 /// [`CourseError`].
-pub fn run(learns: &Learns, habits: Habits, places: &mut Places, seed: u64) -> Result<Outcome, CourseError> {
+pub fn run(learns: &Learns, habits: Habits, places: &mut CoursePlaces, seed: u64) -> Result<Outcome, CourseError> {
     let mut words = chance(seed, Chance::Words);
     let mut learner = learns.begin(chance(seed, Chance::Agent))?;
     let mut lesson = |place| lesson(&mut *learner, place, habits, &mut words);

@@ -7,7 +7,7 @@ use crate::study::agent::Learns;
 use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
-use crate::study::trial::{MOST_STEPS, Places, run};
+use crate::study::trial::{CoursePlaces, MOST_STEPS, run};
 use goodbot_course::CourseError;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -27,7 +27,7 @@ pub const TUNED: [&str; 4] = ["tamer+roles", "coach+roles", "shaping+roles", "sa
 pub fn scores(grid: &[Learns]) -> Result<Vec<f64>, CourseError> {
     let population = Population::fitted();
     let of_seed = |seed: u64| -> Result<Vec<f64>, CourseError> {
-        let mut places = Places::new(Course::Paper, seed)?;
+        let mut places = CoursePlaces::new(Course::Paper, seed)?;
         let mut scores = vec![0.0; grid.len()];
         for (learns, score) in grid.iter().zip(&mut scores) {
             for trainer in TRAINERS.iter().filter(|trainer| TRAINED_BY.contains(&trainer.name)) {

@@ -29,15 +29,15 @@ use std::sync::Arc;
 /// Why a world file makes no robot.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("field \"{field}\": {message}")]
-pub struct Flaw {
+pub struct WorldFlaw {
     /// The field at fault.
     pub field: String,
     /// The fault, and the remedy.
     pub message: String,
 }
 
-pub(super) fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, Flaw> {
-    Err(Flaw { field: field.into(), message: message.into() })
+pub(super) fn flaw<T>(field: impl Into<String>, message: impl Into<String>) -> Result<T, WorldFlaw> {
+    Err(WorldFlaw { field: field.into(), message: message.into() })
 }
 
 /// The most objects that a robot's world may have.
@@ -101,8 +101,8 @@ impl Tables {
     /// The tables of a world file.
     ///
     /// # Errors
-    /// A [`Flaw`] if the world is too large for the core, or has no actions.
-    pub fn of(file: Arc<WorldFile>) -> Result<Self, Flaw> {
+    /// A [`WorldFlaw`] if the world is too large for the core, or has no actions.
+    pub fn of(file: Arc<WorldFile>) -> Result<Self, WorldFlaw> {
         if file.actions.is_empty() {
             return flaw("actions", "is missing: commands can be learned and asked in this world, but no robot can act in it; add actions");
         }
@@ -138,7 +138,7 @@ impl Tables {
         Ok(tables)
     }
 
-    fn add_objects(&mut self) -> Result<ObjectCount, Flaw> {
+    fn add_objects(&mut self) -> Result<ObjectCount, WorldFlaw> {
         let Self { file, rows, name_bytes, name_ends, .. } = self;
         let mut set = ObjectSet::new(ObjectTables { objects: rows, name_bytes, name_ends });
         for (position, object) in file.objects.iter().enumerate() {
@@ -147,7 +147,7 @@ impl Tables {
             };
             let values: Vec<&str> = file.attributes.iter().map(value).collect();
             set.add(class_of(file, &object.class), &object.name, &values)
-                .map_err(|error| Flaw { field: format!("objects[{position}]"), message: refused(&error) })?;
+                .map_err(|error| WorldFlaw { field: format!("objects[{position}]"), message: refused(&error) })?;
         }
         Ok(set.count())
     }
@@ -194,7 +194,7 @@ impl Tables {
 ///
 /// # Errors
 /// The errors of [`Tables::of`].
-pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, Flaw> {
+pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, WorldFlaw> {
     let tables = Tables::of(Arc::new(file.clone()))?;
     Ok(tables.lend(|robot| use_it(robot, tables.start)))
 }
@@ -215,13 +215,13 @@ fn refused(error: &ObjectError) -> String {
 /// The kinds of task of a robot's world.
 ///
 /// # Errors
-/// A [`Flaw`] of one kind, or of all kinds if they have too many tasks together.
-pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Flaw> {
+/// A [`WorldFlaw`] of one kind, or of all kinds if they have too many tasks together.
+pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, WorldFlaw> {
     if file.task_kinds.len() > LIFTED_TASKS {
         let message = format!("are {}, and {LIFTED_TASKS} are the most for a robot that acts; leave out some", file.task_kinds.len());
         return flaw("task_kinds", message);
     }
-    let given = super::count_tasks(file).map_err(|error| Flaw { field: "task_kinds".to_owned(), message: error.to_string() })?;
+    let given = super::count_tasks(file).map_err(|error| WorldFlaw { field: "task_kinds".to_owned(), message: error.to_string() })?;
     if given > MOST_TASKS_OF_A_ROBOT {
         let message =
             format!("give {given} tasks, and {MOST_TASKS_OF_A_ROBOT} are the most for a robot that acts; leave out kinds or objects");
@@ -229,7 +229,7 @@ pub fn tasks(file: &WorldFile, robot: &Robot<'_>) -> Result<Vec<LiftedTask>, Fla
     }
     let parse = |(position, kind): (usize, &goodbot_formats::task_text::LiftedTaskText)| {
         LiftedTask::parse(&kind.to_string(), &robot.schema)
-            .map_err(|error| Flaw { field: format!("task_kinds[{position}]"), message: error.to_string() })
+            .map_err(|error| WorldFlaw { field: format!("task_kinds[{position}]"), message: error.to_string() })
     };
     file.task_kinds.iter().enumerate().map(parse).collect()
 }
@@ -260,8 +260,8 @@ impl<'w> Robot<'w> {
     /// The state in which exactly these propositions hold.
     ///
     /// # Errors
-    /// A [`Flaw`] if a variable has no value or two, or if a proposition that no action changes differs from the file.
-    pub fn state_of(&self, facts: &[GroundAtomText]) -> Result<u64, Flaw> {
+    /// A [`WorldFlaw`] if a variable has no value or two, or if a proposition that no action changes differs from the file.
+    pub fn state_of(&self, facts: &[GroundAtomText]) -> Result<u64, WorldFlaw> {
         self.mechanism.state_of(facts, &self.file.variables, &self.schema, self.objects)
     }
 
@@ -409,7 +409,7 @@ impl Case {
 }
 
 impl Mechanism {
-    fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, Flaw> {
+    fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, WorldFlaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
         let mut mechanism = Self::default();
@@ -465,7 +465,7 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    fn add_digit(&mut self, name: &str, values: u64) -> Result<usize, Flaw> {
+    fn add_digit(&mut self, name: &str, values: u64) -> Result<usize, WorldFlaw> {
         if self.digits.len() >= MOST_DIGITS {
             return flaw(format!("propositions.{name}"), "gives more variables than can be kept; leave out objects or what changes");
         }
@@ -540,7 +540,13 @@ impl Mechanism {
     }
 
     /// The state with these facts.
-    fn state_of(&self, facts: &[GroundAtomText], variables: &[String], schema: &Schema<'_>, objects: Objects<'_>) -> Result<u64, Flaw> {
+    fn state_of(
+        &self,
+        facts: &[GroundAtomText],
+        variables: &[String],
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<u64, WorldFlaw> {
         let values = self.values_of(facts, variables, schema, objects)?;
         Ok(self.digits.iter().zip(values).map(|(digit, value)| digit.unit * value).sum())
     }
@@ -552,7 +558,7 @@ impl Mechanism {
         variables: &[String],
         schema: &Schema<'_>,
         objects: Objects<'_>,
-    ) -> Result<Vec<u64>, Flaw> {
+    ) -> Result<Vec<u64>, WorldFlaw> {
         let (mut start, mut told, mut fixed) = (vec![0; self.digits.len()], BTreeSet::new(), BTreeSet::new());
         for (position, fact) in facts.iter().enumerate() {
             let key = key(schema, objects, fact);
@@ -584,7 +590,7 @@ impl Mechanism {
         Ok(start)
     }
 
-    fn ground(&mut self, position: usize, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), Flaw> {
+    fn ground(&mut self, position: usize, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
         let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
         let mut free: Vec<(&str, ClassId)> = Vec::new();
         for literal in &action.conditions {
@@ -600,7 +606,7 @@ impl Mechanism {
         }
         let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
         let tries = Tries::new(format!("actions[{position}]"), "can be done with more objects than can be tried; give it fewer variables");
-        let mut one = |binding: &Binding<'_>| -> Result<(), Flaw> {
+        let mut one = |binding: &Binding<'_>| -> Result<(), WorldFlaw> {
             let mut cases = Vec::new();
             each_binding(objects, &free, binding, &tries, &mut |binding| {
                 cases.extend(self.case(action, schema, objects, binding));
@@ -651,7 +657,7 @@ impl Mechanism {
 }
 
 /// All choices of different objects of these classes.
-fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; ARGUMENTS]>, Flaw> {
+fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; ARGUMENTS]>, WorldFlaw> {
     let names = ["0", "1", "2"];
     let variables: Vec<(&str, ClassId)> = names.iter().copied().zip(classes.iter().copied()).collect();
     let mut all = Vec::new();
@@ -682,7 +688,7 @@ impl Tries {
         Self { left: Cell::new(MOST_CASES), field, message }
     }
 
-    fn take(&self) -> Result<(), Flaw> {
+    fn take(&self) -> Result<(), WorldFlaw> {
         match self.left.get().checked_sub(1) {
             Some(left) => {
                 self.left.set(left);
@@ -700,8 +706,8 @@ fn each_binding<'v>(
     variables: &[(&'v str, ClassId)],
     before: &Binding<'v>,
     tries: &Tries,
-    each: &mut dyn FnMut(&Binding<'v>) -> Result<(), Flaw>,
-) -> Result<(), Flaw> {
+    each: &mut dyn FnMut(&Binding<'v>) -> Result<(), WorldFlaw>,
+) -> Result<(), WorldFlaw> {
     let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
     for object in objects.of_class(class) {
         tries.take()?;
@@ -772,10 +778,10 @@ impl Domain for Robot<'_> {
 ///
 /// # Errors
 /// The errors of [`with`].
-pub fn plan(file: &WorldFile, task: &GroundTaskText) -> Result<Option<Vec<String>>, Flaw> {
+pub fn plan(file: &WorldFile, task: &GroundTaskText) -> Result<Option<Vec<String>>, WorldFlaw> {
     with(file, |robot, start| {
         let lifted = tasks(file, robot)?;
-        planned(robot, start, &lifted, task).map_err(|error| Flaw { field: "task_kinds".to_owned(), message: error.to_string() })
+        planned(robot, start, &lifted, task).map_err(|error| WorldFlaw { field: "task_kinds".to_owned(), message: error.to_string() })
     })?
 }
 

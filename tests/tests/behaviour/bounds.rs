@@ -1,13 +1,15 @@
 //! Where the joint states do not fit into memory, a plan is exact if the two bounds on the distance agree. Brute force confirms it.
 
 use goodbot::home::{self, Moves};
-use goodbot::oomdp::{Action, Domain, apply};
+use goodbot::oomdp::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, StateKey, World, apply};
+use goodbot::planning::Progress;
 use goodbot::task::{GroundedTask, TaskSet, ground};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_tests::hostile::{Seen, compare};
 use goodbot_tests::own_planner::OwnPlanner;
 use goodbot_tests::random_homes::{Size, below, random_home};
 use rand_pcg::Pcg32;
+use std::cell::Cell;
 
 #[test]
 fn no_judgement_by_bounds_is_wrong_in_random_homes_with_blocks_anywhere() {
@@ -76,5 +78,118 @@ fn most_sets_are_exact_in_homes_whose_joint_states_do_not_fit() {
             100.0 * f64::from(seen.certain) / f64::from(seen.judgements)
         );
         assert!(seen.share() >= least, "{seen:?}");
+    }
+}
+
+/// A floor that counts how often it is asked whether pieces can be swapped: once for each expansion, and once for each search of a task.
+struct Asked<'d, D> {
+    domain: &'d D,
+    times: Cell<u32>,
+}
+
+impl<D: PushGrid> Domain for Asked<'_, D> {
+    type State = D::State;
+    type Search = BitRows;
+
+    fn world(&self) -> World<'_> {
+        self.domain.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        self.domain.actions()
+    }
+
+    fn step(&self, state: &D::State, action: Action) -> Option<D::State> {
+        self.domain.step(state, action)
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &D::State) -> bool {
+        self.domain.holds(proposition, state)
+    }
+
+    fn state_count(&self) -> u64 {
+        self.domain.state_count()
+    }
+
+    fn number(&self, state: &D::State) -> u64 {
+        self.domain.number(state)
+    }
+
+    fn numbered(&self, number: u64) -> D::State {
+        self.domain.numbered(number)
+    }
+
+    fn key(&self, state: &D::State) -> StateKey {
+        self.domain.key(state)
+    }
+
+    fn keyed(&self, key: StateKey) -> D::State {
+        self.domain.keyed(key)
+    }
+}
+
+impl<D: PushGrid> PushGrid for Asked<'_, D> {
+    fn is_numbered(&self) -> bool {
+        self.domain.is_numbered()
+    }
+
+    fn floor(&self) -> Floor<'_> {
+        self.domain.floor()
+    }
+
+    fn pieces(&self) -> usize {
+        self.domain.pieces()
+    }
+
+    fn cell(&self, state: &D::State, piece: Piece) -> CellId {
+        self.domain.cell(state, piece)
+    }
+
+    fn put(&self, state: &D::State, piece: Piece, cell: CellId) -> D::State {
+        self.domain.put(state, piece, cell)
+    }
+
+    fn piece_of(&self, proposition: &GroundProposition) -> Option<Piece> {
+        self.domain.piece_of(proposition)
+    }
+
+    fn can_pull(&self) -> bool {
+        self.domain.can_pull()
+    }
+
+    fn pushes_plainly(&self) -> bool {
+        self.domain.pushes_plainly()
+    }
+
+    fn swaps(&self) -> bool {
+        self.times.set(self.times.get() + 1);
+        self.domain.swaps()
+    }
+}
+
+#[test]
+fn no_call_makes_more_expansions_than_its_budget() {
+    let size = Size { columns: 2, rows: 2, side: 4, blocks: 4 };
+    for (moves, budget) in [(Moves::Push, 1), (Moves::Push, 8), (Moves::PushAndPull, 8)] {
+        // With room for lower bounds of single tasks.
+        let capacities = Capacities { states: 1 << 18, hashed_states: 0, ..Capacities::STANDARD };
+        let mut memory = HeapMemory::new(&capacities);
+        let (home, state) = random_home(&mut Pcg32::new(1, 2), size, moves, &mut memory.home);
+        let mut tasks = [GroundedTask::UNUSED; TaskSet::MOST];
+        let lifted = home::paper_tasks().unwrap();
+        let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
+        let asked = Asked { domain: &home, times: Cell::new(0) };
+        let mut planner = OwnPlanner::new(&capacities, &asked, &lifted, &tasks[..count]);
+        planner.begin(TaskSet::first(count));
+        let (mut all, mut is_done) = (0, false);
+        while !is_done {
+            asked.times.set(0);
+            is_done = planner.advance(&asked, &state, budget) == Progress::Done;
+            // Each task has at least one expansion, so no call begins more tasks than it has expansions, and one.
+            assert!(asked.times.get() <= 2 * budget + 1, "{} times, {} before", asked.times.get(), all);
+            all += asked.times.get();
+        }
+        // All work is by bounds, and counted.
+        assert!(all > 10_000 && all > planner.plan().expansions() / 2, "{all} of {}", planner.plan().expansions());
     }
 }

@@ -197,7 +197,8 @@ pub fn what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_comma
 pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
     let mut board = Board::on(setup, None);
     board.lines_to("nothing is stored");
-    // A long press chooses the next command; the robot then acts by itself.
+    board.must("pace 0");
+    // A long press chooses the next command; the robot then acts by itself, also after lessons over the serial line.
     board.button(B, true);
     assert_eq!(board.line(), "next: go to the green room");
     board.button(B, false);
@@ -291,6 +292,38 @@ pub fn a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before(setup: &
     println!("the power was cut at each of {last} writes");
 }
 
+pub fn a_lesson_of_given_actions_is_learned_and_the_model_is_fetched_as_it_is_stored(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    board.must("pace 0");
+    board.must("say go to the green room");
+    for (said, did) in [("act south", "did south; agent0 1 4; block0 3 4"), ("act noop", "did nothing; agent0 1 4; block0 3 4")] {
+        assert_eq!(board.must(said)[0], did);
+        board.must("good");
+    }
+    assert!(board.ask("act jump").unwrap_err().contains("no such action"));
+    assert!(board.ask("model").unwrap_err().contains("a lesson is under way"));
+    board.must("finish");
+    let model: Vec<u8> = board
+        .must("model")
+        .concat()
+        .as_bytes()
+        .chunks(2)
+        .map(|digits| u8::from_str_radix(std::str::from_utf8(digits).unwrap(), 16).unwrap())
+        .collect();
+    let slots = board.slots();
+    assert!(!model.is_empty() && slots.windows(model.len()).any(|stored| stored == model));
+    let folder = std::env::temp_dir().join(format!("goodbot-fetched-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    std::fs::write(folder.join("fetched.goodbot"), &model).unwrap();
+    let read = Command::new(&setup.goodbot).current_dir(&folder).args(["inspect", "fetched.goodbot"]).output().unwrap();
+    std::fs::remove_dir_all(&folder).unwrap();
+    assert!(read.status.success(), "{}", String::from_utf8_lossy(&read.stderr));
+    assert!(String::from_utf8_lossy(&read.stdout).contains("green"));
+    // The robot has lost nothing.
+    assert_eq!(board.must("say go to the green room").len(), 1);
+}
+
 pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {
     let mut board = Board::on(setup, None);
     board.lines_to("nothing is stored");
@@ -299,7 +332,8 @@ pub fn what_is_said_wrongly_is_answered_and_changes_nothing(setup: &Setup) {
         ("dance", "no such request"),
         ("pace", "needs a number"),
         ("pace soon", "needs a number"),
-        ("act now", "more on the line"),
+        ("act now", "no such action"),
+        ("again now", "more on the line"),
         ("act", "give a command first"),
         ("good", "give a command first"),
         ("finish", "give a command first"),

@@ -42,6 +42,10 @@ fn main() -> ExitCode {
             "among_embassys_tasks_a_lesson_is_given_by_buttons_and_outlives_the_battery",
             embassy::a_lesson_is_given_by_buttons_and_outlives_the_battery,
         ),
+        test(
+            "a_lesson_of_given_actions_is_learned_and_the_model_is_fetched_as_it_is_stored",
+            lessons::a_lesson_of_given_actions_is_learned_and_the_model_is_fetched_as_it_is_stored,
+        ),
         test("what_is_said_wrongly_is_answered_and_changes_nothing", lessons::what_is_said_wrongly_is_answered_and_changes_nothing),
     ];
     libtest_mimic::run(&Arguments::from_args(), tests).exit_code()

@@ -8,11 +8,11 @@ use alloc::collections::BTreeSet;
 
 /// The machine commands of training data, by their hashes.
 #[derive(Debug)]
-pub(in crate::language) struct Known {
+pub(in crate::language) struct CommandIndex {
     commands: BTreeSet<(u32, u16)>,
 }
 
-impl Known {
+impl CommandIndex {
     /// The index of all commands in the data.
     pub fn of(data: BitextRef<'_>) -> Self {
         Self { commands: (0..data.commands() as u16).map(|command| (hash(data.command(command)), command)).collect() }
@@ -79,7 +79,7 @@ mod tests {
         assert_eq!(hash(&alike[0]), hash(&alike[1]));
         for order in [[0, 1], [1, 0]] {
             data.add_session(&[]).unwrap();
-            let mut known = Known::of(data.read());
+            let mut known = CommandIndex::of(data.read());
             order.iter().for_each(|&description| known.add_pair(&mut data, &alike[description], 0.5).unwrap());
         }
         let commands: std::vec::Vec<u16> = data.read().pairs().iter().map(|pair| pair.command).collect();

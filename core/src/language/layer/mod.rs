@@ -60,7 +60,7 @@ mod unmet;
 mod weights;
 
 #[cfg(feature = "layer")]
-pub(in crate::language) use known::Known;
+pub(in crate::language) use known::CommandIndex;
 #[cfg(feature = "layer")]
 pub use tables::LAYER_WEIGHTS;
 pub(in crate::language) use tables::Layer;

@@ -42,12 +42,12 @@ pub(super) struct Network {
 
 /// A word and the one before it, by their numbers.
 #[derive(Clone, Copy)]
-struct Heard {
+struct WordPair {
     before: usize,
     word: usize,
 }
 
-impl Heard {
+impl WordPair {
     /// The positions of a unit's weights for these words: those of the gate z, and those of the target c.
     fn cells(self, unit: usize) -> ([usize; 2], [usize; 2]) {
         let at = |word: usize, table: usize| word.saturating_mul(TABLES).saturating_add(table).saturating_mul(UNITS).saturating_add(unit);
@@ -67,12 +67,12 @@ impl Network {
     }
 
     /// The numbers of a command's words, each after the one before it.
-    fn heard(&self, words: impl Iterator<Item = Option<Symbol>>) -> Vec<Heard> {
+    fn heard(&self, words: impl Iterator<Item = Option<Symbol>>) -> Vec<WordPair> {
         let mut before = BEGINNING;
         words
             .map(|word| {
                 let word = word.map_or(UNKNOWN, |word| word.index().saturating_add(2));
-                let heard = Heard { before, word: if word < self.words { word } else { UNKNOWN } };
+                let heard = WordPair { before, word: if word < self.words { word } else { UNKNOWN } };
                 before = heard.word;
                 heard
             })
@@ -84,13 +84,13 @@ impl Network {
     }
 
     /// The gate z and the target c of a unit at a word.
-    fn moves(&self, heard: Heard, unit: usize) -> (f32, f32) {
+    fn moves(&self, heard: WordPair, unit: usize) -> (f32, f32) {
         let ([gate, gate_before], [to, to_before]) = heard.cells(unit);
         (1.0 / (1.0 + exp(STILL - self.value(gate) - self.value(gate_before))), self.value(to) + self.value(to_before))
     }
 
     /// For each word, the gate z and the distance c - h(i-1) of a unit.
-    fn read(&self, heard: &[Heard], unit: usize) -> Vec<(f32, f32)> {
+    fn read(&self, heard: &[WordPair], unit: usize) -> Vec<(f32, f32)> {
         let mut state = 0.0;
         let each = heard.iter().map(|&heard| {
             let (share, to) = self.moves(heard, unit);

@@ -612,7 +612,7 @@ pub(crate) fn likelihood_on(
     reading: &mut Reading,
     most: usize,
 ) -> bool {
-    let Some((parameters, masses)) = alignments.split_at_mut_checked(layout.trellis()) else { return true };
+    let Some((parameters, masses)) = alignments.split_at_mut_checked(layout.trellis_start()) else { return true };
     let mut reader = Reader::new(layout, translations, parameters, description);
     reader.take_groups();
     // If the masses do not fit there, the command is read at once.
@@ -632,7 +632,7 @@ mod tests {
         let role = |kind, proposition| Marker { role: Role::of_argument(kind, PropositionId(proposition), 0), sort: 0 }.symbol();
         let description = [Symbol(0), role(RoleKind::Goal, 0), Symbol(1), role(RoleKind::Start, 1), Symbol(2)];
         let sentence = [Some(Symbol(0)), None, Some(Symbol(0)), None];
-        let mut alignments = std::vec![0.5; layout.trellis() + 1];
+        let mut alignments = std::vec![0.5; layout.trellis_start() + 1];
         let whole = likelihood(&layout, (&[0.25], &alignments), &sentence, &description, |_, _| {});
         let mut reading = Reading::START;
         while !likelihood_on(&layout, &[0.25], &mut alignments, &sentence, &description, &mut reading, 1) {}

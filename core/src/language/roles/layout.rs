@@ -312,14 +312,14 @@ impl Layout {
     }
 
     /// The position at which the trellis begins, after all parameters.
-    pub(crate) fn trellis(&self) -> usize {
+    pub(crate) fn trellis_start(&self) -> usize {
         self.novelty(self.tokens.saturating_add(1))
     }
 
     /// The number of cells of `alignments` in use.
     pub(crate) fn cells(&self) -> usize {
         let rows = usize::from(self.longest).saturating_add(2);
-        if self.words == 0 { 0 } else { self.trellis().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
+        if self.words == 0 { 0 } else { self.trellis_start().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
     }
 
     /// The weight of a role in the prior, relative to 1 for a goal.

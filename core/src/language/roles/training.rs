@@ -151,7 +151,7 @@ impl Work<'_, '_> {
     /// Sets the parameters before the first part to those of no training. The counts must be cleared.
     pub fn clear(&mut self) {
         let layout = self.layout;
-        get_mut(self.a.values, 0..layout.trellis()).fill(0.0);
+        get_mut(self.a.values, 0..layout.trellis_start()).fill(0.0);
         for word in 0..=layout.words() {
             get_mut(self.a.values, layout.lift(word)).fill(1.0);
             if word < layout.words() {
@@ -171,7 +171,7 @@ impl Work<'_, '_> {
         for form in 0..layout.forms().len() {
             get_mut(self.a.values, layout.naming(form)).fill(1.0);
         }
-        get_mut(self.a.values, layout.novelty(0)..layout.trellis()).fill(1.0);
+        get_mut(self.a.values, layout.novelty(0)..layout.trellis_start()).fill(1.0);
     }
 
     fn prior(&self) -> Moves {
@@ -312,7 +312,7 @@ impl Work<'_, '_> {
     #[inline(never)]
     fn expect(&mut self, pair: &Pair, mut pass: Pass, left: usize) -> (usize, Option<Pass>) {
         let (sentence, description) = (self.bitext.sentence(pair.session), self.bitext.command(pair.command));
-        let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis()) else { return (0, None) };
+        let Some((parameters, trellis)) = self.a.values.split_at_mut_checked(self.layout.trellis_start()) else { return (0, None) };
         let mut reader = Reader::new(self.layout, self.t.values, parameters, description);
         reader.take_groups();
         let weight = self.layout.weight(self.bitext, pair);
@@ -443,7 +443,7 @@ impl Work<'_, '_> {
 
     /// The range that holds the pool of a lifted task's moves, in the trellis, which is not in use at that time.
     fn pool(&self) -> Range<usize> {
-        let start = self.layout.trellis();
+        let start = self.layout.trellis_start();
         start..start.saturating_add(self.layout.moves())
     }
 

@@ -40,6 +40,8 @@ const MOST_STATES: usize = u16::MAX as usize - 1;
 const STATES_AN_EXPANSION: usize = 16;
 /// A task gets a lower bound of its own only if it leaves the states this many times the memory of a shared one.
 const LEAST_ROOM: usize = 4;
+/// To clear this many words costs about as much as to find one place.
+const WORDS_A_PLACE: usize = 16;
 /// After this many occupied places in a row, a table counts as full.
 const PROBES: usize = 32;
 
@@ -72,6 +74,8 @@ pub(super) struct AStar {
     reached: Reached,
     /// The pieces on the floor besides the task's own, one bit each.
     present: u32,
+    /// Whether there are arrangements.
+    arranged: bool,
 }
 
 /// A state being expanded, with the cells of the pieces present.
@@ -84,7 +88,13 @@ struct Here {
 impl Here {
     /// The piece on a cell, except for the robot and the task's own.
     fn at(&self, cell: CellId) -> Option<Piece> {
-        self.cells.iter().position(|&other| other == cell).map(|other| Piece(other as u8))
+        // A look at all at once: no two are on one cell.
+        let number = self
+            .cells
+            .iter()
+            .enumerate()
+            .fold(0, |at, (other, &there)| at | if there == cell { (other as u16).wrapping_add(1) } else { 0 });
+        number.checked_sub(1).map(|other| Piece(other as u8))
     }
 }
 
@@ -148,6 +158,8 @@ pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
 /// The parts of the memory.
 struct Parts<'m> {
     relaxed: &'m [u64],
+    /// The lower bounds of the states, while the search goes on.
+    bounds: &'m [u64],
     arrangements: &'m mut [u64],
     states: &'m mut [[u64; 2]],
     /// For each place the number of a state, or 0.
@@ -188,7 +200,8 @@ impl AStar {
         most: u32,
     ) -> Option<Self> {
         // If pieces can be pulled, another piece behind one may be needed.
-        let is_asked = |other: &Piece| scene.grid.swaps() || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
+        let swaps = scene.grid.swaps();
+        let is_asked = |other: &Piece| swaps || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
         let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
         let mut it = Self {
             task,
@@ -204,10 +217,11 @@ impl AStar {
             threshold: distance,
             beyond: u32::MAX,
             left: most,
-            long: if scene.grid.swaps() { 0 } else { most.saturating_sub((scene.relaxation.states() / STATES_AN_EXPANSION) as u32) },
+            long: if swaps { 0 } else { most.saturating_sub((scene.relaxation.states() / STATES_AN_EXPANSION) as u32) },
             distance: u32::MAX,
             reached: Reached::NOT,
             present,
+            arranged: false,
         };
         it.lay_out(scene.relaxation.words(), words);
         (it.room > 0).then_some(it)
@@ -242,7 +256,7 @@ impl AStar {
             return;
         }
         self.clear(marks);
-        self.met = 0;
+        (self.met, self.arranged) = (0, false);
         let first = pieces(self.present).take(fits).fold(0, |first, piece| first | piece.bit());
         let rest = marks.get_mut(from..).unwrap_or(&mut []);
         self.sharper = Relaxation::begin(rest, scene.grid, scene.goals, scene.start, self.task, first);
@@ -260,25 +274,29 @@ impl AStar {
         let (arrangements, rest) = rest.split_at_mut_checked(self.arrangements)?;
         let (states, rest) = rest.split_at_mut_checked(self.room.saturating_mul(2))?;
         let index = rest.get_mut(..self.room / 2)?;
-        Some(Parts { relaxed, arrangements, states: states.as_chunks_mut().0, index })
+        Some(Parts { relaxed, bounds: &[], arrangements, states: states.as_chunks_mut().0, index })
     }
 
     /// Fills its memory with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
-        self.clear_states(marks);
+        if let Some(mut parts) = self.parts(marks) {
+            self.clear_states(&mut parts);
+        }
         if let Some(bound) = &self.sharper {
             bound.clear(marks.get_mut(self.bound_at..).unwrap_or(&mut []));
         }
     }
 
     /// Fills the memory of the states with zeros.
-    fn clear_states(&self, marks: &mut [u64]) {
-        let Some(Parts { arrangements, states, index, .. }) = self.parts(marks) else { return };
-        for (at, state) in states.iter_mut().take(self.met).enumerate() {
-            self.forget(index, at, state[0]);
-            *state = [0; 2];
+    fn clear_states(&self, Parts { arrangements, states, index, .. }: &mut Parts<'_>) {
+        let met = states.get_mut(..self.met.min(self.room)).unwrap_or(&mut []);
+        if met.len() > index.len() / WORDS_A_PLACE {
+            index.fill(0);
+        } else {
+            met.iter().enumerate().for_each(|(at, state)| self.forget(index, at, state[0]));
         }
-        if self.present != 0 {
+        met.fill([0; 2]);
+        if self.arranged {
             arrangements.fill(0);
         }
     }
@@ -332,25 +350,33 @@ impl AStar {
 
     /// Continues the search with one lower bound.
     fn go_on<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, left: &mut u32) -> Outcome {
-        let mut outcome = Outcome::Working;
+        let Some(mut parts) = self.parts(marks) else { return Outcome::GivenUp };
+        parts.bounds = scene.relaxation.distances(parts.relaxed);
+        let (mut outcome, mut cells) = (Outcome::Working, self.cells(scene));
         while outcome == Outcome::Working && *left > 0 && self.left > 0 && !self.is_to_sharpen() {
-            outcome = match self.take(marks) {
-                Some(state) => {
-                    *left = left.saturating_sub(1);
-                    self.left = self.left.saturating_sub(1);
-                    self.expand(marks, scene, state).map_or(Outcome::GivenUp, |()| Outcome::Working)
-                }
-                None => self.next_round(marks, scene),
-            };
+            if let Some(state) = self.take(&parts) {
+                *left = left.saturating_sub(1);
+                self.left = self.left.saturating_sub(1);
+                outcome = self.expand(&mut parts, scene, cells, state).map_or(Outcome::GivenUp, |()| Outcome::Working);
+            } else {
+                outcome = self.next_round(&mut parts, scene);
+                cells = self.cells(scene);
+            }
         }
         outcome
     }
 
+    /// The planned state's cells of the pieces present.
+    fn cells<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>) -> [CellId; 32] {
+        let is_present = |piece: usize| self.present >> piece & 1 == 1;
+        core::array::from_fn(|piece| if is_present(piece) { scene.grid.cell(scene.start, Piece(piece as u8)) } else { CellId::NONE })
+    }
+
     /// Takes the next state, unless the nearest goals are found.
     #[inline]
-    fn take(&mut self, marks: &mut [u64]) -> Option<[u64; 2]> {
+    fn take(&mut self, parts: &Parts<'_>) -> Option<[u64; 2]> {
         let at = self.expanded.checked_rem(self.room).filter(|_| self.expanded < self.met)?;
-        let state = *self.parts(marks)?.states.get(at)?;
+        let state = *parts.states.get(at)?;
         if (state[0] & DISTANCE) as u32 >= self.distance {
             return None;
         }
@@ -359,9 +385,10 @@ impl AStar {
     }
 
     /// Begins at the start: for the first time, with pieces that were in the way, or with the next threshold.
-    fn next_round<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) -> Outcome {
+    fn next_round<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>) -> Outcome {
         if self.met > 0 {
-            self.clear_states(marks);
+            self.clear_states(parts);
+            self.arranged = false;
             if self.distance != u32::MAX {
                 if self.reached.first == self.reached.sure {
                     return Outcome::Met;
@@ -377,16 +404,17 @@ impl AStar {
         let (robot, piece) = (scene.grid.cell(scene.start, Piece::ROBOT), self.cell_of_piece(scene.grid, scene.start));
         if self.met == 0 {
             // A bound that ends before all states are told says nothing.
-            let Some(parts) = self.parts(marks).filter(|_| scene.relaxation.is_whole()) else { return Outcome::GivenUp };
-            let Some(bound) = scene.relaxation.distance(parts.relaxed, 0, robot, piece) else { return Outcome::Unreachable };
+            if !scene.relaxation.is_whole() {
+                return Outcome::GivenUp;
+            }
+            let Some(bound) = scene.relaxation.distance(parts.bounds, 0, robot, piece) else { return Outcome::Unreachable };
             (self.lower, self.threshold) = (self.lower.max(bound), self.threshold.max(bound));
         }
         (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
         let (key, places) = (key(0, robot, piece), self.places());
-        let Some(Parts { states, index, .. }) = self.parts(marks) else { return Outcome::GivenUp };
-        let (Some(first), Some(place)) = (states.first_mut(), self::places(key, places).next()) else { return Outcome::GivenUp };
+        let (Some(first), Some(place)) = (parts.states.first_mut(), self::places(key, places).next()) else { return Outcome::GivenUp };
         *first = [key, 0];
-        set_entry(index, place, 1);
+        set_entry(parts.index, place, 1);
         Outcome::Working
     }
 
@@ -396,16 +424,17 @@ impl AStar {
     }
 
     /// Opens the successors of a state; `None` if there is no room for one.
-    fn expand<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, [key, word]: [u64; 2]) -> Option<()> {
+    fn expand<G: PushGrid + ?Sized>(
+        &mut self,
+        parts: &mut Parts<'_>,
+        scene: &Scene<'_, G>,
+        mut cells: [CellId; 32],
+        [key, word]: [u64; 2],
+    ) -> Option<()> {
         let Scene { grid, relaxation, start, .. } = *scene;
-        let Parts { arrangements, .. } = self.parts(marks)?;
         let (arrangement, robot, piece) = ((key >> 48) as u16, CellId((key >> 32) as u16), CellId((key >> 16) as u16));
-        let mut cells = [CellId::NONE; 32];
-        for other in pieces(self.present) {
-            *cells.get_mut(other.index())? = grid.cell(start, other);
-        }
         let mut link = usize::from(arrangement);
-        while let Some(&moved) = link.checked_sub(1).and_then(|at| arrangements.get(at)) {
+        while let Some(&moved) = link.checked_sub(1).and_then(|at| parts.arrangements.get(at)) {
             *cells.get_mut((moved >> 16 & 0x1f) as usize)? = CellId(moved as u16);
             link = (moved >> 32) as usize;
         }
@@ -420,32 +449,33 @@ impl AStar {
             if ahead == CellId::NONE || ahead == piece && pushed == CellId::NONE {
                 continue;
             }
-            let Parts { relaxed, .. } = self.parts(marks)?;
             let moved = relaxation.moved(&from.cells, ahead, beyond);
-            let bound = relaxation.distance(relaxed, moved, ahead, pushed);
+            let bound = relaxation.distance(parts.bounds, moved, ahead, pushed);
             if !self.is_within(distance, bound) {
                 continue;
             }
             let other = from.at(ahead);
             let is_push = ahead == piece || other.is_some();
-            if is_push && (beyond == CellId::NONE || beyond == piece || from.at(beyond).is_some() || relaxation.is_wall(relaxed, beyond)) {
+            if is_push
+                && (beyond == CellId::NONE || beyond == piece || from.at(beyond).is_some() || relaxation.is_wall(parts.relaxed, beyond))
+            {
                 continue;
             }
-            let entered = |cell: CellId| if relaxation.has_piece(relaxed, cell) { self.absent(grid, start, cell) } else { 0 };
+            let entered = |cell: CellId| if relaxation.has_piece(parts.relaxed, cell) { self.absent(grid, start, cell) } else { 0 };
             let hit = entered(ahead) | if is_push { entered(beyond) } else { 0 };
             let next = Ahead { action, robot: ahead, piece: pushed, moved: other.map(|other| (other, beyond)), bound, hit };
-            self.open(marks, scene, &from, &next)?;
+            self.open(parts, scene, &from, &next)?;
         }
         if grid.swaps() {
             let state = self.state(scene, &from.cells, robot, piece);
             for action in own_actions(grid).filter(|action| !floor.directions.contains(action)) {
                 let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
                 let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
-                let bound = relaxation.distance(self.parts(marks)?.relaxed, 0, robot, piece);
+                let bound = relaxation.distance(parts.bounds, 0, robot, piece);
                 if self.is_within(distance, bound) {
                     let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
                     let moved = moved.into_iter().find(|(other, cell)| from.cells.get(other.index()) != Some(cell));
-                    self.open(marks, scene, &from, &Ahead { action, robot, piece, moved, bound, hit: 0 })?;
+                    self.open(parts, scene, &from, &Ahead { action, robot, piece, moved, bound, hit: 0 })?;
                 }
             }
         }
@@ -467,7 +497,7 @@ impl AStar {
     }
 
     /// Opens the state that an action leads to, or records its goal; `None` if there is no room for it.
-    fn open<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
+    fn open<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
         let (first, distance) = (ActionSet::of(to.action), (from.key & DISTANCE).wrapping_add(1));
         let reached = if distance == 1 { Reached { first, sure: first, blockers: 0 } } else { from.reached }.through(to.hit);
         let mut cells = from.cells;
@@ -481,7 +511,7 @@ impl AStar {
             return Some(());
         }
         let places = self.places();
-        let Parts { arrangements, states, index, .. } = self.parts(marks)?;
+        let Parts { arrangements, states, index, .. } = parts;
         let mut arrangement = (from.key >> 48) as u16;
         if to.moved.is_some() {
             arrangement = 0;
@@ -492,6 +522,7 @@ impl AStar {
                     let is_it = |&at: &usize| arrangements.get(at).is_some_and(|&entry| entry == 0 || entry == moved);
                     let at = self::places(moved, arrangements.len()).find(is_it)?;
                     *arrangements.get_mut(at)? = moved;
+                    self.arranged = true;
                     arrangement = at.wrapping_add(1) as u16;
                 }
             }

@@ -8,7 +8,7 @@
 //! A state is one bit in each of three sets: closed, open at the current distance, and open at the next. If there is memory, an array stores
 //! the distances of all states, for A*. Otherwise the search ends at the planned state.
 
-use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
+use crate::oomdp::{ActionSet, CellId, Floor, Piece, PushGrid, own_actions};
 use crate::planning::bits::{entry, entry_words, insert, set_entry, take_from};
 use crate::planning::goals::Goals;
 
@@ -24,6 +24,8 @@ pub(super) struct Relaxation {
     rows: usize,
     /// The number of states: pairs of cells, or cells of the robot alone, for each set of lasting pieces that have moved.
     states: usize,
+    /// The number of pieces besides the robot that the task depends on.
+    blocks: u32,
     /// The pieces that are in the way until they are first pushed, each with its cell.
     lasting: [(Piece, CellId); MOST_LASTING],
     /// Whether other pieces were removed.
@@ -64,10 +66,19 @@ pub(super) fn others<G: PushGrid + ?Sized>(grid: &G, piece: Piece) -> impl Itera
 /// The piece that moves besides the robot in a task's lower bound: the first that the task depends on and that is not at its goal. The
 /// robot, if the task depends on no other piece; `None` if no single pieces decide the task.
 pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
-    let asked = goals.pieces_of(task)?;
+    goals.pieces_of(task).map(|asked| piece_among(asked, grid, goals, state, task))
+}
+
+/// The same, where these pieces decide the task.
+fn piece_among<G: PushGrid + ?Sized>(asked: u32, grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Piece {
     let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
     let mut blocks = others(grid, Piece::ROBOT).filter(|piece| asked & piece.bit() != 0);
-    Some(blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT))
+    blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT)
+}
+
+/// The number of these pieces besides the robot.
+const fn blocks_of(pieces: u32) -> u32 {
+    (pieces & !1).count_ones()
 }
 
 /// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or
@@ -100,10 +111,26 @@ struct Parts<'m> {
     walls: &'m mut [u64],
     /// Those, and the cells of the lasting pieces that have not moved yet; empty if no pieces are lasting.
     taken: &'m mut [u64],
-    closed: &'m mut [u64],
     here: &'m mut [u64],
+    met: Met<'m>,
+}
+
+/// The states met so far.
+struct Met<'m> {
+    closed: &'m mut [u64],
     next: &'m mut [u64],
     distances: &'m mut [u64],
+}
+
+impl Met<'_> {
+    /// Opens a state at the next distance, unless it is known.
+    #[inline]
+    fn open(&mut self, number: usize, distance: u16) {
+        if insert(self.closed, number) {
+            insert(self.next, number);
+            set_entry(self.distances, number, distance.saturating_add(1));
+        }
+    }
 }
 
 impl Relaxation {
@@ -117,7 +144,8 @@ impl Relaxation {
         task: usize,
         lasting: u32,
     ) -> Option<Self> {
-        let piece = piece_of(grid, goals, state, task)?;
+        let asked_pieces = goals.pieces_of(task)?;
+        let piece = piece_among(asked_pieces, grid, goals, state, task);
         let cells = grid.floor().cells.len();
         let rows = if piece == Piece::ROBOT { 1 } else { cells };
         let mut places = [(Piece::ROBOT, CellId::NONE); MOST_LASTING];
@@ -132,6 +160,7 @@ impl Relaxation {
             cells,
             rows,
             states,
+            blocks: blocks_of(asked_pieces),
             lasting: places,
             others: has_others,
             tabled: has_others,
@@ -160,7 +189,7 @@ impl Relaxation {
             }
             for robot in grid.floor().ids().filter(|&robot| piece == Piece::ROBOT || robot != row) {
                 if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) && !it.lasts(moved, robot) {
-                    it.open(&mut parts, it.number(moved, robot, row), 0);
+                    parts.met.open(it.number(moved, robot, row), 0);
                 }
             }
         }
@@ -177,15 +206,15 @@ impl Relaxation {
         state: &G::State,
         task: usize,
     ) -> bool {
-        let blocks = |task| goals.pieces_of(task).map(|pieces| (pieces & !Piece::ROBOT.bit()).count_ones());
-        let Some(piece) = piece_of(grid, goals, state, task) else { return false };
+        if !self.tabled || self.blocks > 1 {
+            return false;
+        }
+        let Some(asked) = goals.pieces_of(task).filter(|&asked| blocks_of(asked) == self.blocks) else { return false };
+        let piece = piece_among(asked, grid, goals, state, task);
         let is_alike = |own: Piece, other: Piece, cell: CellId| {
             goals.allowed(grid, state, own, cell).contains(self.task) == goals.allowed(grid, state, other, cell).contains(task)
         };
-        self.tabled
-            && blocks(task).is_some_and(|count| count <= 1)
-            && blocks(task) == blocks(self.task)
-            && (piece == Piece::ROBOT || !self.is_wall(marks, grid.cell(state, piece)))
+        (piece == Piece::ROBOT || !self.is_wall(marks, grid.cell(state, piece)))
             && grid.floor().ids().all(|cell| is_alike(Piece::ROBOT, Piece::ROBOT, cell) && is_alike(self.piece, piece, cell))
     }
 
@@ -251,6 +280,9 @@ impl Relaxation {
     /// Which lasting pieces have moved, where `cells` says where each piece is, and after what stands on `ahead` was pushed on to `beyond`.
     #[inline]
     pub(super) fn moved(&self, cells: &[CellId; 32], ahead: CellId, beyond: CellId) -> usize {
+        if !self.is_sharp() {
+            return 0;
+        }
         let cell = |piece: Piece| cells.get(piece.index()).copied().unwrap_or(CellId::NONE);
         let after = |piece| if cell(piece) == ahead { beyond } else { cell(piece) };
         let has_moved = |&(_, &(piece, place)): &(usize, &(Piece, CellId))| place != CellId::NONE && after(piece) != place;
@@ -266,16 +298,7 @@ impl Relaxation {
         let (odd, rest) = rest.split_at_mut_checked(self.set())?;
         let distances = rest.get_mut(..if self.tabled { entry_words(self.states) } else { 0 })?;
         let (here, next) = if self.flipped { (odd, even) } else { (even, odd) };
-        Some(Parts { pieces, walls, taken, closed, here, next, distances })
-    }
-
-    /// Opens a state at the next distance, unless it is known.
-    #[inline]
-    fn open(&self, parts: &mut Parts<'_>, number: usize, distance: u16) {
-        if insert(parts.closed, number) {
-            insert(parts.next, number);
-            set_entry(parts.distances, number, distance.saturating_add(1));
-        }
+        Some(Parts { pieces, walls, taken, here, met: Met { closed, next, distances } })
     }
 
     /// Makes the states open at the next distance the current ones.
@@ -285,6 +308,7 @@ impl Relaxation {
 
     /// Continues, with at most `left` expansions. Returns whether it is complete.
     pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
+        let (floor, is_sharp) = (grid.floor(), self.is_sharp());
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
             // Which lasting pieces have moved, the piece's cell, and the number of the first state of both; numbers only grow.
@@ -299,15 +323,23 @@ impl Relaxation {
                     }
                 }
                 let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
-                self.expand(&mut parts, grid, (moved, CellId(number.wrapping_sub(first) as u16), piece));
+                let robot = CellId(number.wrapping_sub(first) as u16);
+                self.expand(
+                    if is_sharp { parts.taken } else { parts.walls },
+                    &mut parts.met,
+                    &floor,
+                    grid.swaps(),
+                    (moved, robot, piece),
+                    first,
+                );
                 *left = left.saturating_sub(1);
                 if *left == 0 {
                     return false;
                 }
             }
-            let is_near = !self.tabled && has(parts.closed, self.start);
+            let is_near = !self.tabled && has(parts.met.closed, self.start);
             // Beyond this distance, far goals cannot be distinguished from unreachable ones: then the bound is unknown.
-            self.done = is_near || parts.next.iter().all(|&word| word == 0) || self.level >= FARTHEST;
+            self.done = is_near || parts.met.next.iter().all(|&word| word == 0) || self.level >= FARTHEST;
             if !self.done {
                 self.level = self.level.saturating_add(1);
                 self.turn();
@@ -324,36 +356,44 @@ impl Relaxation {
         });
     }
 
-    /// Opens the states from which an action leads to this one.
+    /// Opens the states from which an action leads to this one. `first` is the number of the first state with the same cell of the piece, and
+    /// `taken` are the cells that nothing can be on.
     #[inline]
-    fn expand<G: PushGrid + ?Sized>(&self, parts: &mut Parts<'_>, grid: &G, (moved, robot, piece): (usize, CellId, CellId)) {
-        let (floor, distance) = (grid.floor(), self.level.saturating_add(1));
-        let is_sharp = self.is_sharp();
+    fn expand(
+        &self,
+        taken: &[u64],
+        met: &mut Met<'_>,
+        floor: &Floor<'_>,
+        swaps: bool,
+        (moved, robot, piece): (usize, CellId, CellId),
+        first: usize,
+    ) {
+        let distance = self.level.saturating_add(1);
+        let Some(neighbours) = floor.cells.get(robot.index()).map(|cell| cell.neighbours) else { return };
         // The lasting pieces that had moved before the robot pushed one from this cell.
         let came_from = |&(at, &(_, place)): &(usize, &(Piece, CellId))| place == robot && moved >> at & 1 == 1;
-        let pushed = if is_sharp { self.lasting.iter().enumerate().find(came_from) } else { None };
+        let pushed = if self.is_sharp() { self.lasting.iter().enumerate().find(came_from) } else { None };
         let earlier = pushed.map(|(at, _)| moved & !(1 << at));
-        for direction in 0..4 {
-            let before = floor.neighbour(robot, direction);
-            if before == CellId::NONE || has(if is_sharp { parts.taken } else { parts.walls }, before.index()) {
+        // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
+        let [north, south, east, west] = neighbours;
+        for (before, beyond) in [(north, south), (south, north), (east, west), (west, east)] {
+            if before == CellId::NONE || has(taken, before.index()) {
                 continue;
             }
-            // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
-            let beyond = floor.neighbour(robot, direction ^ 1);
             if before != piece {
-                self.open(parts, self.number(moved, before, piece), distance);
+                met.open(first.wrapping_add(before.index()), distance);
                 if piece != CellId::NONE && beyond == piece {
-                    self.open(parts, self.number(moved, before, robot), distance);
+                    met.open(self.number(moved, before, robot), distance);
                 }
                 if let Some(earlier) = earlier
                     && beyond != CellId::NONE
                     && beyond != piece
-                    && !has(if is_sharp { parts.taken } else { parts.walls }, beyond.index())
+                    && !has(taken, beyond.index())
                 {
-                    self.open(parts, self.number(earlier, before, piece), distance);
+                    met.open(self.number(earlier, before, piece), distance);
                 }
-            } else if grid.swaps() && (self.others || beyond == CellId::NONE) {
-                self.open(parts, self.number(moved, piece, robot), distance);
+            } else if swaps && (self.others || beyond == CellId::NONE) {
+                met.open(self.number(moved, piece, robot), distance);
             }
         }
     }
@@ -363,25 +403,29 @@ impl Relaxation {
         self.level < FARTHEST
     }
 
+    /// The distances of all states, if they are stored.
+    pub(super) fn distances<'m>(&self, marks: &'m [u64]) -> &'m [u64] {
+        marks.get(self.words().wrapping_sub(entry_words(self.states))..).unwrap_or(&[])
+    }
+
     /// The lower bound of the distance from a state, `None` if no goal can be reached.
     #[inline]
-    pub(super) fn distance(&self, marks: &[u64], moved: usize, robot: CellId, piece: CellId) -> Option<u32> {
-        let at = self.words().wrapping_sub(entry_words(self.states));
-        entry(marks.get(at..)?, self.number(moved, robot, piece)).checked_sub(1).map(u32::from)
+    pub(super) fn distance(&self, distances: &[u64], moved: usize, robot: CellId, piece: CellId) -> Option<u32> {
+        entry(distances, self.number(moved, robot, piece)).checked_sub(1).map(u32::from)
     }
 
     /// The bound of the distance from the planned state, if the task's piece is this one.
     pub(super) fn bound<G: PushGrid + ?Sized>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
         let number = |state: &G::State| self.number(0, grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
         let Some(parts) = self.parts(marks).filter(|_| self.is_whole()) else { return Bound::Unknown };
-        if !has(parts.closed, number(state)) {
+        if !has(parts.met.closed, number(state)) {
             return Bound::Unreachable;
         }
         if self.tabled {
-            return Bound::AtLeast(u32::from(entry(parts.distances, number(state)).saturating_sub(1)));
+            return Bound::AtLeast(u32::from(entry(parts.met.distances, number(state)).saturating_sub(1)));
         }
         // The planned state was opened last; states that are closed and not open are nearer.
-        let is_nearer = |next: &G::State| has(parts.closed, number(next)) && !has(parts.next, number(next));
+        let is_nearer = |next: &G::State| has(parts.met.closed, number(next)) && !has(parts.met.next, number(next));
         let first = own_actions(grid).filter(|&action| grid.step(state, action).is_some_and(|next| is_nearer(&next)));
         Bound::Exactly(u32::from(self.level).saturating_add(1), first.fold(ActionSet::EMPTY, ActionSet::with))
     }

@@ -7,7 +7,7 @@ use crate::teach::kept::Kept;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
 use crate::teach::pupil::Judged;
-use crate::teach::pupil::{Heard, Meaning};
+use crate::teach::pupil::{Meaning, Reaction};
 use crate::teach::table::Table;
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
@@ -182,7 +182,7 @@ impl Speaker<'_> {
     fn farewell(&mut self) -> Value {
         // A session under way goes to the log, and a write error is reported.
         let failure = self.classroom.leave().err();
-        let places = self.classroom.kept().map(|kept| kept.places());
+        let places = self.classroom.kept().map(|kept| kept.files());
         let mut bye = json!({
             "type": "bye", "sessions": self.classroom.pupil.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
             "model": places.map(|places| places.model.display().to_string()),
@@ -208,7 +208,7 @@ impl Speaker<'_> {
         }
         let heard = self.classroom.say(said)?;
         let told = self.heard(said, &heard)?;
-        if heard != Heard::Command {
+        if heard != Reaction::Command {
             return Ok(vec![told]);
         }
         let Some(tested) = self.classroom.tested() else { return Ok(vec![told]) };
@@ -220,13 +220,13 @@ impl Speaker<'_> {
     }
 
     /// The answer to a command.
-    fn heard(&self, said: &str, heard: &Heard) -> Result<Value, Misunderstood> {
+    fn heard(&self, said: &str, heard: &Reaction) -> Result<Value, Misunderstood> {
         let pupil = &self.classroom.pupil;
         let (certainty, meant) = (pupil.certainty(), pupil.taken_for().to_string());
         let declined = match heard {
-            Heard::Command => None,
-            Heard::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
-            Heard::Nothing(taken_for) => Some(("none", *taken_for, None)),
+            Reaction::Command => None,
+            Reaction::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
+            Reaction::Nothing(taken_for) => Some(("none", *taken_for, None)),
         };
         if let Some((verdict, taken_for, words)) = declined {
             let taken_for = taken_for.to_string();

@@ -10,7 +10,7 @@ use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
 use goodbot_console::outcome::Failure;
 use goodbot_lesson::home as homes;
-use goodbot_lesson::world::robot::{self, Flaw, Tables};
+use goodbot_lesson::world::robot::{self, Tables, WorldFlaw};
 use std::sync::Arc;
 
 /// The kinds of task of a place. With `ways`, kinds with a way too; only homes have them.
@@ -62,6 +62,6 @@ pub fn build(file: &Setting) -> Result<(Site, SiteState), Failure> {
     }
 }
 
-fn flawed(flaw: Flaw) -> Failure {
+fn flawed(flaw: WorldFlaw) -> Failure {
     Failure::Input(flaw.to_string())
 }

@@ -6,12 +6,12 @@
 //! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
 //! the same actions and the same feedback give the same belief.
 //!
-//! - [`asking`]: the robot's questions; [`half_taught`]: a robot with a starter; [`mind`]: the robot's agent and its home in memory;
+//! - [`asking`]: the robot's questions; [`starter_sessions`]: a robot with a starter; [`mind`]: the robot's agent and its home in memory;
 //!   [`thoughts`]: its beliefs and words.
 
 mod asking;
-mod half_taught;
 mod mind;
+mod starter_sessions;
 mod thoughts;
 
 pub use goodbot_lesson::live::{Acted, Judged};
@@ -45,9 +45,9 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
 use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::live::{Lesson, LiveError};
-use half_taught::HalfTaught;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
+use starter_sessions::StarterSessions;
 use std::borrow::Cow;
 
 fn no_session() -> Failure {
@@ -56,7 +56,7 @@ fn no_session() -> Failure {
 
 /// The effect of words to the robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Heard {
+pub enum Reaction {
     /// A session has begun.
     Command,
     /// The intended task, in words, is done already. No session has begun.
@@ -77,7 +77,7 @@ pub struct Pupil {
     /// The trainer that it expects, if one was given.
     believes: Option<Believes>,
     /// The starter.
-    half_taught: HalfTaught,
+    starter_sessions: StarterSessions,
     /// The result of listening to the last command, if the robot listens.
     listened: Option<Listened>,
     /// How many words of the last command were not read.
@@ -94,7 +94,7 @@ impl Pupil {
         let lifted = kinds_of_task(&rooms, ways)?;
         let mind = new_mind(&Capacities::STANDARD, Capacities::STANDARD.pairs, &lifted, believes.as_ref())?;
         let lesson = Lesson::new(mind, rooms, start);
-        let half_taught = HalfTaught::default();
+        let starter_sessions = StarterSessions::default();
         Ok(Self {
             lesson,
             start,
@@ -102,7 +102,7 @@ impl Pupil {
             intended: None,
             random: generator(seed),
             believes,
-            half_taught,
+            starter_sessions,
             listened: None,
             unread: 0,
             synonyms: Synonyms::NONE,
@@ -118,7 +118,7 @@ impl Pupil {
 
     /// The same robot with a starter, and without training of its own.
     pub fn with_starter(mut self, starter: Starter) -> Result<Self, Failure> {
-        self.half_taught = HalfTaught::new(starter);
+        self.starter_sessions = StarterSessions::new(starter);
         self.start_anew()?;
         Ok(self)
     }
@@ -145,13 +145,13 @@ impl Pupil {
 
     /// An agent without training, with these capacities and room for the starter.
     fn new_mind(&self, capacities: &Capacities, tasks: usize) -> Result<Agent<AgentHeap>, Failure> {
-        let (capacities, tasks) = (self.half_taught.room(*capacities), tasks + self.half_taught.tasks());
+        let (capacities, tasks) = (self.starter_sessions.room(*capacities), tasks + self.starter_sessions.tasks());
         new_mind(&capacities, tasks, self.lesson.agent.lifted(), self.believes.as_ref())
     }
 
     /// Replaces the agent by one that has only its own sessions, and adds the starter's sentences.
     fn take_mind(&mut self, mut mind: Agent<AgentHeap>) -> Result<(), Failure> {
-        self.half_taught.join(&mut mind)?;
+        self.starter_sessions.join(&mut mind)?;
         learn_fully(&mut mind);
         self.lesson.replace_agent(mind);
         Ok(())
@@ -182,7 +182,7 @@ impl Pupil {
     /// The robot's training as the bytes of a model file, with its kinds of task and without the starter's sentences. It must not be
     /// learning.
     pub fn save(&self) -> Result<Vec<u8>, Failure> {
-        let model = match self.half_taught.own() {
+        let model = match self.starter_sessions.own() {
             Some(own) => own.to_vec(),
             None => self.lesson.agent.saved()?,
         };
@@ -245,7 +245,7 @@ impl Pupil {
 
     /// How many sessions the robot has learned from.
     pub fn lessons_learned(&self) -> usize {
-        self.lesson.agent.language().bitext().sessions() - self.half_taught.count()
+        self.lesson.agent.language().bitext().sessions() - self.starter_sessions.count()
     }
 
     /// How many of the robot's training sessions had a word.
@@ -258,7 +258,7 @@ impl Pupil {
     ///
     /// After some lessons, the robot listens, and begins with the first part that is still to do. If the same words are said twice and
     /// there was nothing to do, they count as a command too, unless they forbid something.
-    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Heard, Failure> {
+    pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Reaction, Failure> {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
         let command = &self.in_known_words(command)?;
@@ -268,7 +268,7 @@ impl Pupil {
         if let Some(intention) = intention {
             self.lesson.hear(read.words, environment)?;
             self.intended = intention.find(&self.lesson.agent, self.lesson.home());
-            return Ok(Heard::Command);
+            return Ok(Reaction::Command);
         }
         // A conversation has the name of its first session.
         if let Some(id) = self.id.as_ref().filter(|_| tells_talk(&self.lesson.agent)) {
@@ -287,11 +287,11 @@ impl Pupil {
         if self.listened.is_some_and(|listened| listened.rest.is_some()) {
             self.unread = 0;
         }
-        Ok(self.listened.map_or(Heard::Command, |listened| self.heard(&listened)))
+        Ok(self.listened.map_or(Reaction::Command, |listened| self.heard(&listened)))
     }
 
     /// Hears the rest of the utterance in the present state; `None` if there is no rest.
-    pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Heard>, Failure> {
+    pub fn hear_rest(&mut self, id: Option<String>) -> Result<Option<Reaction>, Failure> {
         let environment = self.lesson.environment();
         (self.id, self.intended) = (id, None);
         let listened = self.lesson.listen_on(environment)?;
@@ -300,14 +300,14 @@ impl Pupil {
     }
 
     /// The effect of an utterance that the robot has listened to.
-    fn heard(&self, listened: &Listened) -> Heard {
+    fn heard(&self, listened: &Listened) -> Reaction {
         if self.lesson.is_under_way() {
-            return Heard::Command;
+            return Reaction::Command;
         }
         match listened.verdict {
-            Verdict::Done => Heard::Done(self.words_of(listened.task).unwrap_or_default()),
-            _ if self.lesson.is_prohibition() => Heard::Nothing(Hypothesis::Negated),
-            _ => Heard::Nothing(listened.hypothesis),
+            Verdict::Done => Reaction::Done(self.words_of(listened.task).unwrap_or_default()),
+            _ if self.lesson.is_prohibition() => Reaction::Nothing(Hypothesis::Negated),
+            _ => Reaction::Nothing(listened.hypothesis),
         }
     }
 
@@ -388,7 +388,7 @@ impl Pupil {
         self.lesson.walk_on()?;
         let record = self.record(true).ok_or_else(no_session)?;
         let finished = self.lesson.finish()?;
-        self.half_taught.fade(&mut self.lesson.agent, &finished)?;
+        self.starter_sessions.fade(&mut self.lesson.agent, &finished)?;
         Ok((record, finished))
     }
 

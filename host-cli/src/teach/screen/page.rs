@@ -25,7 +25,7 @@ const KEYS: [(&str, &str); 17] = [
     ("f", "finish, and learn from this session"),
     ("d", "drop: finish, and do not learn from it"),
     ("u", "undo the last step; between sessions, what the last one taught"),
-    ("a", "auto: a simulated trainer judges (in lessons of the tour)"),
+    ("a", "auto: a simulated trainer judges (in the tour, and after m)"),
     ("s", "speed: step by step, slow, normal, fast, at once, by confidence"),
     ("w", "words: what it calls things"),
     ("h, r", "between sessions: another home; put everything back"),
@@ -71,7 +71,7 @@ fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
     }
     if let Some(kept) = visit.classroom.kept() {
         lines.push(Line::styled(
-            format!("Kept in {}, sessions in {}.", kept.places().model.display(), kept.places().log.display()),
+            format!("Kept in {}, sessions in {}.", kept.files().model.display(), kept.files().log.display()),
             palette.quiet(),
         ));
     }

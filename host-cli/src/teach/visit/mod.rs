@@ -12,7 +12,7 @@ use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
 use crate::teach::pupil::Judged;
-use crate::teach::pupil::{Acted, Heard, WordSupport};
+use crate::teach::pupil::{Acted, Reaction, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::feedback::Feedback;
@@ -263,8 +263,9 @@ impl Visit {
                 self.classroom.forget()?;
                 self.idle("Finished without learning: it knows what it knew before.".to_owned());
             }
-            Intent::Auto if self.stop().is_none_or(|stop| stop.test) => {
-                self.message = "A simulated trainer judges only in lessons of the tour, where it knows the intended task.".to_owned();
+            Intent::Auto if self.tested.is_some() || self.classroom.pupil.intended().is_none() => {
+                self.message =
+                    "A simulated trainer judges only where it knows the intended task: in lessons of the tour, and after m.".to_owned();
             }
             Intent::Auto => {
                 self.auto = !self.auto;
@@ -300,7 +301,7 @@ impl Visit {
     /// Says a command.
     fn command(&mut self, command: &str) -> Result<(), Failure> {
         let heard = self.classroom.say(command)?;
-        if heard != Heard::Command {
+        if heard != Reaction::Command {
             // The session before is over.
             self.phase = Phase::Idle;
             self.message = telling::declined(&heard);

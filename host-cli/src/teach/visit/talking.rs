@@ -1,7 +1,7 @@
 //! The text field: it takes commands, and everything that is said to a robot on its way.
 
 use super::{Phase, Visit, telling};
-use crate::teach::pupil::Heard;
+use crate::teach::pupil::Reaction;
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
 use goodbot::talk::Class;
@@ -92,7 +92,7 @@ impl Visit {
     pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Failure> {
         let rest = self.classroom.lesson().rest().map(str::to_owned);
         let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };
-        if heard == Heard::Command {
+        if heard == Reaction::Command {
             self.begin()?;
             self.message = format!("Learned. Now: \"{}\".", self.classroom.lesson().command().unwrap_or(&rest));
         } else {

@@ -2,7 +2,7 @@
 
 use super::{Phase, Visit};
 use crate::teach::plain_names::{action_words, percent};
-use crate::teach::pupil::{Heard, Meaning};
+use crate::teach::pupil::{Meaning, Reaction};
 use goodbot::feedback::Feedback;
 use goodbot::planning::OptimalSet;
 use goodbot::talk::Hypothesis;
@@ -11,12 +11,12 @@ use goodbot::talk::Hypothesis;
 const ALL: f32 = 0.995;
 
 /// The message for words without anything to do.
-pub fn declined(heard: &Heard) -> String {
+pub fn declined(heard: &Reaction) -> String {
     match heard {
-        Heard::Command => String::new(),
-        Heard::Done(words) => format!("That is done already: \"{words}\". Say it once more, and it tries."),
-        Heard::Nothing(Hypothesis::Negated) => "It takes that for a prohibition, and waits. Say what it shall do.".to_owned(),
-        Heard::Nothing(taken_for) => format!("It takes that for {taken_for}, and waits. Say it once more, and it tries."),
+        Reaction::Command => String::new(),
+        Reaction::Done(words) => format!("That is done already: \"{words}\". Say it once more, and it tries."),
+        Reaction::Nothing(Hypothesis::Negated) => "It takes that for a prohibition, and waits. Say what it shall do.".to_owned(),
+        Reaction::Nothing(taken_for) => format!("It takes that for {taken_for}, and waits. Say it once more, and it tries."),
     }
 }
 

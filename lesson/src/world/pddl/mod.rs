@@ -9,7 +9,7 @@
 
 mod sweep;
 
-use super::robot::{Flaw, MOST_TASKS_OF_A_ROBOT, flaw};
+use super::robot::{MOST_TASKS_OF_A_ROBOT, WorldFlaw, flaw};
 use goodbot::capacity::ARGUMENTS;
 use goodbot_formats::pddl::{Atom, Domain, Problem, Schema, Typed};
 use goodbot_formats::task_text::{GroundAtomText, LiftedTaskText};
@@ -46,8 +46,8 @@ struct Converter<'p> {
 /// ```
 ///
 /// # Errors
-/// A [`Flaw`] for a domain or problem that a world file cannot express.
-pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, Flaw> {
+/// A [`WorldFlaw`] for a domain or problem that a world file cannot express.
+pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, WorldFlaw> {
     let named = Named { objects: domain.constants.iter().chain(&problem.objects).collect(), domain };
     check(&named, problem)?;
     let Some(swept) = sweep(&named, problem)? else {
@@ -57,7 +57,7 @@ pub fn world(domain: &Domain, problem: &Problem) -> Result<WorldFile, Flaw> {
 }
 
 /// Checks that every name is known, and that each predicate has the right number of terms.
-fn check(named: &Named<'_>, problem: &Problem) -> Result<(), Flaw> {
+fn check(named: &Named<'_>, problem: &Problem) -> Result<(), WorldFlaw> {
     let Domain { name, constants, .. } = named.domain;
     if !problem.domain.is_empty() && problem.domain != *name {
         let message = format!("the problem {} is of the domain {}, and this is {name}; take the right one", problem.name, problem.domain);
@@ -108,7 +108,7 @@ fn has_one_twice<T: PartialEq>(terms: &[T]) -> bool {
 }
 
 /// Checks that each type is declared: an undeclared type would have no objects.
-fn check_types(named: &Named<'_>) -> Result<(), Flaw> {
+fn check_types(named: &Named<'_>) -> Result<(), WorldFlaw> {
     let Domain { types, predicates, actions, .. } = named.domain;
     let is_known = |kind: &str| kind == "object" || types.iter().any(|it| it.name == kind || it.kind == kind);
     let check = |it: &Typed, of: &str| {
@@ -155,10 +155,10 @@ impl Converter<'_> {
         self.named.objects.iter().filter(|object| self.class(&object.kind) == class).count()
     }
 
-    fn atom(&self, atom: &Atom) -> Result<GroundAtomText, Flaw> {
+    fn atom(&self, atom: &Atom) -> Result<GroundAtomText, WorldFlaw> {
         let terms = if atom.terms.is_empty() { vec![WHOLE.to_owned()] } else { atom.terms.clone() };
         GroundAtomText::new(atom.predicate.clone(), terms)
-            .map_err(|error| Flaw { field: "predicates".to_owned(), message: error.to_string() })
+            .map_err(|error| WorldFlaw { field: "predicates".to_owned(), message: error.to_string() })
     }
 
     /// The proposition that an object is of a type, if its class has other types too.
@@ -168,7 +168,7 @@ impl Converter<'_> {
         self.named.objects.iter().find(is_other).map(|_| format!("is-{kind}"))
     }
 
-    fn world(&self) -> Result<WorldFile, Flaw> {
+    fn world(&self) -> Result<WorldFile, WorldFlaw> {
         let domain = self.named.domain;
         let mut world = WorldFile { name: self.problem.name.clone(), ..WorldFile::default() };
         let kinds = self.named.objects.iter().map(|object| self.class(&object.kind));
@@ -236,7 +236,7 @@ impl Converter<'_> {
     }
 
     /// Adds an action for each cost of a schema.
-    fn add_actions(&self, schema: &Schema, world: &mut WorldFile) -> Result<(), Flaw> {
+    fn add_actions(&self, schema: &Schema, world: &mut WorldFile) -> Result<(), WorldFlaw> {
         // Terms that must be equal become one.
         let mut renamed: BTreeMap<&str, &str> = BTreeMap::new();
         for (a, b, _) in schema.equal.iter().filter(|(_, _, same)| *same) {
@@ -339,9 +339,9 @@ impl Converter<'_> {
     }
 
     /// Adds the goal and each of its predicates as kinds of task.
-    fn add_kinds(&self, world: &mut WorldFile) -> Result<(), Flaw> {
-        let refused = |error: &dyn std::fmt::Display| Flaw { field: "task_kinds".to_owned(), message: error.to_string() };
-        let lifted = |atoms: &[Atom]| -> Result<LiftedTaskText, Flaw> {
+    fn add_kinds(&self, world: &mut WorldFile) -> Result<(), WorldFlaw> {
+        let refused = |error: &dyn std::fmt::Display| WorldFlaw { field: "task_kinds".to_owned(), message: error.to_string() };
+        let lifted = |atoms: &[Atom]| -> Result<LiftedTaskText, WorldFlaw> {
             let mut objects: Vec<&str> = Vec::new();
             let mut texts = Vec::new();
             for atom in atoms {

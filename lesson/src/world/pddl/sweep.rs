@@ -1,6 +1,6 @@
 //! Visits all states that a problem can reach, and finds which arguments determine others in all of them.
 
-use crate::world::robot::{Flaw, flaw};
+use crate::world::robot::{WorldFlaw, flaw};
 use goodbot_formats::pddl::{Atom, Cost, Domain, Problem, Schema, Typed};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
@@ -106,8 +106,8 @@ impl Facts {
 /// Visits all states. `None` if there are too many.
 ///
 /// # Errors
-/// A [`Flaw`] if an action can have one object for two parameters: in a world from a file they differ.
-pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, Flaw> {
+/// A [`WorldFlaw`] if an action can have one object for two parameters: in a world from a file they differ.
+pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, WorldFlaw> {
     let changed: BTreeSet<usize> = named
         .domain
         .actions
@@ -159,7 +159,7 @@ pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, Flaw
     Ok(Some(swept))
 }
 
-fn twice<T>(named: &Named<'_>, schema: usize, a: usize, b: usize) -> Result<T, Flaw> {
+fn twice<T>(named: &Named<'_>, schema: usize, a: usize, b: usize) -> Result<T, WorldFlaw> {
     let Some(schema) = named.domain.actions.get(schema) else { return flaw("actions", "take one object twice") };
     let name = |position: usize| schema.parameters.get(position).map_or("", |it| it.name.as_str());
     let message = format!(
@@ -258,7 +258,7 @@ fn ground<'p>(
 }
 
 /// The costs of an action in a problem, each with the values of the cost function that give it.
-pub fn costs<'p>(problem: &'p Problem, schema: &'p Schema) -> Result<Vec<(u64, Vec<&'p Atom>)>, Flaw> {
+pub fn costs<'p>(problem: &'p Problem, schema: &'p Schema) -> Result<Vec<(u64, Vec<&'p Atom>)>, WorldFlaw> {
     let told = match &schema.cost {
         _ if !problem.minimizes_cost => return Ok(vec![(1, vec![])]),
         None => {

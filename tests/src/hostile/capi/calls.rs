@@ -113,7 +113,8 @@ pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
             3 => drop(goodbot_home_derived(robot, choices.below(2) == 0)),
             4 => {
                 let mut number = || u32::from(choices.byte());
-                let lessons = GoodbotLessons { sessions: number(), words: number(), different_words: number(), word_bytes: number() };
+                let lessons =
+                    GoodbotLessons { sessions: number(), words_per_command: number(), different_words: number(), word_bytes: number() };
                 goodbot_least_capacities(robot, &raw const lessons, room.as_mut_ptr());
             }
             _ => {

@@ -37,7 +37,7 @@ impl fmt::Display for Settings {
 
 /// A command with its tasks, as weights.
 #[derive(Debug)]
-struct Read {
+struct WeighedCommand {
     /// For each task, the weights of its sum, all with the same factor.
     tasks: Vec<Vec<usize>>,
     value: f32,
@@ -59,7 +59,7 @@ impl LogLinear {
         Self { settings, known: HashMap::new(), weights: Vec::new() }
     }
 
-    fn read(&mut self, place: &Place) -> Read {
+    fn read(&mut self, place: &Place) -> WeighedCommand {
         let neighbours = place.words.windows(2).map(|two| two.join(" ")).filter(|_| self.settings.neighbours);
         // The empty word is a bias: a fact's weight for any command.
         let said: Vec<String> = place.words.iter().cloned().chain(neighbours).chain([String::new()]).collect();
@@ -71,7 +71,7 @@ impl LogLinear {
         // Otherwise long commands would be learned faster.
         let most = place.facts.iter().map(Vec::len).max().unwrap_or(1);
         let logs = wordless(place).into_iter().map(|share| libm::logf(share.max(f32::MIN_POSITIVE))).collect();
-        Read { tasks, value: 1.0 / ((said.len() * most) as f32).sqrt(), logs }
+        WeighedCommand { tasks, value: 1.0 / ((said.len() * most) as f32).sqrt(), logs }
     }
 
     fn weight(&mut self, pair: (String, String)) -> usize {
@@ -85,7 +85,7 @@ impl LogLinear {
 }
 
 /// The probabilities of the tasks.
-fn probabilities(weights: &[f32], lesson: &Read) -> Vec<f32> {
+fn probabilities(weights: &[f32], lesson: &WeighedCommand) -> Vec<f32> {
     let score = |task: &Vec<usize>| task.iter().map(|&at| weights[at]).sum::<f32>() * lesson.value;
     pick::softmax(&lesson.tasks.iter().zip(&lesson.logs).map(|(task, log)| log + score(task)).collect::<Vec<_>>())
 }

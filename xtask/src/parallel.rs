@@ -14,21 +14,20 @@ use serde_json::{Value, json};
 use crate::process::{shell, target_dir};
 use crate::test::{End, Outcome, Step, Tally};
 
-pub struct Beside {
+pub struct ParallelSteps {
     child: Child,
     report: PathBuf,
     shown: JoinHandle<()>,
 }
 
-impl Beside {
+impl ParallelSteps {
     pub fn start(steps: &[Step]) -> Result<Self> {
-        let report = target_dir().join("steps-beside.json");
+        let report = target_dir().join("parallel-steps.json");
         shell()?.remove_path(&report)?;
         let (reader, writer) = std::io::pipe()?;
         let mut command = Command::new(std::env::current_exe()?);
         command.args(["test", "--report"]).arg(&report).args(steps.iter().flat_map(|step| ["--only".to_owned(), step.name()]));
-        let child =
-            command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer).spawn().context("the steps beside the others")?;
+        let child = command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer).spawn().context("the parallel steps")?;
         // The reader ends when nobody holds the writer any more.
         drop(command);
         let shown = std::thread::spawn(|| {
@@ -54,8 +53,8 @@ impl Beside {
         }
         let status = self.child.wait()?;
         // A process stopped from outside may have reported its first steps, all passed.
-        ensure!(status.success(), "the steps beside the others did not come to their end ({status})");
-        self.shown.join().map_err(|_| anyhow!("the steps beside the others could not be shown"))?;
+        ensure!(status.success(), "the parallel steps did not come to their end ({status})");
+        self.shown.join().map_err(|_| anyhow!("the parallel steps could not be shown"))?;
         read(&self.report)
     }
 }
@@ -76,7 +75,7 @@ pub fn report(file: &Path, ends: &[End], tally: Tally) -> Result<()> {
 }
 
 fn read(file: &Path) -> Result<(Vec<End>, Tally)> {
-    let text = shell()?.read_file(file).context("the steps beside the others did not come to their end")?;
+    let text = shell()?.read_file(file).context("the parallel steps did not come to their end")?;
     let said: Value = serde_json::from_str(&text)?;
     let ends = said["steps"].as_array().into_iter().flatten().map(|end| {
         let step = Step::from_str(end["step"].as_str().unwrap_or_default(), false).map_err(anyhow::Error::msg)?;

@@ -12,7 +12,7 @@ use std::ops::Range;
 
 /// The sentences, and their places in the agent's training data.
 #[derive(Debug, Default)]
-pub struct HalfTaught {
+pub struct StarterSessions {
     starter: Starter,
     /// Their positions among the agent's sessions.
     places: Range<usize>,
@@ -20,7 +20,7 @@ pub struct HalfTaught {
     own: Vec<u8>,
 }
 
-impl HalfTaught {
+impl StarterSessions {
     /// A starter that is in no agent yet.
     pub fn new(starter: Starter) -> Self {
         Self { starter, ..Self::default() }
