@@ -81,9 +81,10 @@ fn beside(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
     }
     let mark = marks?;
     let by = words.part(mark, words.len());
-    let (rest, by) = (words.part(0, mark), by.only(|word| !word.is_beside));
+    let has_goal_behind = by.iter().skip_while(|word| !word.is_name || word.is_toward).any(|word| word.is_toward);
     // "Next to the basket".
-    let is_thing = is_name_alone(by) && !by.iter().skip_while(|word| !word.is_name).any(|word| word.is_toward);
+    let (rest, by) = (words.part(0, mark), by.only(|word| !word.is_beside && !word.is_toward));
+    let is_thing = is_name_alone(by) && !has_goal_behind;
     let first = rest.get(0)?.phrase;
     is_thing.then(|| (rest.only(|word| word.phrase == first && !word.classes.contains(Class::There)), by))
 }
