@@ -48,7 +48,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let mut text = format!(
         "# Comparison with other agents\n\n\
          This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
-         *language* learns words from it. Each inference goes with each language, taught by {} kinds of trainers in {} courses. Every \
+         *language* learns words from it. Each inference goes with each language, taught by up to {} kinds of trainers in {} courses. Every \
          number covers {} seeds ({first} to {last}) with homes of their own; all agents meet the same homes and trainers. Intervals are \
          95 %.\n\n\
          `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
