@@ -13,6 +13,11 @@ use plotters::prelude::*;
 type Points = Vec<(f64, f64, String)>;
 type Failure = Box<dyn std::error::Error>;
 
+/// The cost of the last point, as text.
+fn cost(points: &Points) -> String {
+    points.last().map_or_else(String::new, |(_, milliseconds, _)| format!("{milliseconds:.3} ms"))
+}
+
 fn main() -> ExitCode {
     let Some(file) = std::env::args().nth(1) else {
         eprintln!("error: name the SVG file to draw");
@@ -46,7 +51,7 @@ fn by_states() -> (Points, Points) {
             home.clone(),
         ));
         sweeps.push((states, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
-        eprintln!("{home}: {states} states, {:?} {:?}", searches.last(), sweeps.last());
+        eprintln!("{home}: {states} states, search {}, sweep {}", cost(&searches), cost(&sweeps));
     }
     (searches, sweeps)
 }
@@ -64,7 +69,7 @@ fn by_tasks() -> (Points, Points) {
             String::new(),
         ));
         sweeps.push((count as f64, milliseconds(&mut || drop(std::hint::black_box(scene.sweep()))), String::new()));
-        eprintln!("{count} tasks: {:?} {:?}", searches.last(), sweeps.last());
+        eprintln!("{count} tasks: search {}, sweep {}", cost(&searches), cost(&sweeps));
     }
     (searches, sweeps)
 }
@@ -78,12 +83,13 @@ fn by_size(homes: &[(i32, i32)], axis: fn(&(i32, i32)) -> i32) -> (Points, Point
         scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
         let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
         for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, ten)] {
-            let cost = milliseconds(&mut || {
+            let time = milliseconds(&mut || {
                 std::hint::black_box(scene.planner.plan_expecting(&scene.home, &scene.start, likely));
             });
-            points.push((f64::from(axis(home)), cost, String::new()));
+            points.push((f64::from(axis(home)), time, String::new()));
         }
-        eprintln!("{rooms} rooms, {blocks} blocks, {} tasks: {:?} {:?}", scene.tasks.len(), alike.last(), likely.last());
+        let tasks = scene.tasks.len();
+        eprintln!("{rooms} rooms, {blocks} blocks, {tasks} tasks: {}; with ten likely tasks {}", cost(&alike), cost(&likely));
     }
     (alike, likely)
 }
