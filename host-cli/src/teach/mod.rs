@@ -189,20 +189,26 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
     let tour = options.home.is_none().then(|| Tour::new(options.seed.filter(|_| options.tour), std::iter::empty()));
     let mut visit = Visit::new(Classroom::new(pupil, None, tour)?, Pace::Normal, seed);
     let mut now = Duration::ZERO;
-    if let Some(command) = &options.command {
+    let own = options.command.as_deref();
+    if let Some(command) = own {
         visit.prompt.set(command);
-        visit.take(Intent::Say, now);
-        if visit.phase() == Phase::Idle {
-            return Err(Failure::Input(visit.message));
-        }
-        visit.classroom.mean(options.intended.as_deref())?;
-        visit.take(Intent::Auto, now);
     }
+    let mut is_begun = false;
     loop {
         let lesson = visit.stop().map_or(LESSON, |stop| stop.number);
         match visit.phase() {
+            Phase::Idle if is_begun => {
+                return Err(Failure::Input(format!("this lesson is over before step {STEPS}; give another task with --intended")));
+            }
             Phase::Idle => {
                 visit.take(Intent::Say, now);
+                if visit.phase() == Phase::Idle {
+                    return Err(Failure::Input(visit.message));
+                }
+                if own.is_some() {
+                    visit.classroom.mean(options.intended.as_deref())?;
+                    is_begun = true;
+                }
                 visit.take(Intent::Auto, now);
             }
             Phase::Waiting(_) if lesson == LESSON && visit.done().len() >= STEPS => return Ok(picture::svg(&visit, SIZE.0, SIZE.1)),

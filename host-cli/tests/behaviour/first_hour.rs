@@ -109,6 +109,19 @@ fn a_picture_of_a_home_takes_a_lesson_whose_task_is_possible_there() {
 }
 
 #[test]
+fn a_lesson_that_is_over_at_once_has_no_picture_and_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let [home, picture] = ["home.txt", "lesson.svg"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    // The first guess pushes the chair into the lane, from which it never returns.
+    let drawn =
+        ["##########", "####g#####", "####g#####", "####+#####", "#bbbCb#rr#", "#bbb@b+rr#", "#bbbbb#rr#", "##########", "C: yellow chair"];
+    fs::write(&home, drawn.join("\n")).unwrap();
+    let lesson = ["--command", "move it", "--intended", "blockInRoom(block0,room2)"];
+    let run = goodbot(&[&["teach", &home, "--picture", &picture][..], &lesson].concat(), b"");
+    assert!(run.code == 2 && run.messages.contains("over before step 3"), "{}", run.messages);
+}
+
+#[test]
 fn a_log_of_teach_tells_what_was_meant_and_evaluate_takes_it() {
     let folder = tempfile::tempdir().unwrap();
     let [model, log] = ["robot.goodbot", "robot.jsonl"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
