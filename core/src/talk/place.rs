@@ -1,7 +1,7 @@
 //! The place of words in an utterance, and how they are read there.
 
 use super::recalled::Before;
-use super::told::Told;
+use super::told::ToldTasks;
 
 /// The share of each kind of task that goes to tasks that are done already.
 pub(super) const DONE: f32 = 0.08;
@@ -18,7 +18,7 @@ pub(super) struct View<'c> {
     /// What words can refer to.
     pub before: Before<'c>,
     /// The tasks that fit other words.
-    pub told: Option<&'c Told>,
+    pub told: Option<&'c ToldTasks>,
 }
 
 impl View<'_> {
@@ -36,7 +36,7 @@ pub(super) struct Place<'c> {
     /// What words can refer to.
     pub before: Before<'c>,
     /// The tasks that fit other words.
-    pub told: Option<&'c Told>,
+    pub told: Option<&'c ToldTasks>,
 }
 
 impl<'c> Place<'c> {

@@ -17,7 +17,7 @@ use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
 
 /// The tasks that fit words told apart.
-pub(super) struct Told {
+pub(super) struct ToldTasks {
     pub tasks: TaskSet,
     /// Whether their place needs no other name.
     pub is_place: bool,
@@ -106,7 +106,7 @@ impl<M: AgentMemory> Agent<M> {
         words: &mut Words<'_>,
         wording: &Wording<'_>,
         explained: &mut Explained,
-    ) -> Result<Option<Told>, AgentError> {
+    ) -> Result<Option<ToldTasks>, AgentError> {
         let Some(Apart { words: rest, by, is_place }) = apart(*words) else { return Ok(None) };
         self.explain_words(domain, by, wording, View::PLAIN, None, explained)?;
         let is_of_thing = |task: usize| self.place_of_thing(domain, task).is_some();
@@ -123,7 +123,7 @@ impl<M: AgentMemory> Agent<M> {
             (is_place || is_of_thing(task)) && there.iter().any(is_there)
         };
         *words = rest;
-        Ok(Some(Told { tasks: (0..self.tasks().len()).filter(fits).collect(), is_place }))
+        Ok(Some(ToldTasks { tasks: (0..self.tasks().len()).filter(fits).collect(), is_place }))
     }
 
     /// The place of a task of one proposition.

@@ -226,8 +226,8 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let name = options.home.as_deref().map(input::name);
     let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
-    let places = robot_files(options, lines, world)?;
-    let pupil = match places.as_ref().filter(|places| world.is_none() && places.model.exists()) {
+    let files = robot_files(options, lines, world)?;
+    let pupil = match files.as_ref().filter(|files| world.is_none() && files.model.exists()) {
         Some(RobotFiles { model, .. }) => of_kept_kinds(options, pupil, model)?,
         None => pupil,
     };
@@ -237,7 +237,7 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let starter = options.starter.read(pupil.lesson().agent.lifted(), Learner::Default.options())?;
     let pupil = pupil.with_starter(starter)?;
     let pupil = pupil.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
-    let kept = places.map(|places| Kept::open(places, world)).transpose()?;
+    let kept = files.map(|files| Kept::open(files, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);

@@ -182,11 +182,11 @@ impl Speaker<'_> {
     fn farewell(&mut self) -> Value {
         // A session under way goes to the log, and a write error is reported.
         let failure = self.classroom.leave().err();
-        let places = self.classroom.kept().map(|kept| kept.files());
+        let files = self.classroom.kept().map(|kept| kept.files());
         let mut bye = json!({
             "type": "bye", "sessions": self.classroom.pupil.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
-            "model": places.map(|places| places.model.display().to_string()),
-            "log": places.map(|places| places.log.display().to_string()),
+            "model": files.map(|files| files.model.display().to_string()),
+            "log": files.map(|files| files.log.display().to_string()),
         });
         if let Some(failure) = failure {
             bye["error"] = failure.to_string().into();
