@@ -9,7 +9,7 @@ use xshell::cmd;
 use crate::firmware::{nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
 use crate::programs::{ARM_GCC, GCC};
-use crate::toolchain::{self, CORTEX_M4F, TARGETS};
+use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
 /// The C header, and the C++ header that wraps it.
@@ -56,12 +56,11 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
     let (cargo, built) = match target {
         None => (cmd!(sh, "cargo rustc --profile dist --target-dir {own}"), own.join("dist")),
         Some(target) => {
-            let cargo = toolchain::cargo(&sh, target, "rustc")?.args(["--profile", "controller"]);
+            let cargo = toolchain::cargo(&sh, target, "rustc")?.args(["--profile", CONTROLLER]);
             // The smallest code would listen half as fast.
-            let faster =
-                if features.contains("talk") { toolchain::faster("controller", &["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
+            let faster = if features.contains("talk") { toolchain::faster(&["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
             let cargo = cargo.args(faster);
-            (cargo, toolchain::artifacts(target, "controller"))
+            (cargo, toolchain::artifacts(target, CONTROLLER))
         }
     };
     let what =

@@ -14,7 +14,7 @@ use xshell::cmd;
 
 use crate::process::{once, root, shell, within};
 use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
-use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
+use crate::toolchain::{self, CONTROLLER, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
 
 /// No run comes near this; a binary for another processor would hang.
 const LIMIT: Duration = Duration::from_secs(180);
@@ -72,6 +72,9 @@ const BOARDS: [Board; 6] = [
     Board { name: RISCV_BOARD, feature: RISCV_BOARD, processor: "RISC-V, rv32imac", target: RISCV, most: UNBOUND, ..AN386 },
 ];
 
+/// Arguments for cargo that choose the firmware's workspace and the profile of its programs.
+const FIRMWARE: [&str; 6] = ["--quiet", "--locked", "--profile", CONTROLLER, "--manifest-path", "firmware/Cargo.toml"];
+
 /// The binaries of each firmware.
 const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
 
@@ -121,17 +124,16 @@ pub fn run_alone(binary: &Path) -> Result<Report> {
 /// Builds a part of the firmware. Returns the folder of its binaries.
 fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
     let sh = shell()?;
-    let cargo =
-        toolchain::cargo(&sh, target, "build")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
+    let cargo = toolchain::cargo(&sh, target, "build")?.args(FIRMWARE);
     // The smallest code has a deeper stack, for which the micro:bit's RAM is too small, and takes longer than is promised for ways and full tables.
     let is_faster = target == CORTEX_M0 || what.iter().any(|&what| ["full", "ways"].contains(&what));
     let cargo = match is_faster {
-        true if target == CORTEX_M0 => cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s"),
-        true => cargo.args(toolchain::faster("release", &["goodbot", "goodbot-firmware", "libm"])),
+        true if target == CORTEX_M0 => cargo.env("CARGO_PROFILE_CONTROLLER_OPT_LEVEL", "s"),
+        true => cargo.args(toolchain::faster(&["goodbot", "goodbot-firmware", "libm"])),
         false => cargo,
     };
     toolchain::in_any_folder(cargo)?.args(what).run()?;
-    Ok(toolchain::artifacts(target, "release"))
+    Ok(toolchain::artifacts(target, CONTROLLER))
 }
 
 /// The firmware of one board and preset, built.
@@ -257,9 +259,7 @@ pub fn for_cortex_m0(name: &str) -> Result<PathBuf> {
 /// Checks the ESP32-C3's program without building it, because no available emulator runs it.
 pub fn check_esp32c3() -> Result<()> {
     let sh = shell()?;
-    let check =
-        toolchain::cargo(&sh, RISCV_C3, "check")?.args(["--quiet", "--release", "--locked", "--manifest-path", "firmware/Cargo.toml"]);
-    Ok(check.args(["--package", "goodbot-esp32c3"]).run()?)
+    Ok(toolchain::cargo(&sh, RISCV_C3, "check")?.args(FIRMWARE).args(["--package", "goodbot-esp32c3"]).run()?)
 }
 
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns the file's path.

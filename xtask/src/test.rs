@@ -30,7 +30,7 @@ pub enum Step {
     Trust,
     /// the documentation is built without a warning
     Docs,
-    /// the command line compiles for Windows, and a robot on pins for Cortex-M4F
+    /// a robot on pins compiles for Cortex-M4F, and the command line for Windows, where its standard library is ready
     Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,
@@ -98,7 +98,7 @@ impl Step {
             }
             Self::Tests => (steps::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| steps::docs(), "mend the doc comments that rustdoc points at"),
-            Self::Portable => (|_| steps::portable(), "mark code for Unix alone with `#[cfg(unix)]`"),
+            Self::Portable => (|run| steps::portable(run), "mark code for Unix alone with `#[cfg(unix)]`"),
             Self::Python => (steps::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (steps::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),

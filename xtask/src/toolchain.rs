@@ -126,12 +126,13 @@ pub fn compiler() -> Result<String> {
     Ok(format!("{whose}'s {}", version.split(" (").next().unwrap_or_default()))
 }
 
-/// Sets up the target [`WINDOWS`] if needed.
-pub fn add_windows() -> Result<()> {
-    if debian()?.is_none() {
+/// Whether the target [`WINDOWS`] has a ready-made standard library. rustup adds it if needed.
+pub fn has_windows() -> Result<bool> {
+    let by_rustup = debian()?.is_none();
+    if by_rustup {
         add_by_rustup(&[WINDOWS]).map_err(|error| missing("the target of Windows", "to check the command line for it", error))?;
     }
-    Ok(())
+    Ok(by_rustup)
 }
 
 /// Cargo's command `build`, `check` or `rustc` for a target, without its other arguments. Sets up the target if necessary. [`artifacts`]
@@ -190,22 +191,32 @@ pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
 }
 
-/// Arguments for [`cargo`] that optimise packages for size and speed ("s") where a profile optimises for size alone ("z"). The standard library stays
-/// as it is, so that it is built once for both.
-pub fn faster(profile: &str, packages: &[&str]) -> Vec<String> {
-    packages.iter().map(|package| format!("--config=profile.{profile}.package.{package}.opt-level=\"s\"")).collect()
+/// Arguments for [`cargo`] that optimise packages for size and speed ("s") where [`CONTROLLER`] optimises for size alone ("z"). The standard
+/// library stays as it is, so that it is built once for both.
+pub fn faster(packages: &[&str]) -> Vec<String> {
+    packages.iter().map(|package| format!("--config=profile.{CONTROLLER}.package.{package}.opt-level=\"s\"")).collect()
 }
 
-/// Arguments for [`cargo`] that make a profile's panics abort at once, without the code for their messages. Empty with rustup's
-/// ready-made standard library, which contains that code.
-pub fn without_panic_messages(profile: &str) -> Result<Vec<String>> {
+/// The profile of everything for controllers, in the workspace and in the firmware's: so the standard library is built once for both.
+pub const CONTROLLER: &str = "controller";
+
+/// Cargo's command for a small WebAssembly module of one package, without the package, and whether the module has messages of panics:
+/// rustup's ready-made standard library contains them. Its profile is `page`.
+pub fn module(sh: &Shell) -> Result<(Cmd<'_>, bool)> {
+    // Only the module: with a library in the same call, cargo leaves out the optimisation at link time.
+    let cargo = cargo(sh, WASM, "rustc")?.args(["--profile", "page", "--crate-type", "cdylib"]);
     if debian()?.is_none() {
-        return Ok(Vec::new());
+        return Ok((cargo, true));
     }
-    // Not by -Z: options after the subcommand would replace those before it.
-    let immediate = format!("profile.{profile}.panic=\"immediate-abort\"");
-    let settings = ["unstable.panic-immediate-abort=true", "unstable.build-std-features=[\"optimize_for_size\"]", &immediate];
-    Ok(settings.map(|setting| format!("--config={setting}")).to_vec())
+    // Not by -Z: options after the subcommand would replace those before it. The last setting leaves out the source locations of panics, which
+    // nobody could read here.
+    let settings = [
+        "unstable.panic-immediate-abort=true",
+        "unstable.build-std-features=[\"optimize_for_size\"]",
+        "profile.page.panic=\"immediate-abort\"",
+        "target.wasm32-unknown-unknown.rustflags=[\"-Zlocation-detail=none\"]",
+    ];
+    Ok((cargo.args(settings.map(|setting| format!("--config={setting}"))), false))
 }
 
 #[cfg(test)]
