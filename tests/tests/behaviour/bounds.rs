@@ -20,9 +20,9 @@ fn no_judgement_by_bounds_is_wrong_in_random_homes_with_blocks_anywhere() {
         let size = Size { columns, rows, side, blocks };
         for moves in [Moves::Push, Moves::PushAndPull] {
             let mut seen = Seen::default();
-            (0..12).for_each(|seed| compare(seed, (size, states), moves, 30, &mut seen));
+            (0..6).for_each(|seed| compare(seed, (size, states), moves, 30, &mut seen));
             println!("{size:?}, {moves:?}: {seen:?}");
-            assert!(seen.exact > 100 && seen.share() > 0.5, "{seen:?}");
+            assert!(seen.exact > 50 && seen.share() > 0.5, "{seen:?}");
         }
     }
 }

@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use std::path::PathBuf;
 
 /// The number of generated inputs per target.
-const MADE: usize = 1_000;
+const MADE: usize = 400;
 
 fn corpus(target: &str) -> Vec<Vec<u8>> {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../fuzz/corpus").join(target);
