@@ -6,6 +6,7 @@ use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, W
 use crate::memory::{BitextTables, BitextTablesRef};
 use crate::probability::square_root;
 use crate::symbols::{Symbol, close_gap};
+use crate::task::role::is_marker;
 use core::cell::Cell;
 
 /// The place of a run of symbols in its pool: the start, above a byte with the length and, for a session, a bit that is set if its command
@@ -83,6 +84,22 @@ impl Extent {
 pub struct Bitext<'t> {
     memory: BitextTables<'t>,
     used: &'t mut Extent,
+}
+
+/// If the parameters have no room for all of a session's machine commands, those of a smaller weight are left out.
+pub(super) const LIGHT: f32 = 0.1;
+
+/// The smallest share of a session's weight that must be kept.
+pub(super) const LEAST_KEPT: f32 = 0.5;
+
+/// The size of a session by itself.
+pub(crate) struct Alone {
+    /// Its number of different words.
+    pub words: usize,
+    /// Its number of different machine tokens.
+    pub tokens: usize,
+    /// The number of words in its command, repetitions included.
+    pub sentence: usize,
 }
 
 /// Half of the sessions can be left out of a training: every second one.
@@ -426,6 +443,13 @@ fn remove_span(spans: &mut [Span], used: &mut usize, pool: &mut [Symbol], pool_u
     }
     *used = used.saturating_sub(1);
     *pool_used = pool_used.saturating_sub(length);
+}
+
+/// Adjusts a symbol after `removed` was taken out of its table; a marker is in no table.
+pub(super) fn close_up(symbol: &mut Symbol, removed: Symbol) {
+    if *symbol > removed && !is_marker(*symbol) {
+        symbol.0 = symbol.0.saturating_sub(1);
+    }
 }
 
 fn put(pool: &mut [Symbol], start: usize, symbols: &[Symbol], capacity: Capacity) -> Result<Span, CapacityError> {

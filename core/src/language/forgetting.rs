@@ -18,12 +18,12 @@
 //!
 //! The newest session is never forgotten. A session that would not fit even alone is refused, and nothing is forgotten for it.
 
+use super::bitext::{Alone, close_up};
 use super::model::LanguageMut;
 use super::settings::Model;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
 use crate::symbols::{Symbol, SymbolsRef};
-use crate::task::role::is_marker;
 use heapless::Vec;
 
 /// Whether sessions may be forgotten. If not, the code that chooses one is not linked.
@@ -43,12 +43,6 @@ const STRANGE: usize = 2;
 
 /// A word that this many sessions have is well known.
 const WELL_KNOWN: usize = 3;
-
-/// If the alignment tables have no room for their lengths, machine commands of a smaller weight are left out.
-pub(super) const LIGHT: f32 = 0.1;
-
-/// The smallest share of a session's weight that must be kept.
-pub(super) const LEAST_KEPT: f32 = 0.5;
 
 /// The result of one attempt to keep a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,16 +87,6 @@ pub(crate) struct Choice {
 
 /// How little is lost with a session, the higher the less; compared number by number.
 type Rank = [u16; 3];
-
-/// The size of a session by itself.
-pub(crate) struct Alone {
-    /// Its number of different words.
-    pub words: usize,
-    /// Its number of different machine tokens.
-    pub tokens: usize,
-    /// The number of words in its command, repetitions included.
-    pub sentence: usize,
-}
 
 /// Why a session has to be forgotten.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -182,8 +166,8 @@ impl LanguageMut<'_> {
         pairs: impl Fn() -> I,
     ) -> Result<(), CapacityError> {
         match self.model() {
-            Model::Model2 => ibm2::data::add(self, words, pairs),
-            Model::Roles => roles::data::add(self, words, pairs),
+            Model::Model2 => ibm2::data::add(&mut self.tables, &mut self.bitext, words, pairs),
+            Model::Roles => roles::data::add(&mut self.bitext, words, pairs),
         }
     }
 
@@ -373,12 +357,5 @@ impl LanguageMut<'_> {
             self.tokens.remove(token);
             self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
         }
-    }
-}
-
-/// Adjusts a symbol after `removed` was taken out of the table.
-pub(super) fn close_up(symbol: &mut Symbol, removed: Symbol) {
-    if *symbol > removed && !is_marker(*symbol) {
-        symbol.0 = symbol.0.saturating_sub(1);
     }
 }

@@ -4,10 +4,8 @@ use super::bitext::{Bitext, BitextRef, Extent};
 use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::layer::{CommandIndex, LayerRef};
-#[cfg(feature = "snapshot")]
-use super::roles::Layout;
-use super::roles::Meaning;
 use super::roles::forward::{Reading, likelihood_on};
+use super::roles::{Layout, Meaning};
 use super::settings::{Model, SettingError, Settings, is_weight};
 use super::spelling::variant;
 use super::tables::{Tables, TablesRef, Trained, Wanted};
@@ -503,12 +501,17 @@ impl<'t> LanguageMut<'t> {
     pub(super) fn rebuild_wanted(&mut self) -> Result<(), CapacityError> {
         self.tables.trained.wanted = Wanted::NONE;
         match self.model() {
-            Model::Model2 => ibm2::data::rebuild(self),
+            Model::Model2 => ibm2::data::rebuild(&mut self.tables, self.bitext.read()),
             Model::Roles => {
                 self.tables.trained.wanted.layout = self.layout_of_data();
                 Ok(())
             }
         }
+    }
+
+    /// The layout of the role model's parameters for all training data.
+    fn layout_of_data(&self) -> Layout {
+        Layout::of(self.bitext.read(), self.words.len(), self.tokens.len())
     }
 
     /// Checks that the tables have room for the parameters of all data.
@@ -526,7 +529,7 @@ impl<'t> LanguageMut<'t> {
     fn want(&mut self, command: &[Symbol], words: usize) -> Result<(), CapacityError> {
         match self.model() {
             Model::Model2 => self.tables.add_lengths(command.len(), words),
-            Model::Roles => roles::data::want(self, command, words),
+            Model::Roles => self.tables.add_description(command, words, self.words.len(), self.tokens.len()),
         }
     }
 

@@ -2,20 +2,18 @@
 
 use super::lengths::SeenLengths;
 use crate::capacity::{Capacities, CapacityError};
-use crate::language::forgetting::{Alone, LEAST_KEPT, LIGHT};
-use crate::language::model::LanguageMut;
-use crate::language::tables::TablesRef;
+use crate::language::bitext::{Alone, Bitext, BitextRef, LEAST_KEPT, LIGHT};
+use crate::language::tables::{Tables, TablesRef};
 use crate::symbols::Symbol;
 
 /// Lays out the alignment tables again, for the pairs of lengths in the present training data.
 ///
 /// # Errors
 /// A [`CapacityError`] if one does not fit.
-pub(crate) fn rebuild(language: &mut LanguageMut<'_>) -> Result<(), CapacityError> {
-    language.tables.trained.wanted.length_pairs = 0;
-    let bitext = language.bitext.read();
+pub(crate) fn rebuild(tables: &mut Tables<'_>, bitext: BitextRef<'_>) -> Result<(), CapacityError> {
+    tables.trained.wanted.length_pairs = 0;
     for pair in bitext.pairs() {
-        language.tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
+        tables.add_lengths(bitext.command(pair.command).len(), bitext.sentence(pair.session).len())?;
     }
     Ok(())
 }
@@ -25,28 +23,29 @@ pub(crate) fn rebuild(language: &mut LanguageMut<'_>) -> Result<(), CapacityErro
 /// # Errors
 /// A [`CapacityError`]; part of the session may have been added.
 pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
-    language: &mut LanguageMut<'_>,
+    tables: &mut Tables<'_>,
+    bitext: &mut Bitext<'_>,
     words: &[Symbol],
     pairs: impl Fn() -> I,
 ) -> Result<(), CapacityError> {
-    language.bitext.add_session(words)?;
+    bitext.add_session(words)?;
     for (command, _) in pairs().filter(|&(_, weight)| weight >= LIGHT) {
-        language.tables.add_lengths(command.len(), words.len())?;
+        tables.add_lengths(command.len(), words.len())?;
     }
     let mut left_out = None;
     for (command, _) in pairs() {
-        left_out = language.tables.add_lengths(command.len(), words.len()).err().or(left_out);
+        left_out = tables.add_lengths(command.len(), words.len()).err().or(left_out);
     }
     let has_table = |tables: TablesRef<'_>, command: &[Symbol]| tables.length_pair(command.len(), words.len()).is_some();
     let mut kept = 1.0;
     if let Some(error) = left_out {
-        kept = pairs().filter(|(command, _)| has_table(language.tables.read(), command)).map(|(_, weight)| weight).sum();
+        kept = pairs().filter(|(command, _)| has_table(tables.read(), command)).map(|(_, weight)| weight).sum();
         if kept < LEAST_KEPT {
             return Err(error);
         }
     }
-    for (command, weight) in pairs().filter(|(command, _)| has_table(language.tables.read(), command)) {
-        language.bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
+    for (command, weight) in pairs().filter(|(command, _)| has_table(tables.read(), command)) {
+        bitext.add_pair(command, if left_out.is_some() { weight / kept } else { weight })?;
     }
     Ok(())
 }

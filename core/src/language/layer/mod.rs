@@ -43,6 +43,8 @@ pub(crate) mod fold;
 #[cfg(feature = "layer")]
 mod known;
 #[cfg(feature = "layer")]
+mod learned;
+#[cfg(feature = "layer")]
 mod network;
 #[cfg(feature = "layer")]
 mod parts;
@@ -56,6 +58,8 @@ mod speaking;
 pub(crate) mod training;
 #[cfg(feature = "layer")]
 mod unmet;
+#[cfg(feature = "layer")]
+mod weighed;
 #[cfg(feature = "layer")]
 mod weights;
 

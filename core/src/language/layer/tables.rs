@@ -1,32 +1,24 @@
 //! The memory of the layer. It is empty without the feature `layer`, and if a caller provides none.
 
 #[cfg(feature = "layer")]
-use super::network::Network;
+use super::learned::Learned;
 #[cfg(feature = "layer")]
-use super::posterior::Group;
+use super::network::Network;
 #[cfg(feature = "layer")]
 use super::speaking::Found;
 #[cfg(feature = "layer")]
 use super::weights::CELLS;
 #[cfg(feature = "layer")]
-use crate::capacity::{LIFTED_TASKS, TOKENS_PER_COMMAND};
+use crate::capacity::TOKENS_PER_COMMAND;
 use crate::language::bitext::LeftOut;
 #[cfg(feature = "layer")]
-use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span};
-#[cfg(feature = "layer")]
-use crate::language::forgetting::close_up;
-#[cfg(feature = "layer")]
-use crate::language::roles::Layout;
+use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span, close_up};
 #[cfg(feature = "layer")]
 use crate::language::settings::Settings;
 #[cfg(feature = "layer")]
 use crate::memory::{BitextTables, BitextTablesRef};
 #[cfg(feature = "layer")]
 use crate::symbols::Symbol;
-#[cfg(feature = "layer")]
-use crate::task::description::form;
-#[cfg(feature = "layer")]
-use alloc::collections::{BTreeMap, BTreeSet};
 #[cfg(feature = "layer")]
 use alloc::{vec, vec::Vec};
 #[cfg(not(feature = "layer"))]
@@ -117,77 +109,6 @@ impl LayerMemory {
 /// The least number of sessions for a layer: with fewer it understands less than the role model alone.
 #[cfg(feature = "layer")]
 const LEAST_SESSIONS: usize = 8;
-
-/// A kind of task was meant if its weight in all sessions together is at least this.
-#[cfg(feature = "layer")]
-const MET: f32 = 0.5;
-
-/// The share of sessions with a word that no other has, with one pseudo-count each for sessions with and without.
-#[cfg(feature = "layer")]
-fn new_words(bitext: BitextRef<'_>) -> f32 {
-    let mut sessions_of: BTreeMap<Symbol, BTreeSet<u16>> = BTreeMap::new();
-    for session in 0..bitext.sessions() as u16 {
-        for &word in bitext.sentence(session) {
-            sessions_of.entry(word).or_default().insert(session);
-        }
-    }
-    let alone: BTreeSet<u16> = sessions_of.values().filter(|sessions| sessions.len() == 1).flatten().copied().collect();
-    (alone.len() as f32 + 1.0) / (bitext.sessions() as f32 + 2.0)
-}
-
-/// The results of a training.
-#[cfg(feature = "layer")]
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Learned {
-    /// Whether the weights are trained.
-    pub done: bool,
-    /// The number of words in the sessions trained on, repetitions included.
-    pub said: f32,
-    /// The share of sessions with a word that no other has.
-    pub new_words: f32,
-    /// Whether the words in names are values.
-    is_told: bool,
-    /// The kinds of task that were meant, by their tokens.
-    met: [Option<Symbol>; LIFTED_TASKS],
-    /// The kinds of task that some session could mean.
-    possible: [Option<Symbol>; LIFTED_TASKS],
-}
-
-#[cfg(feature = "layer")]
-impl Learned {
-    const NOTHING: Self =
-        Self { done: false, said: 0.0, new_words: 0.0, is_told: false, met: [None; LIFTED_TASKS], possible: [None; LIFTED_TASKS] };
-
-    /// Begins a training on these data. `possible` has the tasks of all sessions.
-    pub fn begin(&mut self, layout: &Layout, bitext: BitextRef<'_>, possible: BitextRef<'_>) {
-        *self = Self { said: layout.words_said(bitext), new_words: new_words(bitext), is_told: layout.has_names(), ..Self::NOTHING };
-        let mut meant: heapless::Vec<(Symbol, f32), LIFTED_TASKS> = heapless::Vec::new();
-        for pair in bitext.pairs() {
-            let Some(form) = form(bitext.command(pair.command)) else { continue };
-            match meant.iter_mut().find(|(other, _)| *other == form) {
-                Some((_, times)) => *times += pair.weight,
-                // No more than there are kinds.
-                None => {
-                    let _ = meant.push((form, pair.weight));
-                }
-            }
-        }
-        let met = meant.iter().filter(|(_, times)| *times >= MET).map(|(form, _)| *form);
-        self.met.iter_mut().zip(met).for_each(|(slot, form)| *slot = Some(form));
-        let possible: BTreeSet<Option<Symbol>> = (0..possible.commands() as u16).map(|task| form(possible.command(task))).collect();
-        self.possible.iter_mut().zip(possible).for_each(|(slot, form)| *slot = form);
-    }
-
-    /// The group of a task. Words can speak for or against a kind that was meant before. If the words in names are values, a new kind may
-    /// have known words.
-    pub fn group(&self, description: &[Symbol]) -> Group {
-        match form(description) {
-            form if form.is_none() || self.met.contains(&form) => Group::Met,
-            form if self.is_told || self.possible.contains(&form) => Group::Unmet,
-            _ => Group::Impossible,
-        }
-    }
-}
 
 /// The layer for training, if there is memory for it.
 #[derive(Debug)]

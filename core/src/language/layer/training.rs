@@ -15,10 +15,10 @@
 //! learn as if there were none.
 
 use super::network::Network;
-use super::posterior::{Group, Weighed, weigh};
 use super::scenes;
 use super::speaking::{Found, Speaking};
 use super::tables::Room;
+use super::weighed::{Group, Weighed, weigh};
 use super::weights::{PULLS, TRUST, Weights};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::TablesRef;

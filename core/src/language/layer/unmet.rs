@@ -31,7 +31,7 @@
 //! and after a command without one, the same with r and 1 - r exchanged. After the layer has weighed the tasks, those of these kinds that
 //! have a way divide their common probability as the kinds that were meant do with the same ways.
 
-use super::posterior::{Group, Weighed};
+use super::weighed::{Group, Weighed};
 use crate::language::bitext::BitextRef;
 use crate::language::roles::forward::named;
 use crate::language::roles::kind::Kinds;

@@ -2,17 +2,9 @@
 
 use super::layout::Layout;
 use crate::capacity::{Capacities, Capacity, CapacityError};
-use crate::language::forgetting::{Alone, LEAST_KEPT, LIGHT};
-use crate::language::model::LanguageMut;
+use crate::language::bitext::{Alone, Bitext, LEAST_KEPT, LIGHT};
 use crate::language::tables::Tables;
 use crate::symbols::Symbol;
-
-impl LanguageMut<'_> {
-    /// The layout of the parameters for all training data.
-    pub(in crate::language) fn layout_of_data(&self) -> Layout {
-        Layout::of(self.bitext.read(), self.words.len(), self.tokens.len())
-    }
-}
 
 impl Tables<'_> {
     /// Checks that these parameters fit.
@@ -21,20 +13,26 @@ impl Tables<'_> {
         let (room, cells) = (self.memory.alignments.len(), layout.cells());
         if cells > room { Err(CapacityError::new(Capacity::Alignments, room, cells)) } else { Ok(()) }
     }
-}
 
-/// Extends the layout by a description and a command of this many words.
-///
-/// # Errors
-/// A [`CapacityError`] if it does not fit; nothing has changed then.
-pub(crate) fn want(language: &mut LanguageMut<'_>, description: &[Symbol], words: usize) -> Result<(), CapacityError> {
-    let mut wanted = language.tables.trained.wanted.layout;
-    wanted.see(description);
-    wanted.see_length(words);
-    let wanted = wanted.with(language.words.len(), language.tokens.len());
-    language.tables.fits(&wanted)?;
-    language.tables.trained.wanted.layout = wanted;
-    Ok(())
+    /// Extends the layout by a description and a command of `length` words, in vocabularies of this many words and machine tokens.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] if it does not fit; nothing has changed then.
+    pub(in crate::language) fn add_description(
+        &mut self,
+        description: &[Symbol],
+        length: usize,
+        words: usize,
+        tokens: usize,
+    ) -> Result<(), CapacityError> {
+        let mut wanted = self.trained.wanted.layout;
+        wanted.see(description);
+        wanted.see_length(length);
+        let wanted = wanted.with(words, tokens);
+        self.fits(&wanted)?;
+        self.trained.wanted.layout = wanted;
+        Ok(())
+    }
 }
 
 /// Adds a session. If not all of its descriptions fit, the lighter ones are left out. Memory for the parameters is checked later, together
@@ -43,28 +41,26 @@ pub(crate) fn want(language: &mut LanguageMut<'_>, description: &[Symbol], words
 /// # Errors
 /// A [`CapacityError`]; part of the session may have been added.
 pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
-    language: &mut LanguageMut<'_>,
+    bitext: &mut Bitext<'_>,
     words: &[Symbol],
     pairs: impl Fn() -> I,
 ) -> Result<(), CapacityError> {
-    let before = language.bitext.extent();
-    let Err(full) = add_heavy(language, words, &pairs, 0.0, 1.0) else { return Ok(()) };
-    language.bitext.rewind(before);
+    let before = bitext.extent();
+    let Err(full) = add_heavy(bitext, words, &pairs, 0.0, 1.0) else { return Ok(()) };
+    bitext.rewind(before);
     let kept: f32 = pairs().map(|(_, weight)| weight).filter(|&weight| weight >= LIGHT).sum();
-    if kept < LEAST_KEPT { Err(full) } else { add_heavy(language, words, &pairs, LIGHT, kept) }
+    if kept < LEAST_KEPT { Err(full) } else { add_heavy(bitext, words, &pairs, LIGHT, kept) }
 }
 
 fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
-    language: &mut LanguageMut<'_>,
+    bitext: &mut Bitext<'_>,
     words: &[Symbol],
     pairs: &impl Fn() -> I,
     least: f32,
     whole: f32,
 ) -> Result<(), CapacityError> {
-    language.bitext.add_session(words)?;
-    pairs()
-        .filter(|&(_, weight)| weight >= least)
-        .try_for_each(|(description, weight)| language.bitext.add_pair(description, weight / whole))
+    bitext.add_session(words)?;
+    pairs().filter(|&(_, weight)| weight >= least).try_for_each(|(description, weight)| bitext.add_pair(description, weight / whole))
 }
 
 /// The capacities that a session needs by itself, with only its longest description.
