@@ -9,7 +9,7 @@
 //! Pr(t|e,s) proportional to q_l(e) pi_t Pr(e|t) / Z_l^(1/2),   Z_l the sum of pi_t Pr(e|t) over the tasks of the kind
 //! ```
 
-use super::layout::{Layout, cell, get, get_mut};
+use super::layout::{BESIDE_WORDS, Layout, cell, get, get_mut};
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::bitext::BitextRef;
 use crate::language::tables::{Cells, TablesRef};
@@ -30,8 +30,6 @@ const PULL: f32 = 0.5;
 const WORDS_OF_LENGTH: f32 = 8.0;
 /// The weight of an unknown word, relative to a word that says nothing about the task.
 const UNKNOWN_SAYS_NOTHING: f32 = 0.5;
-/// The extra columns of each row after its words: the constant and the weight of the length.
-pub(super) const BESIDE_WORDS: usize = 2;
 
 type Forms = [f32; LIFTED_TASKS];
 

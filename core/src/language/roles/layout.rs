@@ -16,7 +16,6 @@
 //! | novelty | background, and each machine token | 1 |
 //! | trellis | the longest command and two more | memories and a scale |
 
-use super::kind::BESIDE_WORDS;
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::{BitextRef, Pair};
 use crate::symbols::Symbol;
@@ -33,6 +32,8 @@ pub const CUES: usize = 2 * RoleKind::COUNT;
 /// The coverages of a role: none of it named, a part, or all.
 pub(super) const SHARES_NAMED: usize = 3;
 const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
+/// The columns of a kind of task after its words: the constant and the weight of the length.
+pub(super) const BESIDE_WORDS: usize = 2;
 /// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
 
