@@ -45,5 +45,5 @@ mod settings;
 
 pub(crate) use agent::Asked;
 pub use agent::Considered;
-pub use question::{Answer, CHOICES, Question, Subject};
-pub use settings::Asking;
+pub use question::{Answer, Question, Subject};
+pub use settings::{Asking, CHOICES};

@@ -1,14 +1,11 @@
 //! Possible questions, and the expected information of their answers.
 
-use super::settings::Asking;
+use super::settings::{Asking, CHOICES};
 use crate::feedback::BeliefRef;
 use crate::feedback::information::{binary_entropy, surprise};
 use crate::oomdp::{ClassId, ObjectId};
 use crate::probability::{Scaled, total};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
-
-/// The most meanings that a question offers to choose from.
-pub const CHOICES: usize = 3;
 
 /// The subject of a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

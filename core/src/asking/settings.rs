@@ -1,7 +1,9 @@
 //! The cost of a question, and the probability of a wrong answer.
 
-use super::question::CHOICES;
 use crate::language::SettingError;
+
+/// The most meanings that a question offers to choose from.
+pub const CHOICES: usize = 3;
 
 /// The conditions for a question.
 #[derive(Clone, Copy, Debug, PartialEq)]
