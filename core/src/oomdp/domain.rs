@@ -2,6 +2,7 @@
 
 #[cfg(feature = "derived")]
 use super::ObjectId;
+use super::objects::for_each_word;
 use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
 
 /// An action, by its position in [`Domain::actions`].
@@ -218,13 +219,6 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
         take(grid.floor().directions.iter().fold(grid.pieces() as u32, |word, direction| word << 4 ^ u32::from(direction.0)));
     }
     digest
-}
-
-/// Passes bytes four at a time.
-pub(super) fn for_each_word(bytes: &[u8], take: &mut impl FnMut(u32)) {
-    let (words, rest) = bytes.as_chunks();
-    words.iter().for_each(|&word| take(u32::from_le_bytes(word)));
-    take(rest.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)));
 }
 
 /// The name of an action of a domain, `noop` included.

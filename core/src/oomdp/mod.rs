@@ -2,7 +2,7 @@
 //! define relations between them.
 //!
 //! - `schema`: the classes, attributes and propositional functions of a domain, by name;
-//! - `objects`: the objects of one environment;
+//! - `objects`: the objects of one environment, and propositions about them;
 //! - `domain`: the [`Domain`] trait, by which a robot brings its own states and actions;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
 //! - `either`: one type for domains of two kinds;
@@ -28,9 +28,9 @@ pub use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
 pub use either::Either;
-pub use objects::{Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};
+pub use objects::{GroundProposition, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};
 pub use push_grid::{CellId, Floor, FloorCell, Piece, PushGrid};
-pub use schema::{Attribute, Carrier, Class, ClassId, GroundProposition, Proposition, PropositionId, Schema};
+pub use schema::{Attribute, Carrier, Class, ClassId, Proposition, PropositionId, Schema};
 pub use search_kind::{BitRows, NoGrid, OneByOne, SearchKind};
 pub use soundness::DomainFlaw;
 pub(crate) use soundness::check_actions;

@@ -1,8 +1,7 @@
 //! The objects of one environment: a set of fixed capacity, in memory that the caller lends.
 
-use super::domain::for_each_word;
-use super::schema::ClassId;
-use crate::capacity::{ATTRIBUTES, Capacities, Capacity, CapacityError};
+use super::schema::{ClassId, PropositionId};
+use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::memory::{ObjectTables, ObjectTablesRef};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
 use core::fmt;
@@ -21,6 +20,24 @@ impl ObjectId {
     /// The position in the set.
     pub const fn index(self) -> usize {
         self.0 as usize
+    }
+}
+
+/// A propositional function of objects: `blockInRoom(block0, room2)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct GroundProposition {
+    /// The propositional function.
+    pub proposition: PropositionId,
+    /// Its arguments; those beyond the function's parameters are object 0, so that equal propositions compare equal.
+    pub arguments: [ObjectId; ARGUMENTS],
+}
+
+impl GroundProposition {
+    /// The proposition of these objects. Unused arguments are object 0, and objects beyond [`ARGUMENTS`] are left out.
+    pub fn new(proposition: PropositionId, objects: &[ObjectId]) -> Self {
+        let mut arguments = [ObjectId(0); ARGUMENTS];
+        arguments.iter_mut().zip(objects).for_each(|(argument, &object)| *argument = object);
+        Self { proposition, arguments }
     }
 }
 
@@ -247,6 +264,13 @@ impl<'t> Objects<'t> {
     pub fn usage(self, used: &mut Capacities) {
         (used.objects, used.names, used.name_bytes) = (self.count.objects, self.count.names, self.names().byte_len());
     }
+}
+
+/// Passes bytes four at a time.
+pub(super) fn for_each_word(bytes: &[u8], take: &mut impl FnMut(u32)) {
+    let (words, rest) = bytes.as_chunks();
+    words.iter().for_each(|&word| take(u32::from_le_bytes(word)));
+    take(rest.iter().fold(0, |word, &byte| word << 8 | u32::from(byte)));
 }
 
 /// Iterates over objects. On a page it is one function for all callers; elsewhere inlining takes less flash.

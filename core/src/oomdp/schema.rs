@@ -2,9 +2,6 @@
 //!
 //! The language model knows a domain only by these names, so two robots whose schemas share names share their training data.
 
-use super::objects::ObjectId;
-use crate::capacity::ARGUMENTS;
-
 /// A class of objects, by its position in [`Schema::classes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -148,23 +145,5 @@ impl<'a> Schema<'a> {
     /// The argument classes of a propositional function; none for one that the schema does not have.
     pub fn parameters(&self, proposition: PropositionId) -> &'a [ClassId] {
         self.propositions.get(usize::from(proposition.0)).map_or(&[], |proposition| proposition.parameters)
-    }
-}
-
-/// A propositional function of objects: `blockInRoom(block0, room2)`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct GroundProposition {
-    /// The propositional function.
-    pub proposition: PropositionId,
-    /// Its arguments; those beyond the function's parameters are object 0, so that equal propositions compare equal.
-    pub arguments: [ObjectId; ARGUMENTS],
-}
-
-impl GroundProposition {
-    /// The proposition of these objects. Unused arguments are object 0, and objects beyond [`ARGUMENTS`] are left out.
-    pub fn new(proposition: PropositionId, objects: &[ObjectId]) -> Self {
-        let mut arguments = [ObjectId(0); ARGUMENTS];
-        arguments.iter_mut().zip(objects).for_each(|(argument, &object)| *argument = object);
-        Self { proposition, arguments }
     }
 }
