@@ -7,7 +7,7 @@
 use super::candidates::{CandidateCount, CandidatesRef};
 use super::done::LastDone;
 use super::error::AgentError;
-use super::learning::GaveWay;
+use super::gave_way::GaveWay;
 use super::options::Options;
 use super::phase::{Phase, Progressed};
 #[cfg(feature = "asking")]
@@ -171,6 +171,25 @@ impl<M> Agent<M> {
     /// The words of the command.
     pub fn sentence(&self) -> &[Option<Symbol>] {
         &self.sentence
+    }
+
+    /// The agent's phase. Calls of another phase are refused with [`AgentError::NotNow`](crate::AgentError::NotNow).
+    ///
+    /// ```
+    /// use goodbot::{Agent, HeapMemory, Options, home, session::Phase};
+    /// let memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// assert_eq!(agent.phase(), Phase::Idle);
+    /// assert_eq!(agent.phase().to_string(), "no session is under way; give a command first");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn phase(&self) -> Phase {
+        self.progressed.phase(self.language.is_training())
+    }
+
+    /// Ends the session; it can be resumed if it has a start state.
+    pub(super) const fn set_ended(&mut self) {
+        self.progressed = if self.start.is_some() { Progressed::Ended } else { Progressed::Idle };
     }
 }
 

@@ -7,7 +7,7 @@
 //! - `done`: the last actions, which feedback may be about;
 //! - `hearing`: how the agent hears a command;
 //! - `hypotheses`: how it chooses among a speech recogniser's transcripts;
-//! - `learning`: how it ends a session and learns;
+//! - `learning`: how it ends a session and learns; `gave_way`: the older sessions that gave way;
 //! - `least`: the least capacities for a domain and a number of lessons;
 //! - `ways`: the progress of each task's way;
 //! - `options`, `error`: the options, and the reasons to refuse a call.
@@ -16,6 +16,7 @@ pub(crate) mod agent;
 pub(crate) mod candidates;
 mod done;
 pub(crate) mod error;
+mod gave_way;
 mod hearing;
 mod hypotheses;
 pub(crate) mod learning;
@@ -28,8 +29,9 @@ mod ways;
 pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
 pub use candidates::{Candidate, CandidatesRef};
 pub use error::AgentError;
+pub use gave_way::GaveWay;
 pub use hypotheses::Hypothesis;
-pub use learning::{Finished, GaveWay};
+pub use learning::Finished;
 pub use least::Lessons;
 pub use options::{Options, Weights};
 pub use phase::Phase;

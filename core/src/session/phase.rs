@@ -1,12 +1,11 @@
 //! The agent's phase: it hears a command, is ready to plan and act, ends the session, or learns from it.
 
-use super::agent::Agent;
 use super::options::Weights;
 use crate::language::forgetting::Step;
 use crate::probability::Scaled;
 use core::fmt;
 
-/// The agent's current phase: see [`Agent::phase`].
+/// The agent's current phase: see [`Agent::phase`](crate::Agent::phase).
 ///
 /// ```text
 /// Idle -- hear --> Hearing -> Ready -- finish --> Finishing -> Learning -- learn --> Ended
@@ -17,17 +16,17 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Phase {
-    /// Waiting for a command: [`Agent::hear`].
+    /// Waiting for a command: [`Agent::hear`](crate::Agent::hear).
     Idle,
-    /// Hearing a command in parts: [`Agent::hear_on`].
+    /// Hearing a command in parts: [`Agent::hear_on`](crate::Agent::hear_on).
     Hearing,
-    /// A session is under way: [`Agent::plan`], [`Agent::decide`], [`Agent::feedback`], [`Agent::finish`].
+    /// A session is under way: [`Agent::plan`](crate::Agent::plan), [`Agent::decide`](crate::Agent::decide), [`Agent::feedback`](crate::Agent::feedback), [`Agent::finish`](crate::Agent::finish).
     Ready,
-    /// Ending the session in parts: [`Agent::finish_on`].
+    /// Ending the session in parts: [`Agent::finish_on`](crate::Agent::finish_on).
     Finishing,
-    /// Training the language model in parts: [`Agent::learn`].
+    /// Training the language model in parts: [`Agent::learn`](crate::Agent::learn).
     Learning,
-    /// The session has ended: [`Agent::hear`], or [`Agent::hear_again`] to resume it.
+    /// The session has ended: [`Agent::hear`](crate::Agent::hear), or [`Agent::hear_again`](crate::Agent::hear_again) to resume it.
     Ended,
     /// Restoring a model in parts; until it is complete, the robot has learned nothing: `Agent::restore_on`.
     Restoring,
@@ -69,6 +68,22 @@ pub(crate) enum Progressed {
     Restoring(u32),
 }
 
+impl Progressed {
+    /// The phase, of an agent whose language model is in training or not.
+    pub(super) const fn phase(&self, is_training: bool) -> Phase {
+        match self {
+            Self::Opened | Self::Hearing(..) => Phase::Hearing,
+            Self::Weighing(..) | Self::Keeping(_) | Self::Tidying(_) => Phase::Finishing,
+            Self::Idle | Self::Ready | Self::Ended if is_training => Phase::Learning,
+            Self::Idle => Phase::Idle,
+            #[cfg(feature = "snapshot")]
+            Self::Restoring(_) => Phase::Restoring,
+            Self::Ready => Phase::Ready,
+            Self::Ended => Phase::Ended,
+        }
+    }
+}
+
 /// The position of a machine command among those of all tasks, and the sum over the earlier ones of its task.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Position {
@@ -89,34 +104,4 @@ impl Position {
 pub(crate) enum Prior {
     Zero,
     Positive,
-}
-
-impl<M> Agent<M> {
-    /// The agent's phase. Calls of another phase are refused with [`AgentError::NotNow`](crate::AgentError::NotNow).
-    ///
-    /// ```
-    /// use goodbot::{Agent, HeapMemory, Options, home, session::Phase};
-    /// let memory = HeapMemory::new(&goodbot::Capacities::SMALL);
-    /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
-    /// assert_eq!(agent.phase(), Phase::Idle);
-    /// assert_eq!(agent.phase().to_string(), "no session is under way; give a command first");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn phase(&self) -> Phase {
-        match self.progressed {
-            Progressed::Opened | Progressed::Hearing(..) => Phase::Hearing,
-            Progressed::Weighing(..) | Progressed::Keeping(_) | Progressed::Tidying(_) => Phase::Finishing,
-            Progressed::Idle | Progressed::Ready | Progressed::Ended if self.language.is_training() => Phase::Learning,
-            Progressed::Idle => Phase::Idle,
-            #[cfg(feature = "snapshot")]
-            Progressed::Restoring(_) => Phase::Restoring,
-            Progressed::Ready => Phase::Ready,
-            Progressed::Ended => Phase::Ended,
-        }
-    }
-
-    /// Ends the session; it can be resumed if it has a start state.
-    pub(super) const fn set_ended(&mut self) {
-        self.progressed = if self.start.is_some() { Progressed::Ended } else { Progressed::Idle };
-    }
 }
