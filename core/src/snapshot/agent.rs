@@ -1,5 +1,6 @@
 //! Saving and restoring everything that a robot has learned.
 
+use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
 use super::restoring::{Restoring, Stage};
 use super::saving::{Model, Saving};
@@ -180,7 +181,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Checks that this agent's vocabulary and room for strategies fit the model.
     #[inline(never)]
     fn check_strategies(&self, restoring: &Restoring<'_>) -> Result<(), RestoreError> {
-        let contents = restoring.checking.contents()?;
+        let contents = Contents::of(&restoring.checking)?;
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
         }
@@ -193,7 +194,7 @@ impl<M: AgentMemory> Agent<M> {
 
     #[inline(never)]
     fn begin_restoring(&mut self, restoring: &mut Restoring<'_>) -> Result<(), RestoreError> {
-        let contents = restoring.checking.contents()?;
+        let contents = Contents::of(&restoring.checking)?;
         self.end_session();
         self.options = contents.options;
         self.belief_mut().take_over(contents.believed());

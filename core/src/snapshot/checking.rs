@@ -1,11 +1,11 @@
 //! Checking a model file record by record, in parts.
 
-use super::contents::{Contents, Place, Section, options, symbols, take};
 use super::error::{Part, RestoreError};
 use super::record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord,
-    SessionRecord, Sizes, StrategyRecord, TrainerRecord,
+    CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, OPTIONS_BYTES,
+    OptionsRecord, PairRecord, RestsRecord, SessionRecord, Sizes, StrategyRecord, TrainerRecord, symbols,
 };
+use super::section::{Place, Section, take};
 use crate::capacity::NAME_BYTES;
 use crate::checksum::Running;
 use crate::feedback::Strategy;
@@ -14,6 +14,7 @@ use crate::language::roles::Layout;
 use crate::language::settings::is_weight;
 use crate::language::tokenizer::word_form;
 use crate::planning::Progress;
+use crate::session::Options;
 use crate::symbols::Symbol;
 use crate::task::role::is_marker;
 use serde::Deserialize;
@@ -183,7 +184,7 @@ impl<'a> Checking<'a> {
 
     /// Begins a section. Older files lack the last sections.
     fn begin(&mut self, section: usize) -> Result<(), RestoreError> {
-        let is_layered = self.version == LAYERED_VERSION;
+        let is_layered = self.is_layered();
         let Some(&part) = SECTIONS.get(section).filter(|_| section <= RESTS || is_layered) else {
             // A core without the layer ignores its sections.
             let is_left_over = (cfg!(feature = "layer") || !is_layered) && !self.rest.is_empty();
@@ -312,6 +313,11 @@ impl<'a> Checking<'a> {
         Some(record.len())
     }
 
+    /// Whether the file has the layer's sections.
+    pub const fn is_layered(&self) -> bool {
+        self.version == LAYERED_VERSION
+    }
+
     /// A number that identifies the file: its checksum.
     pub fn mark(&self) -> u32 {
         self.running.value()
@@ -321,41 +327,17 @@ impl<'a> Checking<'a> {
     pub fn section<T: Deserialize<'a>>(&self, section: usize) -> Section<'a, T> {
         Section::at(self.bytes, self.place(section))
     }
+}
 
-    /// The contents of the checked file.
-    pub fn contents(&self) -> Result<Contents<'a>, RestoreError> {
-        let wrong = RestoreError::Inconsistent(Part::Head);
-        let mut rest = self.bytes.get(HEADER_BYTES..).ok_or(wrong)?;
-        let vocabulary = take(&mut rest).ok_or(wrong)?;
-        let sizes = take::<Sizes>(&mut rest).ok_or(wrong)?.capacities();
-        #[cfg_attr(not(feature = "layer"), expect(unused_mut, reason = "as with the feature"))]
-        let mut options = options(&mut rest).ok_or(wrong)?;
-        #[cfg(feature = "layer")]
-        {
-            options.language.layer = self.version == LAYERED_VERSION;
-        }
-        Ok(Contents {
-            vocabulary,
-            sizes,
-            options,
-            strategies: self.section(STRATEGIES),
-            words: self.section(WORDS),
-            tokens: self.section(TOKENS),
-            commands: self.section(COMMANDS),
-            sessions: self.section(SESSIONS),
-            pairs: self.section(PAIRS),
-            heard_again: self.section(HEARD_AGAIN),
-            trainers: self.section(TRAINERS),
-            rests: self.section(RESTS),
-            #[cfg(feature = "layer")]
-            possible_commands: self.section(POSSIBLE_COMMANDS),
-            #[cfg(feature = "layer")]
-            possible_counts: self.section(POSSIBLE_COUNTS),
-            #[cfg(feature = "layer")]
-            possible: self.section(POSSIBLE),
-            tally: self.tally,
-        })
-    }
+/// The options: a record in a byte string of its own. Later versions append fields, which are 0 if a file does not have them.
+pub(super) fn options(rest: &mut &[u8]) -> Option<Options> {
+    let bytes: &[u8] = take(rest)?;
+    let mut filled = [0; OPTIONS_BYTES];
+    filled.get_mut(..bytes.len())?.copy_from_slice(bytes);
+    let mut left = filled.as_slice();
+    let record: OptionsRecord = take(&mut left)?;
+    let read = OPTIONS_BYTES.saturating_sub(left.len());
+    (bytes.len() <= read && record.is_sound()).then(|| record.options())
 }
 
 /// Checks the first bytes and the length. Returns the format, and the model without the record that a host may have written after it.

@@ -1,116 +1,16 @@
 //! A checked model file, to inspect without restoring it.
 
-use super::checking::{Checking, Tally};
-use super::error::RestoreError;
-use super::record::{CommandRecord, OPTIONS_BYTES, OptionsRecord, PairRecord, RestsRecord, SessionRecord, StrategyRecord, TrainerRecord};
-use crate::capacity::{Capacities, TOKENS_PER_COMMAND};
+use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, RESTS, SESSIONS, STRATEGIES, TOKENS, TRAINERS, Tally, WORDS, options};
+#[cfg(feature = "layer")]
+use super::checking::{POSSIBLE, POSSIBLE_COMMANDS, POSSIBLE_COUNTS};
+use super::error::{Part, RestoreError};
+use super::record::{CommandRecord, HEADER_BYTES, PairRecord, RestsRecord, SessionRecord, Sizes, StrategyRecord, TrainerRecord};
+use super::section::{Section, take};
+use crate::capacity::Capacities;
 use crate::feedback::Strategy;
 use crate::language::Model;
 use crate::language::ibm2::lengths::SeenLengths;
 use crate::session::Options;
-use crate::symbols::Symbol;
-use core::marker::PhantomData;
-use serde::Deserialize;
-
-/// A sequence of records of one kind, read while iterating.
-#[derive(Debug)]
-pub struct Section<'a, T> {
-    count: u32,
-    bytes: &'a [u8],
-    record: PhantomData<T>,
-}
-
-impl<T> Clone for Section<'_, T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T> Copy for Section<'_, T> {}
-
-/// The place of a section's records in a file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub count: u32,
-    pub from: u32,
-}
-
-impl Place {
-    /// No record.
-    pub const NONE: Self = Self { count: 0, from: 0 };
-}
-
-impl<'a, T> Section<'a, T> {
-    /// The records at a place of a file.
-    pub(super) fn at(file: &'a [u8], place: Place) -> Self {
-        Self { count: place.count, bytes: file.get(place.from as usize..).unwrap_or(&[]), record: PhantomData }
-    }
-
-    /// The bytes from its first record on.
-    pub(super) const fn bytes(&self) -> &'a [u8] {
-        self.bytes
-    }
-}
-
-impl<'a, T: Deserialize<'a>> Section<'a, T> {
-    /// The number of records.
-    pub fn len(&self) -> usize {
-        self.count as usize
-    }
-
-    /// Whether there are no records.
-    pub fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-
-    /// The records, in order.
-    pub fn iter(&self) -> impl Iterator<Item = T> + Clone + use<'a, T> {
-        let mut rest = self.bytes;
-        (0..self.count).map_while(move |_| take(&mut rest))
-    }
-}
-
-/// The starts of records at regular distances in a section, so that few records are read to find any one.
-pub(super) struct Index<'a, T> {
-    marks: [&'a [u8]; MARKS],
-    stride: usize,
-    record: PhantomData<T>,
-}
-
-const MARKS: usize = 32;
-
-impl<'a, T: Deserialize<'a>> Section<'a, T> {
-    pub(super) fn index(&self) -> Index<'a, T> {
-        let stride = self.len().div_ceil(MARKS).max(1);
-        let mut marks: [&[u8]; MARKS] = [&[]; MARKS];
-        let mut rest = self.bytes;
-        for mark in &mut marks {
-            *mark = rest;
-            for _ in 0..stride {
-                let _: Option<T> = take(&mut rest);
-            }
-        }
-        Index { marks, stride, record: PhantomData }
-    }
-}
-
-impl<'a, T: Deserialize<'a>> Index<'a, T> {
-    /// The record at a position within the section.
-    pub(super) fn get(&self, position: usize) -> Option<T> {
-        let mut rest = *self.marks.get(position.checked_div(self.stride)?)?;
-        for _ in 0..position.checked_rem(self.stride)? {
-            let _: T = take(&mut rest)?;
-        }
-        take(&mut rest)
-    }
-}
-
-/// Reads one value from the front.
-pub(super) fn take<'a, T: Deserialize<'a>>(rest: &mut &'a [u8]) -> Option<T> {
-    let (value, after) = postcard::take_from_bytes(rest).ok()?;
-    *rest = after;
-    Some(value)
-}
 
 /// A checked model file: complete, undamaged, and with every number in its range.
 ///
@@ -173,7 +73,42 @@ impl<'a> Contents<'a> {
     pub fn read(bytes: &'a [u8]) -> Result<Self, RestoreError> {
         let mut checking = Checking::of(bytes);
         checking.all()?;
-        checking.contents()
+        Self::of(&checking)
+    }
+
+    /// The contents of the checked file.
+    pub(super) fn of(checking: &Checking<'a>) -> Result<Self, RestoreError> {
+        let wrong = RestoreError::Inconsistent(Part::Head);
+        let mut rest = checking.bytes.get(HEADER_BYTES..).ok_or(wrong)?;
+        let vocabulary = take(&mut rest).ok_or(wrong)?;
+        let sizes = take::<Sizes>(&mut rest).ok_or(wrong)?.capacities();
+        #[cfg_attr(not(feature = "layer"), expect(unused_mut, reason = "as with the feature"))]
+        let mut options = options(&mut rest).ok_or(wrong)?;
+        #[cfg(feature = "layer")]
+        {
+            options.language.layer = checking.is_layered();
+        }
+        Ok(Self {
+            vocabulary,
+            sizes,
+            options,
+            strategies: checking.section(STRATEGIES),
+            words: checking.section(WORDS),
+            tokens: checking.section(TOKENS),
+            commands: checking.section(COMMANDS),
+            sessions: checking.section(SESSIONS),
+            pairs: checking.section(PAIRS),
+            heard_again: checking.section(HEARD_AGAIN),
+            trainers: checking.section(TRAINERS),
+            rests: checking.section(RESTS),
+            #[cfg(feature = "layer")]
+            possible_commands: checking.section(POSSIBLE_COMMANDS),
+            #[cfg(feature = "layer")]
+            possible_counts: checking.section(POSSIBLE_COUNTS),
+            #[cfg(feature = "layer")]
+            possible: checking.section(POSSIBLE),
+            tally: checking.tally,
+        })
     }
 }
 
@@ -228,25 +163,4 @@ impl Contents<'_> {
         }
         (lengths.cells, lengths.pairs)
     }
-}
-
-/// The tokens of a machine command.
-pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
-    let mut symbols = heapless::Vec::new();
-    for &token in record {
-        // There are no more tokens than the record has, so they fit.
-        let _ = symbols.push(Symbol(token));
-    }
-    symbols
-}
-
-/// The options: a record in a byte string of its own. Later versions append fields, which are 0 if a file does not have them.
-pub(super) fn options(rest: &mut &[u8]) -> Option<Options> {
-    let bytes: &[u8] = take(rest)?;
-    let mut filled = [0; OPTIONS_BYTES];
-    filled.get_mut(..bytes.len())?.copy_from_slice(bytes);
-    let mut left = filled.as_slice();
-    let record: OptionsRecord = take(&mut left)?;
-    let read = OPTIONS_BYTES.saturating_sub(left.len());
-    (bytes.len() <= read && record.is_sound()).then(|| record.options())
 }

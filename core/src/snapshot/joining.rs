@@ -1,17 +1,17 @@
 //! Joining the training data of two robots.
 
-use super::contents::{Contents, Index};
+use super::contents::Contents;
 use super::error::RestoreError;
 #[cfg(feature = "layer")]
 use super::possible::Possible;
-use super::record::{CommandRecord, PairRecord, SessionRecord};
+use super::record::{CommandRecord, PairRecord, SessionRecord, marker};
+use super::section::Index;
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::Pair;
 use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
-use crate::task::role::is_marker;
 use heapless::Vec;
 
 impl<M: AgentMemory> Agent<M> {
@@ -153,11 +153,6 @@ impl LanguageMut<'_> {
         }
         Ok(command)
     }
-}
-
-/// A role's marker, which is the same in all models.
-pub(super) fn marker(token: u16) -> Option<Symbol> {
-    Some(Symbol(token)).filter(|&symbol| is_marker(symbol))
 }
 
 /// The words, machine tokens and machine commands of a file.

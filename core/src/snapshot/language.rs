@@ -2,9 +2,9 @@
 
 use super::checking::Checking;
 use super::contents::Contents;
-#[cfg(feature = "layer")]
-use super::contents::symbols;
 use super::error::{RestoreError, SaveError};
+#[cfg(feature = "layer")]
+use super::record::symbols;
 use super::restoring::{Restoring, Stage};
 use super::saving::Model;
 use crate::capacity::Capacities;
@@ -133,7 +133,7 @@ impl LanguageMut<'_> {
     /// Completes the training data, and begins training.
     pub(super) fn complete(&mut self, checking: &Checking<'_>) -> Result<(), RestoreError> {
         #[cfg(feature = "layer")]
-        self.take_over_possible(&checking.contents()?);
+        self.take_over_possible(&Contents::of(checking)?);
         #[cfg(not(feature = "layer"))]
         let _ = checking;
         let _ = self.data_replaced();

@@ -8,7 +8,7 @@
 //! - `checking`: checks a file record by record;
 //! - `restoring`, `saving`: read or write a model in parts;
 //! - `contents`: a checked model file, to inspect without restoring it;
-//! - `record`: the records of a file;
+//! - `record`: the records of a file; `section`: those of one kind, in order;
 //! - `parameters`: the parameters alone, for a robot that only obeys;
 //! - `error`: why a model could not be saved or restored.
 
@@ -31,9 +31,11 @@ pub(crate) mod record;
 mod restoring;
 #[cfg(feature = "learning")]
 mod saving;
+#[cfg(feature = "learning")]
+mod section;
 
 #[cfg(feature = "learning")]
-pub use contents::{Contents, Section};
+pub use contents::Contents;
 pub use error::{Part, RestoreError, SaveError};
 pub use parameters::PARAMETERS_MAGIC;
 pub use record::{
@@ -44,3 +46,5 @@ pub use record::{
 pub use restoring::Restoring;
 #[cfg(feature = "learning")]
 pub use saving::Saving;
+#[cfg(feature = "learning")]
+pub use section::Section;

@@ -1,9 +1,9 @@
 //! The tasks that a model file has for the [layer](crate::language::layer), while they join another model. A world has thousands of them,
 //! so each description and each token of the file is looked up once.
 
-use super::contents::{Contents, symbols, take};
-use super::joining::marker;
-use super::record::{CommandRecord, PairRecord};
+use super::contents::Contents;
+use super::record::{CommandRecord, PairRecord, marker, symbols};
+use super::section::take;
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND};
 use crate::language::LanguageMut;
 use crate::symbols::Symbol;

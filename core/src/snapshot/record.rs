@@ -9,7 +9,11 @@ pub use crate::checksum::CHECK_BYTES;
 use crate::feedback::{Ending, Hazard, LAGS, RESTS, Strategy};
 use crate::language::{Model, Settings};
 use crate::session::{Options, Weights};
+#[cfg(feature = "learning")]
+use crate::symbols::Symbol;
 use crate::task::TokenOrder;
+#[cfg(feature = "learning")]
+use crate::task::role::is_marker;
 use serde::{Deserialize, Serialize};
 
 /// The first bytes of every model file.
@@ -207,6 +211,23 @@ pub type RestsRecord = [f32; RESTS];
 
 /// A machine command: the positions of its tokens.
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
+
+/// The tokens of a machine command.
+#[cfg(feature = "learning")]
+pub(super) fn symbols(record: &CommandRecord) -> heapless::Vec<Symbol, TOKENS_PER_COMMAND> {
+    let mut symbols = heapless::Vec::new();
+    for &token in record {
+        // There are no more tokens than the record has, so they fit.
+        let _ = symbols.push(Symbol(token));
+    }
+    symbols
+}
+
+/// A role's marker, which is the same in all models.
+#[cfg(feature = "learning")]
+pub(super) fn marker(token: u16) -> Option<Symbol> {
+    Some(Symbol(token)).filter(|&symbol| is_marker(symbol))
+}
 
 /// A session: the positions of its English words, and the number of its pairs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -1,9 +1,10 @@
 //! Restoring a model in parts, record by record.
 
 use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, SESSIONS, TOKENS, WORDS};
-use super::contents::{Section, symbols, take};
+use super::contents::Contents;
 use super::error::{Part, RestoreError};
-use super::record::{CommandRecord, PairRecord, SessionRecord};
+use super::record::{CommandRecord, PairRecord, SessionRecord, symbols};
+use super::section::{Section, take};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::model::{LanguageState, Unlearned};
 use crate::language::{LanguageMut, LanguageRef};
@@ -108,12 +109,12 @@ impl<'a> Restoring<'a> {
     /// A separate function, like the next one: the file's contents take a few hundred bytes of stack.
     #[inline(never)]
     fn check_room(&self, language: LanguageRef<'_>) -> Result<(), RestoreError> {
-        language.check_room(&self.checking.contents()?)
+        language.check_room(&Contents::of(&self.checking)?)
     }
 
     #[inline(never)]
     fn forget(&self, language: &mut LanguageMut<'_>) -> Result<(), RestoreError> {
-        language.forget_for(&self.checking.contents()?);
+        language.forget_for(&Contents::of(&self.checking)?);
         Ok(())
     }
 
