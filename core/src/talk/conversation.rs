@@ -1,7 +1,6 @@
 //! The memory of a conversation: the last task, the thing that it moved, the place that it named, and the earlier places of the thing and
 //! the robot. Words such as "it", "there" and "back" refer to these. They are facts about objects, as *leftmost* is.
 
-use super::recalled::Before;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, GroundProposition, ObjectId, PropositionId, digest};
 use crate::session::Agent;
@@ -60,6 +59,17 @@ impl Fact {
             Self::OtherOfItsKind => "otherOfItsKind",
         }
     }
+}
+
+/// What words can refer to.
+#[derive(Clone, Copy)]
+pub(super) enum Before<'c> {
+    /// No earlier task.
+    Nothing,
+    /// The conversation of earlier tasks.
+    Known(&'c Conversation),
+    /// A part of the same utterance that is not done yet.
+    Open,
 }
 
 impl Conversation {

@@ -1,11 +1,12 @@
-//! How well the tasks here explain words.
+//! How well the tasks here explain words, some of which may refer to earlier sentences.
 
 use super::absent::with_ghost;
-use super::classes::{Class, Classes};
-use super::heard::{Heard, Words};
+use super::classes::Class;
+use super::conversation::Before;
+use super::heard::Words;
 use super::place::{DONE, View};
-use super::recalled::Recalled;
-
+use super::recalled::{Recalled, readings, without};
+use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, new_names, new_verb};
 use super::wording::{Wording, is_plain, rest};
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::LanguageRef;
@@ -27,8 +28,6 @@ use heapless::Vec;
 const OTHER_KIND: f32 = 0.05;
 /// The factor of tasks if words name an object outside of them, and other tasks have no such word.
 pub(super) const FOREIGN: f32 = 0.02;
-/// A sentence with more new words is no paraphrase of a known command.
-const MOST_NEW: usize = 2;
 
 /// How well the tasks here explain some words.
 pub(super) struct Explained {
@@ -88,9 +87,69 @@ impl Explained {
         }
         (best.0, best.1.over(whole))
     }
+
+    /// The words that name objects. References change with each use, so nothing is learned of them.
+    pub fn naming<'w>(&self, words: Words<'w>) -> Words<'w> {
+        if self.points_back { without(words).map_or(words, |(rest, _)| rest) } else { words }
+    }
+
+    /// Keeps one task alone.
+    pub fn keep_only(&mut self, task: usize) {
+        for (position, weight) in self.weights.iter_mut().enumerate() {
+            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
+        }
+    }
 }
 
 impl<M: AgentMemory> Agent<M> {
+    /// How well the tasks here explain these words, some of which may refer to earlier sentences. The most probable reading is taken.
+    pub(super) fn explain_all<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'_>,
+        wording: &Wording<'_>,
+        view: View<'_>,
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
+        self.explain_words(domain, words, wording, view, None, explained)?;
+        let can_point = words.has(Class::Here) || !matches!(view.before, Before::Nothing);
+        let Some((rest, prior)) = without(words).filter(|_| can_point) else { return Ok(()) };
+        self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
+    }
+
+    /// How well the tasks explain words with a reference: the remaining words, with the prior of the reading.
+    #[inline(never)]
+    fn explain_recalled<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        (words, rest, prior): (Words<'_>, Words<'_>, f32),
+        wording: &Wording<'_>,
+        view: View<'_>,
+        explained: &mut Explained,
+    ) -> Result<(), AgentError> {
+        let mut other = Explained::NEW;
+        let is_way = rest.iter().any(|word| word.is_toward);
+        for (recalled, share) in readings(words, view.before) {
+            let kind = match view.before {
+                Before::Known(conversation) if recalled.is_of_last_kind() => conversation.last().map(|last| last.lifted),
+                _ => view.kind,
+            };
+            let is_here = recalled.is_here();
+            let has_act = view.has_act || is_here || recalled.is_of_last_kind();
+            let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
+            self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
+            let prior = prior * share * recalled.missing(is_way);
+            // A thing that is not here cannot stay.
+            let absent = if is_here { Scaled::ZERO } else { other.absent };
+            (other.here, other.absent) = (other.here.scaled_by(prior), absent.scaled_by(prior));
+            other.points_back = true;
+            if other.here.exceeds(explained.here) {
+                core::mem::swap(explained, &mut other);
+            }
+        }
+        Ok(())
+    }
+
     /// How well the tasks explain these words; with `recalled`, only the tasks that other words refer to.
     pub(super) fn explain_words<D: Domain + ?Sized>(
         &mut self,
@@ -233,18 +292,6 @@ fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said
     (named, kinds != 0)
 }
 
-/// The number of new words that may name things: those after a known word, "the purple bag".
-pub(super) fn new_names(words: Words<'_>) -> usize {
-    let (mut is_behind, mut phrase) = (false, 0);
-    let may_name = |word: &&Heard| {
-        let may_name = is_behind && word.is_new && word.phrase == phrase;
-        phrase = word.phrase;
-        is_behind = word.count > 0.0 || may_name;
-        may_name
-    };
-    words.iter().filter(may_name).count()
-}
-
 /// The factor on a task's prior if only some tasks of its kind are meant; 0 for the others.
 fn share_among(tasks: &[GroundedTask], task: usize, is_meant: impl Fn(usize) -> bool) -> f32 {
     let Some(kind) = tasks.get(task).filter(|_| is_meant(task)).map(|task| task.lifted) else { return 0.0 };
@@ -252,55 +299,6 @@ fn share_among(tasks: &[GroundedTask], task: usize, is_meant: impl Fn(usize) -> 
     let prior = |(_, task): (usize, &GroundedTask)| task.prior;
     let (all, meant): (f32, f32) = (of_kind().map(prior).sum(), of_kind().filter(|&(at, _)| is_meant(at)).map(prior).sum());
     if meant > 0.0 { all / meant } else { 0.0 }
-}
-
-/// The word after a new word that may be an act word: only words of closed classes precede it, and the last of them is no "I".
-fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
-    let first = words.iter().position(|word| word.classes == Classes::NONE)?;
-    let is_verb = words.get(first)?.is_new && words.iter().filter(|word| word.is_new).count() <= MOST_NEW;
-    // "Grandma sleeps in the red room".
-    let front = || words.iter().take_while(|word| !word.is_toward);
-    let is_told = words.iter().any(|word| word.is_name && !word.is_toward)
-        && front().count() == MOST_NEW
-        && front().all(|word| word.is_new && word.classes == Classes::NONE);
-    let is_verb = is_verb && !is_told;
-    // "All bags": the new word names a thing.
-    let before = first.checked_sub(1).and_then(|before| words.get(before));
-    let is_other = before.is_some_and(|word| word.classes.contains_any(&[Class::All, Class::Speaker]));
-    let asks = words.part(0, first).has(Class::Asking);
-    let known = words.part(first, words.len()).only(|word| !word.is_new);
-    // "Off with you into the red room".
-    let way = known
-        .only(|word| word.count > 0.0 || !word.classes.contains_any(&[Class::Polite, Class::You]))
-        .get(0)
-        .filter(|word| word.is_toward);
-    (is_verb && !is_other && !asks).then(|| way.or_else(|| known.get(0)))
-}
-
-/// Whether no word says what to do, except for words of direction.
-pub(super) fn is_verbless(words: Words<'_>) -> bool {
-    !words.iter().any(|word| word.may_act() && !word.is_toward)
-}
-
-/// Whether a word of direction comes first, apart from words of closed classes.
-pub(super) fn begins_with_way(words: Words<'_>) -> bool {
-    // "Everything to the red room" is about things.
-    let others = [Class::Asking, Class::Speaker, Class::All, Class::It, Class::Other, Class::Same];
-    !words.iter().any(|word| word.classes.contains_any(&others))
-        && words.iter().find(|word| word.is_toward || word.classes == Classes::NONE).is_some_and(|word| word.is_toward)
-}
-
-/// Whether a word of direction stands between names. "The chair next to the red room" is a thing.
-pub(super) fn names_thing_and_way(words: Words<'_>) -> bool {
-    let mut words = words.iter();
-    let mut is_named = false;
-    while let Some(word) = words.next().filter(|word| word.classes == Classes::NONE || word.classes.contains(Class::Polite)) {
-        if word.is_toward {
-            return is_named && words.any(|word| word.is_name);
-        }
-        is_named |= word.is_name;
-    }
-    false
 }
 
 /// The number of different kinds of task.

@@ -1,10 +1,11 @@
 //! The hypotheses about an utterance, and their probabilities.
 
 use super::classes::{Class, Classes};
-use super::explained::{Explained, FOREIGN, new_names};
+use super::explained::{Explained, FOREIGN};
 use super::heard::{Heard, Words, learned};
 use super::place::Place;
-use super::readings::{Parting, all, may_turn, negated};
+use super::readings::{Parting, SEVERAL, all, may_turn, negated};
+use super::syntax::new_names;
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -13,13 +14,10 @@ use crate::session::{Agent, AgentError};
 use core::fmt;
 use heapless::Vec;
 
-/// The prior of each hypothesis; a plain command has the rest.
+/// The prior of each hypothesis; the [readings](super::readings) have their own, and a plain command has the rest.
 const NOTHING: f32 = 0.15;
 const ABSENT: f32 = 0.05;
 const ABOUT: f32 = 0.05;
-pub(super) const NEGATED: f32 = 0.1;
-pub(super) const SEVERAL: f32 = 0.05;
-pub(super) const ALL: f32 = 0.03;
 const TALK: f32 = 0.02;
 /// The prior of a command's opposite if a new word may negate it: as probable as the command.
 const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
@@ -27,8 +25,6 @@ const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
 const FEW: usize = 5;
 /// The weight of "again" after an earlier task, unnormalised.
 const AGAIN: f32 = 1.0;
-/// The probability of a word as a cue for a negation, several commands or all things.
-pub(super) const CUE: f32 = 0.15;
 
 /// A hypothesis about an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -8,7 +8,8 @@
 //!
 //! The modules, in the order in which an utterance passes through them:
 //! - `classes`: closed classes of words, from a table;
-//! - `heard`: the words of the utterance; `slips`: known words that new ones may be slips for;
+//! - `heard`: the words of the utterance; `slips`: known words that new ones may be slips for; `mended`: the words without slips;
+//! - `syntax`: whether they have a verb, ask, report, or have a condition; `reworded`: simpler wordings of them;
 //! - `conversation`: earlier tasks and places; `recalled`: words that refer to them, such as "it" and "there";
 //! - `wording`: how commands are worded in the lessons; `place`: whether words come after another command;
 //! - `told`: places told by a thing, and things told by their place;
@@ -26,12 +27,13 @@ mod explained;
 mod heard;
 mod hypothesis;
 pub(crate) mod listening;
+mod mended;
 mod place;
 mod readings;
 mod recalled;
-mod renamed;
 mod reworded;
 mod slips;
+mod syntax;
 mod told;
 mod verdict;
 mod voice;

@@ -1,10 +1,17 @@
 //! The place of words in an utterance, and how they are read there.
 
-use super::recalled::Before;
-use super::told::ToldTasks;
+use super::conversation::Before;
+use crate::task::TaskSet;
 
 /// The share of each kind of task that goes to tasks that are done already.
 pub(super) const DONE: f32 = 0.08;
+
+/// The tasks that fit words told apart.
+pub(super) struct ToldTasks {
+    pub tasks: TaskSet,
+    /// Whether their place needs no other name.
+    pub is_place: bool,
+}
 
 /// How some words are read.
 #[derive(Clone, Copy)]

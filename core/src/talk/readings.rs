@@ -1,12 +1,10 @@
 //! Readings of an utterance that differ from one plain command: negated commands, all things of a kind, and several commands.
 
 use super::classes::{Class, Classes};
-use super::explained::{Explained, begins_with_way};
+use super::explained::Explained;
 use super::heard::{Heard, Words, learned};
-use super::hypothesis::{ALL, CUE, NEGATED, SEVERAL};
 use super::place::{Place, View};
-use super::reworded::stays_by_name;
-use super::verdict::is_question;
+use super::syntax::{begins_with_way, is_question, stays_by_name};
 use super::wording::Wording;
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
@@ -17,6 +15,12 @@ use crate::task::TaskSet;
 use crate::task::grounded::is_thing;
 use heapless::Vec;
 
+/// The priors of a negation, of several commands and of all things of a kind.
+const NEGATED: f32 = 0.1;
+pub(super) const SEVERAL: f32 = 0.05;
+const ALL: f32 = 0.03;
+/// The probability of a word as a cue for a negation, several commands or all things.
+const CUE: f32 = 0.15;
 /// The share of tasks that hold already, if a change may be asked for or not.
 pub(super) const EITHER: f32 = 0.5;
 /// The same if a change is asked for, and the task's goal is to be undone.

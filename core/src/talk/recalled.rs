@@ -4,15 +4,9 @@
 //! referred to needs no name.
 
 use super::classes::Class;
-use super::conversation::{Conversation, Fact};
-use super::explained::Explained;
+use super::conversation::{Before, Fact};
 use super::heard::{Words, learned};
-use super::place::View;
-use super::wording::Wording;
-use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
-use crate::probability::Scaled;
-use crate::session::{Agent, AgentError};
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
 
@@ -23,17 +17,6 @@ const CUE: f32 = 0.6;
 const MISSING: f32 = 10.0;
 /// The share of a reading in which the place is a new one: "bring it back to the red room".
 const ELSEWHERE: f32 = 0.3;
-
-/// What words can refer to.
-#[derive(Clone, Copy)]
-pub(super) enum Before<'c> {
-    /// No earlier task.
-    Nothing,
-    /// The conversation of earlier tasks.
-    Known(&'c Conversation),
-    /// A part of the same utterance that is not done yet.
-    Open,
-}
 
 /// How the words restrict the place.
 #[derive(Clone, Copy, PartialEq)]
@@ -88,6 +71,18 @@ impl Recalled<'_> {
         self.place == Place::Here
     }
 
+    /// Whether only a task of the last one's kind fits.
+    pub const fn is_of_last_kind(&self) -> bool {
+        matches!(self.thing, Thing::Other | Thing::Named)
+    }
+
+    /// The factor for words that a command would have and that are missing here. `is_way`: whether a word of direction remains.
+    pub fn missing(&self, is_way: bool) -> f32 {
+        let is_same = self.thing == Thing::Named;
+        let missing = [self.has_thing(), self.has_place() && !(self.is_here() && is_way), is_same, is_same];
+        missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING)
+    }
+
     /// Whether a task fits the words that refer: it has one proposition, about a subject and its place, and no way.
     pub fn fits<D: Domain + ?Sized>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
         let world = domain.world();
@@ -118,7 +113,7 @@ impl Recalled<'_> {
 }
 
 /// The words without those that refer, and the probability of the reference.
-fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
+pub(super) fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
     // "Stay" refers to the present place, not to an earlier sentence.
     let is_here = words.has(Class::Here);
     let mut probability = if is_here { 1.0 } else { POINTS_BACK };
@@ -140,7 +135,7 @@ fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
 }
 
 /// The possible references of the words, each with its share.
-fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
+pub(super) fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (Recalled<'c>, f32)> {
     let thing = if words.has(Class::Other) {
         Thing::Other
     } else if words.has(Class::Same) && !words.has(Class::There) {
@@ -162,83 +157,4 @@ fn readings<'c>(words: Words<'_>, before: Before<'c>) -> impl Iterator<Item = (R
         &[(Place::Free, 1.0)]
     };
     places.iter().map(move |&(place, share)| (Recalled { before, thing, place }, share))
-}
-
-impl<M: AgentMemory> Agent<M> {
-    /// How well the tasks here explain these words, some of which may refer to earlier sentences. The most probable reading is taken.
-    pub(super) fn explain_all<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        words: Words<'_>,
-        wording: &Wording<'_>,
-        view: View<'_>,
-        explained: &mut Explained,
-    ) -> Result<(), AgentError> {
-        self.explain_words(domain, words, wording, view, None, explained)?;
-        let can_point = words.has(Class::Here) || !matches!(view.before, Before::Nothing);
-        let Some((rest, prior)) = without(words).filter(|_| can_point) else { return Ok(()) };
-        self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
-    }
-
-    /// How well the tasks explain words with a reference: the remaining words, with the prior of the reading.
-    #[inline(never)]
-    fn explain_recalled<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        (words, rest, prior): (Words<'_>, Words<'_>, f32),
-        wording: &Wording<'_>,
-        view: View<'_>,
-        explained: &mut Explained,
-    ) -> Result<(), AgentError> {
-        let mut other = Explained::NEW;
-        let is_way = rest.iter().any(|word| word.is_toward);
-        for (recalled, share) in readings(words, view.before) {
-            let kind = match view.before {
-                Before::Known(conversation) if matches!(recalled.thing, Thing::Other | Thing::Named) => {
-                    conversation.last().map(|last| last.lifted)
-                }
-                _ => view.kind,
-            };
-            let is_here = recalled.is_here();
-            let has_act = view.has_act || is_here || matches!(recalled.thing, Thing::Other | Thing::Named);
-            let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
-            self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
-            // Words that a command would have are missing.
-            let is_same = recalled.thing == Thing::Named;
-            let missing = [recalled.has_thing(), recalled.has_place() && !(is_here && is_way), is_same, is_same];
-            let missing = missing.into_iter().filter(|&is_missing| is_missing).fold(1.0, |product, _| product * MISSING);
-            let prior = prior * share * missing;
-            // A thing that is not here cannot stay.
-            let absent = if is_here { Scaled::ZERO } else { other.absent };
-            (other.here, other.absent) = (other.here.scaled_by(prior), absent.scaled_by(prior));
-            other.points_back = true;
-            if other.here.exceeds(explained.here) {
-                core::mem::swap(explained, &mut other);
-            }
-        }
-        Ok(())
-    }
-
-    /// The position of the last task in the session, if the words ask for it again and for nothing else.
-    pub(super) fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
-        let Before::Known(conversation) = before else { return None };
-        let last = conversation.last()?;
-        let asks = words.iter().any(|word| word.classes.contains(Class::Again) && !word.classes.contains_any(&[Class::Back, Class::Undo]));
-        let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
-        (asks && (!explained.acts || explained.signed.contains(task))).then_some(task)
-    }
-}
-
-impl Explained {
-    /// The words that name objects. References change with each use, so nothing is learned of them.
-    pub(super) fn naming<'w>(&self, words: Words<'w>) -> Words<'w> {
-        if self.points_back { without(words).map_or(words, |(rest, _)| rest) } else { words }
-    }
-
-    /// Keeps one task alone.
-    pub(super) fn keep_only(&mut self, task: usize) {
-        for (position, weight) in self.weights.iter_mut().enumerate() {
-            *weight = if position == task { Scaled::ONE } else { Scaled::ZERO };
-        }
-    }
 }

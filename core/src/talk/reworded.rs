@@ -1,8 +1,8 @@
 //! Simpler wordings of an utterance: its words in another order, or without those that are taken back.
 
 use super::classes::{Class, Classes};
-use super::explained::{begins_with_way, is_verbless, names_thing_and_way};
 use super::heard::{Heard, Words};
+use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, stays_by_name};
 
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
@@ -139,11 +139,6 @@ pub(super) fn left(words: Words<'_>) -> Option<Words<'_>> {
     let is_other = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::From, Class::But]);
     let rest = words.only(|word| !word.leaves);
     (rest.len() < words.len() && !words.iter().any(is_other) && (stays_by_name(rest) || names_thing_and_way(rest))).then_some(rest)
-}
-
-/// Whether something is named before a word such as "here": "leave the bag here", but not "leave this red room".
-pub(super) fn stays_by_name(words: Words<'_>) -> bool {
-    words.at(Class::Here).is_some_and(|here| words.part(0, here).iter().any(|word| word.is_name))
 }
 
 /// The words without polite words in the middle of a command: "geh doch mal bitte ins rote Zimmer".

@@ -1,17 +1,12 @@
 //! Slips of the pen: known words that new words may be slips for.
 
-use super::classes::{Classes, ClosedWords};
-use super::heard::Utterance;
-use super::renamed::{RENAMED, renamed};
-use crate::capacity::CapacityError;
-use crate::language::roles::talk::{is_name, is_of_task};
+use crate::language::LanguageRef;
+use crate::language::roles::talk::is_of_task;
 use crate::language::spelling::is_slip_of_any_length;
-use crate::language::{LanguageRef, for_each_piece};
 use crate::symbols::Symbol;
 
-/// The probability that a word is mistyped, alone and beside another mistyped word.
+/// The probability that a word is mistyped.
 pub(super) const SLIP: f32 = 0.02;
-const ANOTHER_SLIP: f32 = 0.15;
 /// The probability of each letter of a new word, and of a new word before its letters.
 const LETTER: f32 = 1.0 / 12.0;
 const NEW_SPELLING: f32 = 0.2;
@@ -77,52 +72,4 @@ fn ending_of_plural<'p>(piece: &'p str, known: &str) -> Option<&'p str> {
 pub(super) fn is_plural(piece: &str, known: &str) -> bool {
     let is_of_plural = |letter| matches!(letter, b'e' | b's' | b'n' | b'r' | b'x');
     ending_of_plural(piece, known).is_some_and(|ending| !ending.is_empty() && ending.bytes().all(is_of_plural))
-}
-
-/// Mends slips of the pen; returns whether there are any. Hasty typing affects a whole sentence.
-pub(super) fn mend(
-    language: LanguageRef<'_>,
-    closed: ClosedWords<'_>,
-    utterance: &str,
-    words: &Utterance,
-    mended: &mut Utterance,
-) -> Result<bool, CapacityError> {
-    let mut slips = 0_usize;
-    mended.clone_from(words);
-    for rate in [SLIP, ANOTHER_SLIP] {
-        let mut position = 0_usize;
-        // The first word is no slip for the name of a thing.
-        let first = words.iter().position(|word| word.classes == Classes::NONE);
-        for_each_piece(utterance, |piece| {
-            let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
-            let word = at.and_then(|at| words.get(at));
-            if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))
-                && let Some((symbol, slip)) = slip_for(language, piece, rate)
-                && (rate == SLIP || slips > 1)
-                && !(at == first && is_name(language.tables(), Some(symbol)))
-            {
-                slips = slips.saturating_add(usize::from(rate == SLIP));
-                *slot = word.mended(language, symbol, slip);
-                slot.is_plural = slot.is_name && is_plural(piece, language.words().text(symbol));
-            }
-            position = position.saturating_add(1);
-            Ok(())
-        })?;
-    }
-    for at in 0..mended.len() {
-        if let Some(word) = mended.get(at).filter(|word| word.is_new)
-            && let Some(symbol) = renamed(language, mended, at)
-        {
-            let word = word.mended(language, symbol, RENAMED);
-            mended.iter_mut().skip(at).take(1).for_each(|slot| *slot = word);
-            slips = slips.saturating_add(1);
-        }
-    }
-    for word in mended.iter_mut() {
-        if let Some(usual) = word.as_usual_way(language, closed) {
-            *word = usual;
-            slips = slips.saturating_add(1);
-        }
-    }
-    Ok(slips > 0)
 }

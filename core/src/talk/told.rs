@@ -7,21 +7,13 @@ use super::classes::{Class, Classes};
 use super::conversation::place_of;
 use super::explained::Explained;
 use super::heard::{Heard, Words};
-use super::place::View;
+use super::place::{ToldTasks, View};
 use super::readings::from_place;
 use super::reworded::OF_SENTENCES;
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, ObjectId};
 use crate::session::{Agent, AgentError};
-use crate::task::TaskSet;
-
-/// The tasks that fit words told apart.
-pub(super) struct ToldTasks {
-    pub tasks: TaskSet,
-    /// Whether their place needs no other name.
-    pub is_place: bool,
-}
 
 /// A command, and the words that tell its place by a thing, or its thing by a place.
 struct Apart<'w> {

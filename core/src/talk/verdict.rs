@@ -1,12 +1,14 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::classes::{Class, Classes};
-use super::explained::{Explained, new_names};
-use super::heard::{Heard, Words};
+use super::classes::Class;
+use super::conversation::Before;
+use super::explained::Explained;
+use super::heard::Words;
 use super::hypothesis::Hypothesis;
 use super::place::{Place, View};
 use super::readings::{all, has_more, is_of_several, negated};
 use super::reworded::reversed;
+use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_question, new_names, tells};
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, ObjectId};
@@ -16,11 +18,6 @@ use crate::task::TaskSet;
 
 /// A done task of the same kind makes the verdict unsure if it explains the words at least a fifth as well.
 const RIVAL: f32 = 5.0;
-/// The number of words after "if" that name a condition.
-const NAMES_A_CASE: usize = 4;
-
-/// Fewer new words before the verb are an exclamation.
-const LEAST_SUBJECT: usize = 2;
 
 /// The verdict on an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -175,6 +172,15 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
     }
 
+    /// The position of the last task in the session, if the words ask for it again and for nothing else.
+    fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
+        let Before::Known(conversation) = before else { return None };
+        let last = conversation.last()?;
+        let asks = words.iter().any(|word| word.classes.contains(Class::Again) && !word.classes.contains_any(&[Class::Back, Class::Undo]));
+        let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
+        (asks && (!explained.acts || explained.signed.contains(task))).then_some(task)
+    }
+
     /// The first object of a task of one proposition.
     pub(super) fn thing(&self, task: usize) -> Option<ObjectId> {
         let task = self.task(task);
@@ -199,94 +205,4 @@ impl<M: AgentMemory> Agent<M> {
         };
         !done.contains(task) && done.iter().any(is_rival)
     }
-}
-
-/// Whether a new word stands between known ones.
-fn has_new_name(words: Words<'_>) -> bool {
-    // Whether there was a known word, and a new one after it.
-    let (mut has_known, mut has_new) = (false, false);
-    words.iter().any(|word| {
-        let is_known = word.count > 0.0;
-        has_new |= has_known && word.is_new;
-        has_known |= is_known;
-        is_known && has_new
-    })
-}
-
-/// Whether the first word outside all closed classes is new.
-fn begins_with_new_word(words: Words<'_>) -> bool {
-    words.iter().find(|word| word.classes == Classes::NONE && !word.is_toward).is_some_and(|word| word.is_new)
-}
-
-/// Whether the words report an action: "I go to the red room", "my sister went", "the dog takes the bag". "I want you to go" and "I want
-/// the bag there" are requests, and a new word that begins a command is an exclamation.
-fn tells(words: Words<'_>) -> bool {
-    let (mut is_speaker, mut is_other, mut has_verb) = (false, false, false);
-    let mut before: Option<&Heard> = None;
-    // "Tomorrow Paul will take": several new words, perhaps after an article, before the verb. Two signs make a word.
-    let is_plain = |word: &Heard| word.count > 0.0 && word.is_plain() && word.classes == Classes::NONE && !word.is_toward;
-    let has_article = words.get(0).is_some_and(|word| word.is_article || is_plain(word));
-    let (mut at, mut subject) = (usize::from(has_article), 0_usize);
-    while let Some(word) = words.get(at).filter(|word| word.is_new_word() && word.classes == Classes::NONE) {
-        (at, subject) = (at.saturating_add(1), subject.saturating_add(if word.is_sign { 1 } else { 2 }));
-    }
-    let verb = words.iter().skip(at).find(|word| !word.classes.contains(Class::Polite));
-    // "The vacuum cleaner goes to the red room".
-    let is_thing = has_article && subject > 0;
-    if verb.is_some_and(|verb| {
-        if is_thing { verb.may_act() || verb.is_toward } else { subject / 2 >= LEAST_SUBJECT && verb.is_of_task && !verb.is_toward }
-    }) {
-        return true;
-    }
-    // "You went to the red room".
-    if words.get(0).is_some_and(|word| word.classes.contains(Class::You)) && words.get(1).is_some_and(Heard::is_new_word) {
-        return true;
-    }
-    // "I saw you go", "I never said that you should".
-    let (mut tells, mut is_seen, mut is_subject) = (false, false, false);
-    let (mut speaks, is_told) = (false, words.has(Class::You));
-    for word in words.iter().take_while(|word| !word.is_name) {
-        let is_of = |class| word.classes.contains(class);
-        is_seen |= is_subject && word.is_new_word();
-        speaks |= is_of(Class::Speaker);
-        is_subject = is_of(Class::Speaker) || is_subject && is_of(Class::Negation);
-        // "I want to go" reports about the speaker.
-        let is_wished = before.is_some_and(|before| before.classes.contains(Class::Wish)) && !word.is_toward;
-        is_speaker &= !is_wished;
-        tells |= !word.is_toward && (is_speaker && word.may_act() || is_other && !has_verb && word.is_of_task);
-        let goes_on = is_of(Class::Polite) || is_of(Class::Asking);
-        is_speaker = is_speaker && goes_on || is_of(Class::Speaker);
-        // "The dog", "dad is". After a verb it is a thing.
-        let is_new = |word: &Heard| word.is_new_word() && word.classes == Classes::NONE;
-        is_other = is_other && goes_on
-            || before.is_some_and(|before| {
-                before.count > 0.0 && before.classes == Classes::NONE && is_new(word) || is_new(before) && is_of(Class::Asking)
-            });
-        has_verb |= word.is_of_task && !word.is_toward;
-        before = Some(word);
-    }
-    // "I like the red room" has neither an act word nor a direction.
-    let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    if is_told { is_seen } else { tells || speaks && !asks }
-}
-
-/// Whether the words hold only under an unknown condition, or later: "if it rains", "until I say so", "tomorrow". "If you like" is no
-/// condition, and "I'd be glad if you went" is a request.
-fn has_condition(words: Words<'_>) -> bool {
-    let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
-    let Some(at) = words.iter().position(is_if) else { return false };
-    let case = words.part(at.saturating_add(1), at.saturating_add(NAMES_A_CASE));
-    let is_polite = case.get(0).is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
-    let is_glad = at > 0 && words.has(Class::You) && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
-    !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
-}
-
-/// Whether the words are a question or a report: they have a question word that no lesson had, or a question mark and no polite word.
-pub(super) fn is_question(words: Words<'_>) -> bool {
-    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains_any(&[Class::Polite, Class::Wish]);
-    let is_polite = |word: &Heard| word.classes.contains(Class::Polite) && !word.classes.contains(Class::Speaker);
-    let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
-    // "The bag was there", and the particle at the end of a request: 吗.
-    let mut known = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
-    known.any(|word| word.count == 0.0 && asks(word)) || words.is_asked && !words.iter().any(is_polite)
 }
