@@ -1,7 +1,8 @@
-//! Errors of a text: the place, the fault and the remedy.
+//! Errors of a text: the place, the fault and the remedy, for every format.
 
 use std::fmt;
 
+use crate::quoted::{excerpt, quoted};
 use crate::task_text::TaskTextError;
 
 /// The versions of the file formats that this crate reads. It writes the last of them.
@@ -324,21 +325,6 @@ impl fmt::Display for FormatError {
 }
 
 impl std::error::Error for FormatError {}
-
-/// The beginning of a text in quotes, with unprintable characters escaped: it comes from a file and goes to a terminal.
-pub fn quoted(text: &str) -> String {
-    let text = excerpt(text, 80);
-    // On the page, Rust's tables of printable characters would take two kilobytes.
-    if cfg!(target_family = "wasm") { format!("\"{text}\"") } else { format!("{text:?}") }
-}
-
-/// The beginning of a text, at most this many characters.
-pub(crate) fn excerpt(text: &str, characters: usize) -> String {
-    match text.char_indices().nth(characters) {
-        Some((cut, _)) => format!("{}…", &text[..cut]),
-        None => text.to_string(),
-    }
-}
 
 fn alternatives(words: &[&str]) -> String {
     match words {

@@ -4,7 +4,8 @@
 //! the checked text, so its address gives its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both on
 //! more than 10,000 texts.
 
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem, excerpt};
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::quoted::excerpt;
 
 mod scan;
 mod source;

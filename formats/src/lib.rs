@@ -29,9 +29,11 @@ pub mod map;
 pub mod microbit;
 pub mod pddl;
 pub mod posterior;
+mod quoted;
 pub mod session;
 pub mod task_text;
 mod weights;
 pub mod world;
 
-pub use error::{FormatError, KNOWN_VERSIONS, Problem, quoted};
+pub use error::{FormatError, KNOWN_VERSIONS, Problem};
+pub use quoted::quoted;

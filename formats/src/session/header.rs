@@ -5,12 +5,23 @@ use std::ops::Not;
 
 use serde::Serialize;
 
-use super::record::{Kind, StepRecord, write};
 use crate::environment::EnvironmentFile;
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::error::{FormatError, Problem};
 use crate::json::{Node, Object};
 use crate::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 use crate::weights;
+
+/// How the trainer teaches in a session.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// The robot acts, and the trainer judges each step.
+    Feedback,
+    /// The trainer shows the task.
+    Demonstration,
+    /// The session gives the task, without steps.
+    Labelled,
+}
 
 /// A line of type `session`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -141,11 +152,6 @@ impl SessionHeader {
         own.chain(moves.filter(|_| self.actions.is_none()))
     }
 
-    /// The header on one line, without a line end. It is an error if the line could not be read again.
-    pub fn to_json_line(&self) -> Result<String, FormatError> {
-        write("session", KNOWN_VERSIONS.last().copied(), self)
-    }
-
     pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
         fields.version()?;
         fields.only(FIELDS)?;
@@ -234,32 +240,6 @@ impl SessionHeader {
     /// Whether the intended task has a way.
     pub fn has_way(&self) -> bool {
         self.before.is_some() || self.through.is_some() || self.avoiding.is_some()
-    }
-
-    /// Refuses an answer in a session without feedback.
-    pub(crate) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
-        if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
-    }
-
-    /// Refuses a step that this session cannot have.
-    pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
-        if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
-            let found = step.action.clone();
-            let known = self.action_names().map(str::to_string).collect();
-            return Err(FormatError::new(line, Problem::UnknownAction { found, known }).with_field("action"));
-        }
-        self.check_feedback(step, line)
-    }
-
-    /// Refuses feedback that a session of this kind cannot have.
-    pub(crate) fn check_feedback(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
-        let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
-        match (self.kind, step.feedback) {
-            (Kind::Labelled, _) => Err(FormatError::new(line, Problem::StepInLabelled)),
-            (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
-            (Kind::Demonstration, Some(_)) => wrong("feedback", Problem::FeedbackInDemonstration),
-            _ => Ok(()),
-        }
     }
 }
 

@@ -1,23 +1,11 @@
-//! The lines of a log.
+//! The lines of a log, and which of them a session can have.
 
 use serde::Serialize;
 
-use super::header::SessionHeader;
-use crate::error::{FormatError, Problem};
+use super::header::{Kind, SessionHeader};
+use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
 use crate::json::{Object, Source};
 use crate::task_text::GroundTaskText;
-
-/// How the trainer teaches in a session.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// The robot acts, and the trainer judges each step.
-    Feedback,
-    /// The trainer shows the task.
-    Demonstration,
-    /// The session gives the task, without steps.
-    Labelled,
-}
 
 /// The trainer's feedback to a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -110,7 +98,7 @@ struct Typed<'a, T> {
 }
 
 /// Writes a record, and checks that it can be read again.
-pub(super) fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
+fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
     let typed = Typed { kind, version, record };
     let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
     Record::parse(&line, 1)?;
@@ -124,6 +112,39 @@ impl FeedbackWord {
             FeedbackWord::Reward => "reward",
             FeedbackWord::Punish => "punish",
             FeedbackWord::Neutral => "neutral",
+        }
+    }
+}
+
+impl SessionHeader {
+    /// The header on one line, without a line end. It is an error if the line could not be read again.
+    pub fn to_json_line(&self) -> Result<String, FormatError> {
+        write("session", KNOWN_VERSIONS.last().copied(), self)
+    }
+
+    /// Refuses an answer in a session without feedback.
+    pub(crate) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
+        if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
+    }
+
+    /// Refuses a step that this session cannot have.
+    pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
+        if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
+            let found = step.action.clone();
+            let known = self.action_names().map(str::to_string).collect();
+            return Err(FormatError::new(line, Problem::UnknownAction { found, known }).with_field("action"));
+        }
+        self.check_feedback(step, line)
+    }
+
+    /// Refuses feedback that a session of this kind cannot have.
+    pub(crate) fn check_feedback(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
+        let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
+        match (self.kind, step.feedback) {
+            (Kind::Labelled, _) => Err(FormatError::new(line, Problem::StepInLabelled)),
+            (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
+            (Kind::Demonstration, Some(_)) => wrong("feedback", Problem::FeedbackInDemonstration),
+            _ => Ok(()),
         }
     }
 }

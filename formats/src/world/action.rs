@@ -1,46 +1,12 @@
-//! The actions of a robot in a world, with conditions, effects and costs.
+//! Reads the actions of a robot in a world, with conditions, effects and costs.
 
 use std::collections::BTreeMap;
 
-use super::file::WorldClasses;
+use super::classes::{WorldClasses, usable};
+use super::file::{ActionOfWorld, Literal, Term};
 use crate::error::{FormatError, Problem};
 use crate::json::Node;
 use crate::task_text::GroundAtomText;
-
-/// An action of a world.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ActionOfWorld {
-    /// Its name.
-    pub name: String,
-    /// Its parameters without their `?`, each with its class. Each choice of objects for them is an action of the robot.
-    pub parameters: Vec<(String, String)>,
-    /// Propositions that must hold, or must not hold, before it.
-    pub conditions: Vec<Literal>,
-    /// Propositions that hold, or no longer hold, after it.
-    pub effects: Vec<Literal>,
-    /// Its cost, 1 to 16.
-    pub cost: u8,
-}
-
-/// A proposition of an action, or its opposite.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Literal {
-    /// Whether the proposition is negated.
-    pub negated: bool,
-    /// The proposition.
-    pub proposition: String,
-    /// Its arguments.
-    pub terms: Vec<Term>,
-}
-
-/// An argument of a proposition of an action.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Term {
-    /// A variable, without its `?`: a parameter, or a variable with a value from a condition.
-    Variable(String),
-    /// An object.
-    Object(String),
-}
 
 /// Replaces `?` while a proposition is read: a character of Unicode's private area.
 const VARIABLE: &str = "\u{e000}";
@@ -52,7 +18,7 @@ impl ActionOfWorld {
     pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
         let fields = node.clone().object()?;
         fields.only(&["name", "parameters", "conditions", "effects", "cost"])?;
-        let name = super::file::usable(&fields.required("name")?)?;
+        let name = usable(&fields.required("name")?)?;
         let mut classes: BTreeMap<String, String> = BTreeMap::new();
         let mut parameters = Vec::new();
         if let Some(node) = fields.optional("parameters") {

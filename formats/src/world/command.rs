@@ -1,6 +1,7 @@
 //! Commands in worlds, with the intended propositions.
 
-use super::file::{WorldClasses, WorldFile};
+use super::classes::WorldClasses;
+use super::file::WorldFile;
 use crate::error::FormatError;
 use crate::json::Object;
 use crate::task_text::GroundAtomText;

@@ -1,11 +1,6 @@
 //! The description of a world.
 
-use std::collections::{BTreeMap, BTreeSet};
-
-use super::action::ActionOfWorld;
-use crate::error::{FormatError, Problem};
-use crate::json::{Node, Object, Source};
-use crate::task_text::{GroundAtomText, LiftedTaskText, TaskTextError, is_usable_name};
+use crate::task_text::{GroundAtomText, LiftedTaskText};
 
 /// A world: its vocabulary and its objects.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -41,253 +36,37 @@ pub struct ObjectOfWorld {
     pub attributes: Vec<(String, String)>,
 }
 
-const FIELDS: &[&str] = &[
-    "type",
-    "name",
-    "classes",
-    "attributes",
-    "propositions",
-    "objects",
-    "facts",
-    "task_kinds",
-    "license",
-    "source",
-    "variables",
-    "actions",
-];
-
-impl WorldFile {
-    /// Reads a world, on one line or on several.
-    ///
-    /// # Errors
-    /// The fault, and its place.
-    pub fn parse(text: &str) -> Result<Self, FormatError> {
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let source = Source::new(text, 1);
-        let fields = source.root()?.object()?;
-        fields.required("type")?.word(&["world"])?;
-        Self::read(&fields)
-    }
-
-    pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
-        fields.only(FIELDS)?;
-        for name in ["license", "source"] {
-            fields.optional(name).map(|node| node.text()).transpose()?;
-        }
-        let mut world = Self { name: fields.required("name")?.filled_text()?, ..Self::default() };
-        world.classes = names(&fields.required("classes")?)?;
-        world.attributes = world.of_classes(fields.required("attributes")?, false)?;
-        world.propositions = world.of_classes(fields.required("propositions")?, true)?;
-        world.read_objects(&fields.required("objects")?)?;
-        if let Some(facts) = fields.optional("facts") {
-            world.facts = WorldClasses::of(&world).atoms(&facts)?;
-        }
-        if let Some(variables) = fields.optional("variables") {
-            world.read_variables(&variables)?;
-        }
-        if let Some(actions) = fields.optional("actions") {
-            world.read_actions(&actions)?;
-        }
-        for node in fields.required("task_kinds")?.filled_list()? {
-            let kind: LiftedTaskText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
-            world.check_kind(&node, &kind)?;
-            if world.task_kinds.contains(&kind) {
-                return Err(node.error(Problem::DuplicateName { name: kind.to_string() }));
-            }
-            world.task_kinds.push(kind);
-        }
-        Ok(world)
-    }
-
-    /// Reads an object from names to lists of classes.
-    fn of_classes(&self, node: Node<'_>, filled: bool) -> Result<Vec<(String, Vec<String>)>, FormatError> {
-        let mut all = Vec::new();
-        for (name, node) in node.object()?.entries() {
-            if !is_usable_name(name) {
-                return Err(node.error(Problem::Task(TaskTextError::UnusableName { name: name.to_owned() })));
-            }
-            let mut classes = Vec::new();
-            for item in if filled { node.filled_list()? } else { node.list()? } {
-                let class = item.text()?;
-                if !self.classes.contains(&class) {
-                    return Err(item.error(Problem::NotInWorld { what: "class", name: class }));
-                }
-                classes.push(class);
-            }
-            all.push((name.to_owned(), classes));
-        }
-        Ok(all)
-    }
-
-    fn read_objects(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
-        let mut seen = BTreeSet::new();
-        for node in list.filled_list()? {
-            let fields = node.object()?;
-            fields.only(&["name", "class", "attributes"])?;
-            let name_node = fields.required("name")?;
-            let name = usable(&name_node)?;
-            if !seen.insert(name.clone()) {
-                return Err(name_node.error(Problem::DuplicateName { name }));
-            }
-            let class_node = fields.required("class")?;
-            let class = class_node.text()?;
-            if !self.classes.contains(&class) {
-                return Err(class_node.error(Problem::NotInWorld { what: "class", name: class }));
-            }
-            let mut attributes = Vec::new();
-            if let Some(node) = fields.optional("attributes") {
-                for (attribute, value) in node.object()?.entries() {
-                    let Some((_, carriers)) = self.attributes.iter().find(|(known, _)| known == attribute) else {
-                        return Err(value.error(Problem::NotInWorld { what: "attribute", name: attribute.to_owned() }));
-                    };
-                    if !carriers.contains(&class) {
-                        return Err(value.error(Problem::NotCarried { class }));
-                    }
-                    attributes.push((attribute.to_owned(), value.filled_text()?));
-                }
-            }
-            self.objects.push(ObjectOfWorld { name, class, attributes });
-        }
-        Ok(())
-    }
-
-    fn read_variables(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
-        for node in list.list()? {
-            let name = node.text()?;
-            let Some((_, classes)) = self.propositions.iter().find(|(known, _)| *known == name) else {
-                return Err(node.error(Problem::NotInWorld { what: "proposition", name }));
-            };
-            if let Some(class) = classes.last().filter(|class| self.objects.iter().all(|object| object.class != **class)) {
-                return Err(node.error(Problem::NoValues { class: class.clone() }));
-            }
-            if self.variables.contains(&name) {
-                return Err(node.error(Problem::DuplicateName { name }));
-            }
-            self.variables.push(name);
-        }
-        Ok(())
-    }
-
-    fn read_actions(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
-        let mut actions: Vec<ActionOfWorld> = Vec::new();
-        let known = WorldClasses::of(self);
-        for node in list.list()? {
-            let action = ActionOfWorld::read(&node, &known)?;
-            if actions.iter().any(|other| other.name == action.name) {
-                return Err(node.error(Problem::DuplicateName { name: action.name }));
-            }
-            actions.push(action);
-        }
-        self.actions = actions;
-        Ok(())
-    }
-
-    /// Checks that a kind of task has propositions of the world, and one class for each variable.
-    fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
-        let way = kind.way();
-        if !(way.before.is_empty() && way.through.is_empty() && way.avoiding.is_empty()) {
-            return Err(node.error(Problem::KindWithWay));
-        }
-        let mut classes: BTreeMap<&str, &str> = BTreeMap::new();
-        for atom in kind.atoms() {
-            let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
-            for (variable, class) in atom.variables().iter().zip(parameters) {
-                if *classes.entry(variable).or_insert(class) != class {
-                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}").into(), class: class.as_str().into() }));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// The classes of a proposition's arguments, if their number is right.
-    pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
-        match self.propositions.iter().find(|(name, _)| name == function) {
-            None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
-            Some((_, parameters)) if parameters.len() != given => {
-                Err(node.error(Problem::ArgumentCount { name: function.into(), given, wanted: parameters.len() }))
-            }
-            Some((_, parameters)) => Ok(parameters),
-        }
-    }
+/// An action of a world.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ActionOfWorld {
+    /// Its name.
+    pub name: String,
+    /// Its parameters without their `?`, each with its class. Each choice of objects for them is an action of the robot.
+    pub parameters: Vec<(String, String)>,
+    /// Propositions that must hold, or must not hold, before it.
+    pub conditions: Vec<Literal>,
+    /// Propositions that hold, or no longer hold, after it.
+    pub effects: Vec<Literal>,
+    /// Its cost, 1 to 16.
+    pub cost: u8,
 }
 
-/// The line, counted from 1, of a field such as `objects[3]`, `propositions.at` or `actions` in the text of a world, for errors of the
-/// world as a whole.
-pub fn field_line(text: &str, field: &str) -> Option<usize> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let source = Source::new(text, 1);
-    let world = source.root().ok()?.object().ok()?;
-    let end = field.find(['[', '.']).unwrap_or(field.len());
-    let (name, rest) = field.split_at(end);
-    let node = world.optional(name)?;
-    if let Some(position) = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
-        return node.list().ok()?.get(position.parse::<usize>().ok()?).map(Node::line);
-    }
-    match rest.strip_prefix('.') {
-        Some(entry) => node.object().ok()?.optional(entry).map(|node| node.line()),
-        None => Some(node.line()),
-    }
+/// A proposition of an action, or its opposite.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Literal {
+    /// Whether the proposition is negated.
+    pub negated: bool,
+    /// The proposition.
+    pub proposition: String,
+    /// Its arguments.
+    pub terms: Vec<Term>,
 }
 
-/// A world with a table of its objects' classes.
-pub(super) struct WorldClasses<'w> {
-    world: &'w WorldFile,
-    classes: BTreeMap<&'w str, &'w str>,
-}
-
-impl<'w> WorldClasses<'w> {
-    pub(super) fn of(world: &'w WorldFile) -> Self {
-        WorldClasses { world, classes: world.objects.iter().map(|object| (object.name.as_str(), object.class.as_str())).collect() }
-    }
-
-    pub(super) const fn world(&self) -> &'w WorldFile {
-        self.world
-    }
-
-    pub(super) fn class_of(&self, object: &str) -> Option<&'w str> {
-        self.classes.get(object).copied()
-    }
-
-    /// Propositions about the world's objects.
-    pub(super) fn atoms(&self, list: &Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
-        list.list()?.iter().map(|node| self.atom(node)).collect()
-    }
-
-    fn atom(&self, node: &Node<'_>) -> Result<GroundAtomText, FormatError> {
-        let atom: GroundAtomText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
-        if atom.is_negated() {
-            return Err(node.error(Problem::Negated));
-        }
-        let parameters = self.world.parameters(node, atom.function(), atom.arguments().len())?;
-        for (argument, class) in atom.arguments().iter().zip(parameters) {
-            match self.classes.get(argument.as_str()) {
-                None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
-                Some(known) if known != class => {
-                    return Err(node.error(Problem::WrongClass { name: argument.as_str().into(), class: class.as_str().into() }));
-                }
-                Some(_) => {}
-            }
-        }
-        Ok(atom)
-    }
-}
-
-/// A list of usable names without repetition.
-fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
-    let mut names = Vec::new();
-    let mut seen = BTreeSet::new();
-    for node in list.filled_list()? {
-        let name = usable(&node)?;
-        if !seen.insert(name.clone()) {
-            return Err(node.error(Problem::DuplicateName { name }));
-        }
-        names.push(name);
-    }
-    Ok(names)
-}
-
-pub(super) fn usable(node: &Node<'_>) -> Result<String, FormatError> {
-    let name = node.text()?;
-    if is_usable_name(&name) { Ok(name) } else { Err(node.error(Problem::Task(TaskTextError::UnusableName { name }))) }
+/// An argument of a proposition of an action.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Term {
+    /// A variable, without its `?`: a parameter, or a variable with a value from a condition.
+    Variable(String),
+    /// An object.
+    Object(String),
 }

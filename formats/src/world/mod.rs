@@ -37,6 +37,8 @@
 //! | `before` | the ids of earlier commands of the same sequence; may be absent |
 //! | `language`, `part` | for people; may be absent |
 //!
+//! The faults of a world are worded in [`Problem`](crate::Problem), as those of all formats.
+//!
 //! ```
 //! use goodbot_formats::world::{Line, WorldReader};
 //!
@@ -51,14 +53,16 @@
 //! ```
 
 mod action;
+mod classes;
 mod command;
 mod file;
 mod reader;
+mod reading;
 mod session;
 mod writing;
 
-pub use action::{ActionOfWorld, Literal, Term};
 pub use command::CommandRecord;
-pub use file::{ObjectOfWorld, WorldFile, field_line};
+pub use file::{ActionOfWorld, Literal, ObjectOfWorld, Term, WorldFile};
 pub use reader::{Line, WorldReader};
+pub use reading::field_line;
 pub use session::SessionInWorld;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use super::WorldFile;
-use super::file::WorldClasses;
+use super::classes::WorldClasses;
 use crate::environment::EnvironmentFile;
 use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
 use crate::json::{Object, Source};

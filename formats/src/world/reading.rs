@@ -1,0 +1,201 @@
+//! Reads the description of a world.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::classes::{WorldClasses, usable};
+use super::file::{ActionOfWorld, ObjectOfWorld, WorldFile};
+use crate::error::{FormatError, Problem};
+use crate::json::{Node, Object, Source};
+use crate::task_text::{LiftedTaskText, TaskTextError, is_usable_name};
+
+const FIELDS: &[&str] = &[
+    "type",
+    "name",
+    "classes",
+    "attributes",
+    "propositions",
+    "objects",
+    "facts",
+    "task_kinds",
+    "license",
+    "source",
+    "variables",
+    "actions",
+];
+
+impl WorldFile {
+    /// Reads a world, on one line or on several.
+    ///
+    /// # Errors
+    /// The fault, and its place.
+    pub fn parse(text: &str) -> Result<Self, FormatError> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let source = Source::new(text, 1);
+        let fields = source.root()?.object()?;
+        fields.required("type")?.word(&["world"])?;
+        Self::read(&fields)
+    }
+
+    pub(super) fn read(fields: &Object<'_>) -> Result<Self, FormatError> {
+        fields.only(FIELDS)?;
+        for name in ["license", "source"] {
+            fields.optional(name).map(|node| node.text()).transpose()?;
+        }
+        let mut world = Self { name: fields.required("name")?.filled_text()?, ..Self::default() };
+        world.classes = names(&fields.required("classes")?)?;
+        world.attributes = world.of_classes(fields.required("attributes")?, false)?;
+        world.propositions = world.of_classes(fields.required("propositions")?, true)?;
+        world.read_objects(&fields.required("objects")?)?;
+        if let Some(facts) = fields.optional("facts") {
+            world.facts = WorldClasses::of(&world).atoms(&facts)?;
+        }
+        if let Some(variables) = fields.optional("variables") {
+            world.read_variables(&variables)?;
+        }
+        if let Some(actions) = fields.optional("actions") {
+            world.read_actions(&actions)?;
+        }
+        for node in fields.required("task_kinds")?.filled_list()? {
+            let kind: LiftedTaskText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
+            world.check_kind(&node, &kind)?;
+            if world.task_kinds.contains(&kind) {
+                return Err(node.error(Problem::DuplicateName { name: kind.to_string() }));
+            }
+            world.task_kinds.push(kind);
+        }
+        Ok(world)
+    }
+
+    /// Reads an object from names to lists of classes.
+    fn of_classes(&self, node: Node<'_>, filled: bool) -> Result<Vec<(String, Vec<String>)>, FormatError> {
+        let mut all = Vec::new();
+        for (name, node) in node.object()?.entries() {
+            if !is_usable_name(name) {
+                return Err(node.error(Problem::Task(TaskTextError::UnusableName { name: name.to_owned() })));
+            }
+            let mut classes = Vec::new();
+            for item in if filled { node.filled_list()? } else { node.list()? } {
+                let class = item.text()?;
+                if !self.classes.contains(&class) {
+                    return Err(item.error(Problem::NotInWorld { what: "class", name: class }));
+                }
+                classes.push(class);
+            }
+            all.push((name.to_owned(), classes));
+        }
+        Ok(all)
+    }
+
+    fn read_objects(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        let mut seen = BTreeSet::new();
+        for node in list.filled_list()? {
+            let fields = node.object()?;
+            fields.only(&["name", "class", "attributes"])?;
+            let name_node = fields.required("name")?;
+            let name = usable(&name_node)?;
+            if !seen.insert(name.clone()) {
+                return Err(name_node.error(Problem::DuplicateName { name }));
+            }
+            let class_node = fields.required("class")?;
+            let class = class_node.text()?;
+            if !self.classes.contains(&class) {
+                return Err(class_node.error(Problem::NotInWorld { what: "class", name: class }));
+            }
+            let mut attributes = Vec::new();
+            if let Some(node) = fields.optional("attributes") {
+                for (attribute, value) in node.object()?.entries() {
+                    let Some((_, carriers)) = self.attributes.iter().find(|(known, _)| known == attribute) else {
+                        return Err(value.error(Problem::NotInWorld { what: "attribute", name: attribute.to_owned() }));
+                    };
+                    if !carriers.contains(&class) {
+                        return Err(value.error(Problem::NotCarried { class }));
+                    }
+                    attributes.push((attribute.to_owned(), value.filled_text()?));
+                }
+            }
+            self.objects.push(ObjectOfWorld { name, class, attributes });
+        }
+        Ok(())
+    }
+
+    fn read_variables(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        for node in list.list()? {
+            let name = node.text()?;
+            let Some((_, classes)) = self.propositions.iter().find(|(known, _)| *known == name) else {
+                return Err(node.error(Problem::NotInWorld { what: "proposition", name }));
+            };
+            if let Some(class) = classes.last().filter(|class| self.objects.iter().all(|object| object.class != **class)) {
+                return Err(node.error(Problem::NoValues { class: class.clone() }));
+            }
+            if self.variables.contains(&name) {
+                return Err(node.error(Problem::DuplicateName { name }));
+            }
+            self.variables.push(name);
+        }
+        Ok(())
+    }
+
+    fn read_actions(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
+        let mut actions: Vec<ActionOfWorld> = Vec::new();
+        let known = WorldClasses::of(self);
+        for node in list.list()? {
+            let action = ActionOfWorld::read(&node, &known)?;
+            if actions.iter().any(|other| other.name == action.name) {
+                return Err(node.error(Problem::DuplicateName { name: action.name }));
+            }
+            actions.push(action);
+        }
+        self.actions = actions;
+        Ok(())
+    }
+
+    /// Checks that a kind of task has propositions of the world, and one class for each variable.
+    fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
+        let way = kind.way();
+        if !(way.before.is_empty() && way.through.is_empty() && way.avoiding.is_empty()) {
+            return Err(node.error(Problem::KindWithWay));
+        }
+        let mut classes: BTreeMap<&str, &str> = BTreeMap::new();
+        for atom in kind.atoms() {
+            let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
+            for (variable, class) in atom.variables().iter().zip(parameters) {
+                if *classes.entry(variable).or_insert(class) != class {
+                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}").into(), class: class.as_str().into() }));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The line, counted from 1, of a field such as `objects[3]`, `propositions.at` or `actions` in the text of a world, for errors of the
+/// world as a whole.
+pub fn field_line(text: &str, field: &str) -> Option<usize> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let source = Source::new(text, 1);
+    let world = source.root().ok()?.object().ok()?;
+    let end = field.find(['[', '.']).unwrap_or(field.len());
+    let (name, rest) = field.split_at(end);
+    let node = world.optional(name)?;
+    if let Some(position) = rest.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        return node.list().ok()?.get(position.parse::<usize>().ok()?).map(Node::line);
+    }
+    match rest.strip_prefix('.') {
+        Some(entry) => node.object().ok()?.optional(entry).map(|node| node.line()),
+        None => Some(node.line()),
+    }
+}
+
+/// A list of usable names without repetition.
+fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
+    let mut names = Vec::new();
+    let mut seen = BTreeSet::new();
+    for node in list.filled_list()? {
+        let name = usable(&node)?;
+        if !seen.insert(name.clone()) {
+            return Err(node.error(Problem::DuplicateName { name }));
+        }
+        names.push(name);
+    }
+    Ok(names)
+}
