@@ -1,6 +1,6 @@
 //! The cell of a pose, and the cell that an action leads to.
 
-use crate::drive::DriveError;
+use crate::error::DriveError;
 use crate::pose::Pose;
 use goodbot::home::Cell;
 use goodbot::oomdp::Action;

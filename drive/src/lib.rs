@@ -38,6 +38,7 @@
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 
 pub mod drive;
+mod error;
 pub mod grid;
 #[cfg(feature = "embedded-hal")]
 pub mod hal;
@@ -46,7 +47,8 @@ pub mod pose;
 pub mod simulation;
 pub mod wheel;
 
-pub use drive::{Drive, DriveError, Limits, Motion, Step, Wheels};
+pub use drive::{Drive, Limits, Motion, Step, Wheels};
+pub use error::DriveError;
 pub use grid::{EAST, Grid, NORTH, SOUTH, WEST};
 pub use pose::Pose;
 pub use wheel::{Calibration, Encoder, Gains, SpeedControl};

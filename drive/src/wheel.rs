@@ -1,6 +1,6 @@
 //! One wheel: the distance rolled, from an encoder that wraps around, and the motor's duty for a speed.
 
-use crate::drive::DriveError;
+use crate::error::DriveError;
 use core::f32::consts::TAU;
 use micromath::F32Ext;
 
