@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 use goodbot_console::outcome::Failure;
-use goodbot_lesson::listening::CLOSED_WORDS;
+use goodbot_lesson::closed_words::CLOSED_WORDS;
 use std::io::Write;
 
 /// The examples.

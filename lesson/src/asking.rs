@@ -7,8 +7,6 @@
 //! - It asks nothing while a question waits for its answer.
 //! - If it listened, and two tasks that differ in one object fit nearly as well, it asks at once which is meant: two chairs, for example.
 
-use crate::live::{Lesson, LiveError};
-use crate::place::Place;
 use goodbot::asking::{Answer, Asking, Considered, Question};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::Domain;
@@ -118,32 +116,6 @@ fn has_tie(agent: &Agent<AgentHeap>) -> bool {
     let [first, second] = [first, second].map(|task| agent.tasks()[task]);
     let different = first.bindings.iter().zip(&second.bindings).filter(|(a, b)| a != b).count();
     first.lifted == second.lifted && different == 1 && next >= TIE * most && most + next >= TIE
-}
-
-impl<D: Place> Lesson<D> {
-    /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
-    ///
-    /// # Errors
-    /// [`LiveError::NoSession`], or the errors of [`Agent::question`].
-    pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
-        loop {
-            match self.consider(asking, u32::MAX)? {
-                Considered::Working => {}
-                Considered::Act => return Ok(None),
-                Considered::Ask(question) => return Ok(Some(question)),
-            }
-        }
-    }
-
-    /// As [`ask`](Self::ask), but in parts: see [`Agent::consider`].
-    ///
-    /// # Errors
-    /// As [`ask`](Self::ask).
-    pub fn consider(&mut self, asking: &Asking, budget: u32) -> Result<Considered, LiveError> {
-        let listened = self.session().ok_or(LiveError::NoSession)?.0.listening.is_some();
-        let (agent, home, state) = (&mut self.agent, &self.walk.home, &self.state);
-        Ok(self.restraint.consider(agent, home, state, asking, listened, budget)?)
-    }
 }
 
 #[cfg(test)]

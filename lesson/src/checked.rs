@@ -1,5 +1,6 @@
 //! Checks a recorded session against its home or world, and walks through its steps before it is used as evidence.
 
+use crate::closed_words::{CLOSED_WORDS, kept_table};
 use crate::conversing::Conversing;
 use crate::fault::{Fault, quoted};
 use crate::first_words::{Long, read, too_long, words_read};
@@ -195,13 +196,13 @@ impl Checker<'_> {
 
     /// The table of closed words.
     fn closed_words(&mut self) -> goodbot::talk::ClosedWords<'static> {
-        let table = self.recorded.header.closed_words.as_deref().map(crate::listening::kept_table);
+        let table = self.recorded.header.closed_words.as_deref().map(kept_table);
         match table {
-            None => crate::listening::CLOSED_WORDS,
+            None => CLOSED_WORDS,
             Some(Ok(table)) => table,
             Some(Err(error)) => {
                 self.fault("closed_words", error);
-                crate::listening::CLOSED_WORDS
+                CLOSED_WORDS
             }
         }
     }

@@ -2,18 +2,19 @@
 //!
 //! - [`fault`]: the faults of a file, with their places;
 //! - [`first_words`]: commands with more words than a robot reads;
+//! - [`closed_words`]: the tables of closed words;
 //! - [`home`]: a home from an environment;
 //! - [`name`]: a grounded task as a text, for files and for people;
-//! - [`checked`]: recorded sessions, checked, with the place of each fault;
+//! - [`conversing`]: a conversation as a log records it;
 //! - [`walk`]: the command, steps and answers of a session;
+//! - [`checked`]: recorded sessions, checked, with the place of each fault;
+//! - [`listening`]: when a robot listens, and how it hears a recorded utterance;
 //! - [`replay`]: the replay of a recorded session;
 //! - [`kept_kinds`]: the kinds of task that a model was trained for, in a record after the model;
-//! - [`live`]: a session under way;
-//! - [`listening`]: the utterances of a person, and how they begin sessions;
-//! - [`conversing`]: what "it", "there" and "back" refer to, from one session to the next;
-//! - [`voice`]: praise, blame, answers and corrections in words;
-//! - [`asking`]: when the robot asks in a live session;
+//! - [`asking`]: when the robot asks: seldom, and nothing twice;
+//! - [`voice`]: words said along with the feedback buttons;
 //! - [`place`]: the home or world of a lesson;
+//! - [`live`]: a session under way: its steps, utterances, conversation, questions and corrections;
 //! - [`recording`]: the log of a live session;
 //! - [`world`]: a world from a file, and the tasks that commands may mean in it.
 
@@ -21,6 +22,7 @@
 
 pub mod asking;
 pub mod checked;
+pub mod closed_words;
 pub mod conversing;
 pub mod fault;
 pub mod first_words;

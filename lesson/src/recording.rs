@@ -1,5 +1,6 @@
 //! The log of a live session.
 
+use crate::closed_words::CLOSED_WORDS;
 use crate::live::Lesson;
 use crate::place::Place;
 use crate::walk::{SessionAnswer, Step};
@@ -32,7 +33,7 @@ impl<D: Place> Lesson<D> {
                 utterance: walk.listening.as_ref().map(|listening| listening.utterance.clone()),
                 after: session.after.as_ref().and_then(|task| self.name_of_task(task)),
                 conversation: walk.listening.as_ref().and_then(|listening| listening.conversation.recorded(home, self.agent.lifted())),
-                closed_words: Some(walk.closed).filter(|closed| *closed != crate::listening::CLOSED_WORDS).map(|closed| closed.to_string()),
+                closed_words: Some(walk.closed).filter(|closed| *closed != CLOSED_WORDS).map(|closed| closed.to_string()),
                 strategies: session.named_strategies().map(|all| all.iter().enumerate().map(strategy).collect()),
                 ..SessionHeader::new(Kind::Feedback, EnvironmentFile::new(vec![]), walk.command.clone())
             },

@@ -1,5 +1,6 @@
 //! Replays a recorded session with an agent: the same command in the same home or world, the same actions, feedback and answers.
 
+use crate::listening::listen;
 use crate::walk::{Expected, SessionAnswer, Step, Walk};
 use goodbot::feedback::{Ending, Strategy, population};
 use goodbot::home::HomeState;
@@ -190,7 +191,7 @@ impl Replay {
         }
         let (home, start) = (&walk.home, &walk.start);
         if let Some(listening) = &walk.listening {
-            return crate::listening::listen(agent, home, start, listening, walk.closed).map(|_| ());
+            return listen(agent, home, start, listening, walk.closed).map(|_| ());
         }
         agent.resume(goodbot::talk::Conversation::NEW);
         if walk.continues && self.rules.context {

@@ -1,17 +1,8 @@
-//! Words during a session and between sessions, as [`goodbot::Agent::said`] reads them, and words said along with the feedback buttons.
-//! Those count as praise or blame until the program ends.
+//! Words said along with the feedback buttons. They count as praise or blame until the program ends.
 
-use crate::listening::tells_talk;
-use crate::live::{Lesson, LiveError};
-use crate::place::Place;
-use crate::walk::SessionAnswer;
 use goodbot::AgentError;
 use goodbot::feedback::Feedback;
-use goodbot::language::for_each_piece;
-use goodbot::planning::OptimalSet;
-use goodbot::session::Evidence;
-use goodbot::talk::{Class, Classes, ClosedWords, Said, Stage, for_each_open_word};
-use goodbot::task::TaskSet;
+use goodbot::talk::{ClosedWords, for_each_open_word};
 
 /// The words said along with the feedback buttons: how often each came with "good" and with "bad".
 #[derive(Clone, Debug, Default)]
@@ -43,85 +34,5 @@ impl Voice {
     /// How often a word came with "good" and with "bad"; `None` if it never did.
     pub fn count(&self, word: &str) -> Option<[u32; 2]> {
         self.said.iter().find(|(known, _)| known == word).map(|(_, counts)| *counts)
-    }
-}
-
-impl<D: Place> Lesson<D> {
-    /// Reads a person's words at this point of the conversation, and changes nothing. Words that refer to something before are no command
-    /// if there is nothing before: they are [`Said::Nothing`] of [`Class::Back`].
-    ///
-    /// # Errors
-    /// An [`AgentError`] if there are too many words, or one is too long.
-    pub fn said(&self, words: &str) -> Result<Said, LiveError> {
-        let stage = match self.acted() {
-            _ if !self.is_under_way() => Stage::Between,
-            None => Stage::OnTheWay,
-            Some(acted) if acted.action == "noop" && acted.plan == OptimalSet::Goal => Stage::AtGoal,
-            Some(_) => Stage::Stepped,
-        };
-        let said = self.agent.said(words, self.closed, stage, |word| self.voice.count(word))?;
-        // With few lessons, no pointing word is learned; without an earlier command, there is nothing to point at.
-        let is_new = !tells_talk(&self.agent) || self.conversation().facts.is_empty();
-        let may_point = stage == Stage::Between && matches!(said, Said::Command | Said::Nothing(Class::No));
-        if may_point && is_new && self.changes_what_was_before(words, said)? {
-            return Ok(Said::Nothing(Class::Back));
-        }
-        Ok(said)
-    }
-
-    /// Whether words would change something said before: "no, the other one", "put it back", "forget it". A command has more words of its
-    /// own.
-    fn changes_what_was_before(&self, words: &str, said: Said) -> Result<bool, AgentError> {
-        let (mut is_no, mut points, mut open) = (false, false, 0_usize);
-        for_each_piece(words, |piece| {
-            let classes = self.closed.of(piece);
-            is_no |= open == 0 && classes.contains(Class::No);
-            points |= classes.forgets() || classes.contains_any(&[Class::Back, Class::Other]);
-            // A Chinese sign counts as half a word.
-            open = open.saturating_add(if classes == Classes::NONE { piece.chars().take(2).count() } else { 0 });
-            Ok(())
-        })?;
-        let is_short = open <= if is_no { 4 } else { 2 };
-        // "No" alone is feedback, and "no, go to the red room" is a command.
-        let is_turned = || Ok::<_, AgentError>(is_no && said == Said::Command && !self.agent.is_told_to_act(words, self.closed)?);
-        Ok(is_short && (points || is_turned()?))
-    }
-
-    /// Counts the words said along with a button.
-    ///
-    /// # Errors
-    /// The errors of [`Voice::learn`].
-    pub fn learn_voice(&mut self, words: &str, feedback: Feedback) -> Result<(), LiveError> {
-        Ok(self.voice.learn(words, feedback, self.closed)?)
-    }
-
-    /// Takes a correction of the robot on its way, as [`goodbot::Agent::correct`] does, and keeps its words for the record.
-    ///
-    /// # Errors
-    /// [`LiveError::NoSession`], or the agent's error.
-    pub fn correct(&mut self, words: &str) -> Result<Evidence, LiveError> {
-        if !self.is_under_way() {
-            return Err(LiveError::NoSession);
-        }
-        let followed = self.acted().map_or_else(|| self.agent.most_likely(), |acted| Some(acted.task));
-        let closed = self.closed;
-        let (agent, home, _) = self.parts();
-        let corrected = agent.correct(home, words, closed, followed)?;
-        let words = Some(words.trim().to_owned());
-        self.note_answer(SessionAnswer { tasks: TaskSet::of(corrected.task), yes: false, words, ..SessionAnswer::of(corrected.eta) });
-        Ok(Evidence::Used)
-    }
-
-    /// Takes a recorded correction again: "no" to these tasks, the probability that this is wrong, and the words.
-    ///
-    /// # Errors
-    /// The errors of [`correct`](Self::correct).
-    pub fn correct_as(&mut self, tasks: TaskSet, eta: f32, words: &str) -> Result<(), LiveError> {
-        let closed = self.closed;
-        let (agent, home, _) = self.parts();
-        let _ = agent.answered(tasks, false, eta, 1)?;
-        let _ = agent.corrected(home, words, closed, tasks)?;
-        self.note_answer(SessionAnswer { tasks, yes: false, words: Some(words.to_owned()), ..SessionAnswer::of(eta) });
-        Ok(())
     }
 }

@@ -1,5 +1,6 @@
 //! The course of a session: a command in a home or another world, steps with their feedback, and answers.
 
+use crate::closed_words::CLOSED_WORDS;
 use crate::conversing::Conversing;
 use goodbot::feedback::{Feedback, Strategy, StrategyError};
 use goodbot::home::HomeState;
@@ -142,7 +143,7 @@ impl<D: Domain> Walk<D> {
         Self {
             command: String::new(),
             listening: None,
-            closed: crate::listening::CLOSED_WORDS,
+            closed: CLOSED_WORDS,
             kind,
             continues: false,
             header_line: 0,

@@ -6,8 +6,9 @@ use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::talk::{Class, Listened, Said, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground_with_done};
+use goodbot_lesson::closed_words::kept_table;
 use goodbot_lesson::conversing::Conversing;
-use goodbot_lesson::listening::{kept_table, tells_talk};
+use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::walk::Listening;
 
 use crate::cells::MIND;

@@ -5,7 +5,7 @@ use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::talk::ClosedWords;
 use goodbot_lesson::Fault;
-use goodbot_lesson::listening::{CLOSED_WORDS, kept_table};
+use goodbot_lesson::closed_words::{CLOSED_WORDS, kept_table};
 
 /// The option for the table.
 #[derive(Debug, Args)]

@@ -6,10 +6,17 @@
 //! Feedback counts at once; the last feedback to a step replaces earlier ones. To take a step back, the session is replayed up to there:
 //! the same steps and the same feedback give the same belief.
 
+mod asking;
+mod conversing;
+mod listening;
+mod voice;
+
 use crate::asking::Restraint;
+use crate::closed_words::CLOSED_WORDS;
 use crate::name::task_name;
 use crate::place::Place;
 use crate::replay::{Event, Replay, ReplayError, Rules, expect_ends};
+use crate::voice::Voice;
 use crate::walk::{SessionAnswer, Step, Walk};
 use goodbot::asking::Answer;
 use goodbot::feedback::{Feedback, Strategy};
@@ -111,13 +118,13 @@ pub struct Session<R = EnvironmentFile> {
     /// The task of the command before, if the utterance has several commands and this is a later one.
     pub after: Option<GroundedTask>,
     /// For each step taken, and each task, whether the step was right.
-    pub(crate) judgements: Vec<Vec<Judgement>>,
+    judgements: Vec<Vec<Judgement>>,
     /// The replay, while the session is replayed after a step was taken back.
-    pub(crate) again: Option<Replay>,
+    again: Option<Replay>,
 }
 
 impl<R> Session<R> {
-    pub(crate) const fn new(environment: R, strategies: Vec<(Strategy, f32)>) -> Self {
+    const fn new(environment: R, strategies: Vec<(Strategy, f32)>) -> Self {
         Self { environment, strategies, after: None, judgements: Vec::new(), again: None }
     }
 
@@ -156,20 +163,20 @@ impl<R> Session<R> {
 pub struct Lesson<D: Place = Home<HomeHeap>> {
     /// The robot.
     pub agent: Agent<AgentHeap>,
-    pub(crate) walk: Walk<D>,
-    pub(crate) state: D::State,
+    walk: Walk<D>,
+    state: D::State,
     session: Option<Session<D::Record>>,
     /// The last step, and the state before it.
     acted: Option<(Acted, Step<D::State>)>,
-    pub(crate) restraint: Restraint,
-    pub(crate) ahead: Option<crate::listening::Ahead>,
-    pub(crate) conversations: crate::conversing::Conversations,
+    restraint: Restraint,
+    ahead: Option<listening::Ahead>,
+    conversations: conversing::Conversations,
     /// The closed words.
     pub closed: goodbot::talk::ClosedWords<'static>,
     /// The words said along with the feedback buttons.
-    pub voice: crate::voice::Voice,
+    pub voice: Voice,
     /// The last words, if there was nothing to do for them.
-    pub(crate) declined: Option<String>,
+    declined: Option<String>,
 }
 
 impl Lesson {
@@ -191,9 +198,9 @@ impl<D: Place> Lesson<D> {
             acted: None,
             restraint: Restraint::NEW,
             ahead: None,
-            conversations: crate::conversing::Conversations::default(),
-            closed: crate::listening::CLOSED_WORDS,
-            voice: crate::voice::Voice::default(),
+            conversations: conversing::Conversations::default(),
+            closed: CLOSED_WORDS,
+            voice: Voice::default(),
             declined: None,
         }
     }
@@ -298,7 +305,7 @@ impl<D: Place> Lesson<D> {
     }
 
     /// Begins a session whose command the agent has heard.
-    pub(crate) fn begin(&mut self, command: String, session: Session<D::Record>) {
+    fn begin(&mut self, command: String, session: Session<D::Record>) {
         (self.walk.command, self.walk.start) = (command, self.state);
         {
             self.walk.closed = self.closed;
@@ -455,7 +462,7 @@ impl<D: Place> Lesson<D> {
         Ok(evidence)
     }
 
-    pub(crate) fn note_answer(&mut self, answer: SessionAnswer) {
+    fn note_answer(&mut self, answer: SessionAnswer) {
         if self.is_under_way() {
             // The answer comes before a step that waits for its feedback.
             let after = self.walk.steps.len();
