@@ -1,9 +1,11 @@
 //! A session as the lines of a log. goodbot's formats read their records again when they write them, which takes much code; these lines are
 //! only written, and a test reads them.
 
-use crate::training::task_name;
 use goodbot::feedback::Strategy;
-use goodbot::oomdp::action_name;
+use goodbot::home::Home;
+use goodbot::memory::HomeMemory;
+use goodbot::oomdp::{Domain, action_name};
+use goodbot::task::{GroundedTask, LiftedTask, TaskText};
 use goodbot_lesson::live::Lesson;
 use serde::Serialize;
 use std::fmt::Write;
@@ -55,6 +57,11 @@ pub fn lines(lesson: &Lesson, learn: bool) -> Option<String> {
     }
     let _ = writeln!(log, r#"{{"type":"end","learn":{learn}}}"#);
     Some(log)
+}
+
+/// The task as logs write it.
+pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    TaskText::new(task, lifted, home.world()).to_string()
 }
 
 fn strategy(number: usize, strategy: &Strategy, prior: f32) -> String {

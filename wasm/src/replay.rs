@@ -3,8 +3,8 @@
 //! The strict reader of logs is large: the page reads their lines itself, and hands over their contents.
 
 use goodbot::feedback::Feedback;
-use goodbot::home::{Home, HomeState};
-use goodbot::memory::{HomeHeap, HomeMemory};
+use goodbot::home::Home;
+use goodbot::memory::HomeMemory;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedAnswer, RecordedSession, StrategyRecord};
@@ -12,20 +12,8 @@ use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::{Expected, SessionAnswer, Step, Walk};
 
 use crate::cells::{MIND, ROOMS};
-use crate::training::task_name;
-use crate::world::{Refusal, World, build};
-
-/// A recorded session that is handed over in parts, and then replayed.
-#[derive(Debug)]
-pub struct Replaying {
-    replay: Replay,
-    pub(crate) walk: Walk<Home<HomeHeap>>,
-    /// The state after the last step.
-    end: HomeState,
-    environment: EnvironmentFile,
-    /// The tasks here, each with its name.
-    pub(crate) tasks: Vec<(GroundedTask, String)>,
-}
+use crate::log::task_name;
+use crate::world::{Refusal, Replaying, World, build};
 
 /// Tasks, each with its name.
 pub(crate) fn with_names<M: HomeMemory>(home: &Home<M>, lifted: &[LiftedTask], tasks: &[GroundedTask]) -> Vec<(GroundedTask, String)> {

@@ -12,8 +12,8 @@ use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::walk::Listening;
 
 use crate::cells::MIND;
+use crate::log::task_name;
 use crate::replay::{not_begun, with_names};
-use crate::training::task_name;
 use crate::view::Reaction;
 use crate::world::{Refusal, World};
 

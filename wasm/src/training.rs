@@ -11,7 +11,7 @@ use goodbot::planning::{Judgement, Progress};
 use goodbot::random::unit;
 use goodbot::session;
 use goodbot::talk::Conversation;
-use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot::task::GroundedTask;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::live::{Acted, Judged, LiveError};
 use goodbot_lesson::replay::{expect, expects_people};
@@ -19,7 +19,7 @@ use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
 
 use crate::cells::ROOMS;
-use crate::log::lines;
+use crate::log::{lines, task_name};
 use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
@@ -375,9 +375,4 @@ fn route(home: &Home<impl HomeMemory>, states: &[HomeState]) -> Option<Route> {
         cells: states.iter().map(|state| home.agent_cell(state)).map(|cell| [cell.x, cell.y]).collect(),
         end: moved.map(|id| thing(home, end, id)).collect(),
     })
-}
-
-/// The task as logs write it.
-pub(crate) fn task_name(home: &Home<impl HomeMemory>, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    TaskText::new(task, lifted, home.world()).to_string()
 }

@@ -8,16 +8,16 @@ use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::ObjectId;
 use goodbot::snapshot::{Contents, Part, RestoreError, SAVED};
-use goodbot::task::LiftedTask;
+use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::home::HomeFlaw;
 use goodbot_lesson::live::Lesson;
-use goodbot_lesson::replay::expect_ends;
+use goodbot_lesson::replay::{Replay, expect_ends};
+use goodbot_lesson::walk::Walk;
 use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
-use crate::replay::Replaying;
 use crate::route::{Lookahead, Scout};
 use crate::view::{Extent, Place, Scene, Thing};
 
@@ -47,6 +47,18 @@ pub struct World {
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
     pub(crate) replaying: Option<Replaying>,
+}
+
+/// A recorded session that is handed over in parts, and then replayed.
+#[derive(Debug)]
+pub(crate) struct Replaying {
+    pub(crate) replay: Replay,
+    pub(crate) walk: Walk<Home<HomeHeap>>,
+    /// The state after the last step.
+    pub(crate) end: HomeState,
+    pub(crate) environment: EnvironmentFile,
+    /// The tasks here, each with its name.
+    pub(crate) tasks: Vec<(GroundedTask, String)>,
 }
 
 impl fmt::Debug for World {
