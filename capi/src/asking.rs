@@ -3,8 +3,8 @@
 use crate::beliefs::{Writer, put_object, put_task};
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
-use crate::training::{in_world, write};
-use crate::world::World;
+use crate::training::write;
+use crate::world::{World, in_world};
 use core::ffi::c_char;
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::task::{Piece, Wording};

@@ -2,8 +2,7 @@
 
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
-use crate::training::in_world;
-use crate::world::{Surroundings, World};
+use crate::world::{Surroundings, World, in_world};
 use core::ffi::c_char;
 use goodbot::Agent;
 use goodbot::memory::AgentMemory;

@@ -5,9 +5,10 @@
 //!
 //! - [`status`]: the status that functions return;
 //! - [`version`]: which interface this is;
-//! - [`capacities`]: the sizes of the tables, and the memory that they need;
+//! - [`capacities`]: the sizes of the tables;
 //! - [`arena`]: the caller's memory, dealt out;
 //! - [`robot`]: the handle;
+//! - [`memory`]: the memory that a robot takes, and the capacities that its lessons need;
 //! - [`world`]: the robot's world, a home or a table;
 //! - [`home`]: the home environment;
 //! - [`table`]: robots of the caller's own: classes, objects, propositions and a step function or a table of steps;
@@ -39,6 +40,7 @@ pub mod capacities;
 pub mod drive;
 #[cfg(feature = "home")]
 pub mod home;
+pub mod memory;
 #[cfg(feature = "learning")]
 pub mod model;
 pub mod options;

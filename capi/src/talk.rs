@@ -2,8 +2,7 @@
 
 use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
-use crate::training::in_world;
-use crate::world::World;
+use crate::world::{World, in_world};
 use core::ffi::{c_char, c_void};
 use goodbot::asking::Answer;
 use goodbot::feedback::Feedback;

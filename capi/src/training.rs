@@ -2,7 +2,7 @@
 
 use crate::robot::{Goodbot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
-use crate::world::World;
+use crate::world::{World, in_world};
 use core::ffi::c_char;
 #[cfg(feature = "learning")]
 use goodbot::capacity::CapacityError;
@@ -44,18 +44,6 @@ pub const GOODBOT_EVIDENCE_USED: u32 = 0;
 pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
-
-/// Runs an expression on the world and its state, if there is a world.
-macro_rules! in_world {
-    ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
-        match $world {
-            World::Here($domain, $state) => $run,
-            #[cfg(feature = "home")]
-            World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
-        }
-    };
-}
-pub(crate) use in_world;
 
 fn of(progress: Progress) -> Result<GoodbotStatus, Failure> {
     Ok(if progress == Progress::Done { GoodbotStatus::Ok } else { GoodbotStatus::Working })

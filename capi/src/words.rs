@@ -3,8 +3,7 @@
 use crate::beliefs::Writer;
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
-use crate::training::in_world;
-use crate::world::World;
+use crate::world::{World, in_world};
 use core::ffi::c_char;
 use goodbot::language::Meaning;
 use goodbot::oomdp::{Domain, Schema};

@@ -39,6 +39,18 @@ type ByTable = NoGrid<Infallible>;
 /// A home, or a world of the caller's own.
 pub type Surroundings = Either<InHome, ByTable>;
 
+/// Runs an expression on the world and its state, if there is a world.
+macro_rules! in_world {
+    ($world:expr, |$domain:ident, $state:ident| $run:expr) => {
+        match $world {
+            World::Here($domain, $state) => $run,
+            #[cfg(feature = "home")]
+            World::Nothing(_) | World::Plan(_) | World::Changing => return Err(GoodbotStatus::NoWorld.into()),
+        }
+    };
+}
+pub(crate) use in_world;
+
 /// How full the tables of a world are.
 pub fn usage(world: &Surroundings) -> Capacities {
     match world {

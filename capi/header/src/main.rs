@@ -6,10 +6,11 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources of the header's items, in the header's order.
-const SOURCES: [&str; 18] = [
+const SOURCES: [&str; 19] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
+    "memory.rs",
     "robot.rs",
     "tasks.rs",
     "home.rs",

@@ -3,6 +3,7 @@
 use crate::robots;
 
 use goodbot_capi::capacities::*;
+use goodbot_capi::memory::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::*;

@@ -5,6 +5,7 @@ use crate::robots;
 use goodbot::task::TaskSet;
 use goodbot_capi::capacities::*;
 use goodbot_capi::home::{goodbot_home_begin, goodbot_init_home};
+use goodbot_capi::memory::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};

@@ -2,7 +2,7 @@
 
 use crate::robots;
 
-use goodbot_capi::capacities::goodbot_session_count;
+use goodbot_capi::memory::goodbot_session_count;
 use goodbot_capi::options::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;

@@ -3,8 +3,9 @@
 use crate::robots;
 
 use goodbot_capi::beliefs::*;
-use goodbot_capi::capacities::{GoodbotCapacity, goodbot_size};
+use goodbot_capi::capacities::GoodbotCapacity;
 use goodbot_capi::home::*;
+use goodbot_capi::memory::goodbot_size;
 use goodbot_capi::model::*;
 use goodbot_capi::parameters::{goodbot_restore_parameters, goodbot_save_parameters};
 use goodbot_capi::robot::{goodbot_full, goodbot_seed};

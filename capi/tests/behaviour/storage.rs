@@ -2,8 +2,8 @@
 
 use crate::robots;
 
-use goodbot_capi::capacities::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::home::goodbot_home_place;
+use goodbot_capi::memory::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::model::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;

@@ -5,6 +5,7 @@ use crate::robots;
 use goodbot::task::TaskSet;
 use goodbot_capi::beliefs::*;
 use goodbot_capi::capacities::*;
+use goodbot_capi::memory::*;
 use goodbot_capi::robot::{Goodbot, goodbot_full};
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::*;

@@ -9,7 +9,7 @@ use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, Capacities, Options};
-use goodbot_capi::capacities::bytes_32;
+use goodbot_capi::memory::bytes_32;
 use goodbot_console::load::input::{self, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;

@@ -3,7 +3,7 @@
 use super::source::{Part, Source};
 use crate::size::source::c_table;
 use goodbot::task::LiftedTask;
-use goodbot_capi::capacities::bytes_32;
+use goodbot_capi::memory::bytes_32;
 use goodbot_lesson::world::robot::{DigitAt, WorldFlaw};
 use std::fmt::Write;
 

@@ -1,7 +1,8 @@
 //! Robots for the tests, in memory of the tests' own.
 
-use goodbot_capi::capacities::{GOODBOT_SMALL, GoodbotCapacities, goodbot_preset, goodbot_size, goodbot_table_size};
+use goodbot_capi::capacities::{GOODBOT_SMALL, GoodbotCapacities, goodbot_preset};
 use goodbot_capi::home::*;
+use goodbot_capi::memory::{goodbot_size, goodbot_table_size};
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::*;

@@ -3,8 +3,8 @@
 use super::super::Bytes;
 use super::texts::Text;
 use goodbot_capi::asking::{GOODBOT_ASK_WHICH_TASK, GOODBOT_NO, GOODBOT_YES, goodbot_answer, goodbot_question, goodbot_question_text};
-use goodbot_capi::capacities::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count, goodbot_usage};
 use goodbot_capi::home::goodbot_home_derived;
+use goodbot_capi::memory::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count, goodbot_usage};
 use goodbot_capi::options::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
