@@ -1,12 +1,15 @@
 //! The courses: lessons, then tests, each a command in a home of its own.
 
-use super::place::CAPACITIES;
+use goodbot::Capacities;
 use goodbot::home::{Area, Cell};
 use goodbot::memory::HomeHeap;
 use goodbot::random::below;
 use goodbot_course::layout::{BlockPlan, solvable::is_solvable};
 use goodbot_course::{CourseError, HomeName, Homes, Intention, LESSONS, Layout, TESTS, generator};
 use rand_pcg::Pcg32;
+
+/// Every home fits into a controller's memory.
+pub const CAPACITIES: Capacities = Capacities::SMALL;
 
 /// A command with its intended task, in a home.
 #[derive(Clone, Debug, PartialEq)]

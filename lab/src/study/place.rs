@@ -3,22 +3,19 @@
 //! The plans come from goodbot's exact planner, once for each state. Trainers judge by them, and every agent that acts for a task may use
 //! them.
 
-use crate::study::course::Exercise;
+use crate::study::course::{CAPACITIES, Exercise};
 use goodbot::home::{AGENT_IN_ROOM, COLOR, Home, HomeState, SHAPE, paper_tasks};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::{Action, ActionSet, Domain, apply};
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot::{Agent, Capacities, Options};
+use goodbot::{Agent, Options};
 use goodbot_course::CourseError;
 use goodbot_lesson::first_words::heard;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
-
-/// A place fits into a controller's memory.
-pub const CAPACITIES: Capacities = Capacities::SMALL;
 
 /// The right actions in one state.
 #[derive(Debug)]
