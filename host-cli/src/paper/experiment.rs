@@ -2,7 +2,7 @@
 
 use super::lexicon::Lexicon;
 use super::options::{Layouts, PaperOptions};
-use super::summary::REPORTED;
+use super::reported::REPORTED;
 use goodbot::memory::HomeHeap;
 use goodbot::{Agent, Capacities, HeapMemory, Options, home};
 use goodbot_console::learner;

@@ -3,7 +3,8 @@
 //! - [`options`]: the options;
 //! - [`experiment`]: the runs;
 //! - [`trainer`]: trainers by name or numbers, and the agent's belief about them;
-//! - [`sweep`]: a range of values for a number of the trainer;
+//! - [`sweep`]: a range of values for a number of the trainer; `settings`: all combinations of sweeps;
+//! - `reported`: the paper's own results;
 //! - [`lexicon`]: the learned words of an agent;
 //! - [`story`]: one run as it happens;
 //! - [`table`]: results as tables;
@@ -14,6 +15,8 @@ mod experiment;
 pub mod lexicon;
 pub mod options;
 pub mod plot;
+mod reported;
+mod settings;
 mod story;
 mod summary;
 pub mod sweep;
@@ -25,10 +28,10 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use goodbot_course::{LESSONS, TESTS};
 use options::PaperOptions;
+use settings::{Setting, settings};
 use std::io::Write;
 use std::path::Path;
 use summary::{Summary, run_to_json};
-use sweep::Setting;
 
 /// Runs the experiment, and prints it in the form that the options choose.
 ///
@@ -60,7 +63,7 @@ fn one_run(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write
 
 fn many_runs(options: &PaperOptions, target: Option<&Output>, out: &mut impl Write) -> Result<(), Failure> {
     let mut rows: Vec<(Setting, Summary)> = Vec::new();
-    for setting in sweep::settings(options).map_err(Failure::Input)? {
+    for setting in settings(options).map_err(Failure::Input)? {
         let runs = experiment::run_all(&setting.options)?;
         let summary = Summary::of(&runs);
         if let Some(target) = target {

@@ -3,8 +3,9 @@
 use super::experiment::Run;
 use super::lexicon::Lexicon;
 use super::options::PaperOptions;
-use super::summary::{REPORTED, Summary};
-use super::sweep::Setting;
+use super::reported::REPORTED;
+use super::settings::Setting;
+use super::summary::Summary;
 use goodbot_console::messages::counted;
 use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::mean::wilson;
