@@ -6,6 +6,8 @@
 //! | [`load`] | files to read: homes, session logs, kinds of tasks, synonyms |
 //! | [`whole_file`] | files read and written as a whole |
 //! | [`training_data`] | recorded sessions as training data, and models trained on them |
+//! | [`starter`] | everyday sentences to begin with |
+//! | [`restored`] | an agent or a language model from a model file |
 //! | [`output`] | the files to write, and which of them are never replaced |
 //! | [`messages`] | remarks and progress on standard error |
 //! | [`refusal`] | the core's errors in the user's words |
@@ -22,6 +24,7 @@ pub mod numbers;
 pub mod outcome;
 pub mod output;
 pub mod refusal;
+pub mod restored;
 pub mod starter;
 pub mod training_data;
 pub mod whole_file;

@@ -56,16 +56,6 @@ pub fn learn_fully(agent: &mut Agent<impl AgentMemory>) {
     }
 }
 
-/// The options of a model file's robot.
-///
-/// # Errors
-/// The errors of [`agent`].
-pub fn options(file: &Path) -> Result<Options, Failure> {
-    let bytes = read_model(file)?;
-    let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-    Ok(contents.options)
-}
-
 /// The language model of a file, for these questions. `acts` says whether a robot acts in the place of the question. `memory` is replaced by
 /// memory of the right size.
 ///

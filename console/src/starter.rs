@@ -7,7 +7,8 @@
 use crate::outcome::Failure;
 use crate::training_data::Lesson;
 use crate::training_data::evidence::Witness;
-use crate::training_data::{restored, training};
+use crate::training_data::training;
+use crate::whole_file::options_of_model;
 use clap::{Args, ValueEnum};
 use goodbot::capacity::Capacity;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
@@ -67,7 +68,7 @@ impl StarterOptions {
     /// # Errors
     /// The errors of [`read`](Self::read), and an error if the file is no model.
     pub fn of_model(&self, file: &Path, lifted: &[LiftedTask]) -> Result<Starter, Failure> {
-        if self.is_given() { self.read(lifted, restored::options(file)?) } else { Ok(Starter::default()) }
+        if self.is_given() { self.read(lifted, options_of_model(file)?) } else { Ok(Starter::default()) }
     }
 
     /// The starter; without the option, it has no lessons.

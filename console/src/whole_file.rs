@@ -2,6 +2,8 @@
 
 use crate::load::content::Content;
 use crate::outcome::Failure;
+use goodbot::Options;
+use goodbot::snapshot::Contents;
 use std::fs::{DirEntry, File};
 use std::io::{Read, Write};
 use std::path::Path;
@@ -37,6 +39,16 @@ pub fn read_model(path: &Path) -> Result<Vec<u8>, Failure> {
         return Err(refused(message));
     }
     Ok(bytes)
+}
+
+/// The options of a model file's robot.
+///
+/// # Errors
+/// The errors of [`read_model`], and the fault of a damaged model.
+pub fn options_of_model(file: &Path) -> Result<Options, Failure> {
+    let bytes = read_model(file)?;
+    let contents = Contents::read(&bytes).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    Ok(contents.options)
 }
 
 /// Writes a file so that it has its old or its new content, even after a power cut. A new file is written beside it to the disk, and then

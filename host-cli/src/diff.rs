@@ -9,7 +9,7 @@ use goodbot::home::paper_tasks;
 use goodbot_console::messages::{counted, printable};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
-use goodbot_console::training_data::restored;
+use goodbot_console::restored;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;

@@ -8,7 +8,7 @@ use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
-use goodbot_console::training_data::restored;
+use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
 use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;

@@ -22,7 +22,7 @@ use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::{LiftedTask, TaskSet};
 use goodbot::{AgentError, Options};
 use goodbot_console::output::Kind;
-use goodbot_console::training_data::restored::{room_for, room_for_tasks};
+use goodbot_console::restored::{room_for, room_for_tasks};
 use goodbot_console::whole_file::{MOST_BYTES, write_whole};
 use goodbot_lesson::first_words::{self, heard};
 use goodbot_lesson::kept_kinds;

@@ -1,6 +1,6 @@
 //! Replays one session with an agent without words: how far do the steps speak for each task?
 
-use super::{Lesson, MachineCommand, Reading};
+use super::lesson::{Lesson, MachineCommand, Reading, place, told_pairs};
 use crate::believes::Believes;
 use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::feedback::{Ending, Strategy};
@@ -89,7 +89,7 @@ impl Witness {
     fn seen_in(&mut self, file: &str, recorded: &SessionInWorld, session: &CheckedSession<Robot<'_>>) -> Result<Lesson, Vec<Fault>> {
         let bump = |_: &Robot<'_>, _: &u64| "changes nothing, and the step still counts".to_owned();
         let lesson = self.seen(file, &recorded.session, session, bump)?;
-        Ok(Lesson { world: Some(super::worlds::place(&recorded.world, &recorded.facts)), ..lesson })
+        Ok(Lesson { world: Some(place(&recorded.world, &recorded.facts)), ..lesson })
     }
 
     /// The training data of a session. `bump` words the effect of a step that changes nothing in a demonstration.
@@ -237,19 +237,6 @@ pub fn remark(evidence: Evidence) -> Option<&'static str> {
 fn walked(recorded: &RecordedSession) -> String {
     let step = |(_, step): &(usize, StepRecord)| format!("{} {}", step.action, step.feedback.map_or("", FeedbackWord::as_str));
     recorded.steps.iter().map(step).collect::<Vec<_>>().join(", ")
-}
-
-/// The machine commands of a labelled task: all equally probable, and equal ones merged.
-pub(super) fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
-    let share = 1.0 / reading.commands.len().max(1) as f32;
-    let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
-    for command in &reading.commands {
-        match pairs.iter_mut().find(|(known, _)| known == command) {
-            Some((_, whole)) => *whole += share,
-            None => pairs.push((command.clone(), share)),
-        }
-    }
-    pairs
 }
 
 /// The text of a machine token; a role's marker is `@` and its number.

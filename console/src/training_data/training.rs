@@ -1,6 +1,6 @@
 //! A language model trained on many sessions at once, with questions to it.
 
-use super::{Lesson, MachineCommand};
+use super::lesson::{Lesson, MachineCommand};
 use crate::learner;
 use goodbot::AgentError;
 use goodbot::Capacities;

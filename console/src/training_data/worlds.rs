@@ -1,7 +1,7 @@
 //! Commands and sessions in worlds from files, as training data.
 
 use super::evidence::Witness;
-use super::{Lesson, Reading, told_pairs};
+use super::lesson::{Lesson, Reading, place, told_pairs};
 use crate::believes::Believes;
 use goodbot::Options;
 use goodbot::language::Model;
@@ -232,13 +232,6 @@ impl Worlds<'_> {
             ..Lesson::told(id, place, &read, header(command), readings)
         }))
     }
-}
-
-/// A state of a world, as a text.
-pub(super) fn place(world: &WorldFile, facts: &[GroundAtomText]) -> String {
-    let mut facts: Vec<String> = facts.iter().map(ToString::to_string).collect();
-    facts.sort();
-    format!("{} {}", world.name, facts.join(" "))
 }
 
 /// The header of a labelled session without a home.

@@ -8,7 +8,9 @@ use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
-use goodbot_console::training_data::{Lesson, restored, training, worlds};
+use goodbot_console::restored;
+use goodbot_console::training_data::{Lesson, training, worlds};
+use goodbot_console::whole_file::options_of_model;
 use goodbot_formats::task_text::GroundTaskText;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::read;
@@ -47,7 +49,7 @@ pub fn questions(options: &AskOptions) -> Result<Option<Questions>, Failure> {
             "--why, --expected, --pull and --starter are for homes; leave them out in a world from a file".to_owned(),
         ));
     }
-    let agent = restored::options(&options.with)?;
+    let agent = options_of_model(&options.with)?;
     if options.log.is_some() {
         let mut lessons = Vec::new();
         let mut left = usize::MAX;

@@ -13,7 +13,7 @@ use goodbot_console::messages::counted;
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
-use goodbot_console::training_data::restored;
+use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
 use serde_json::json;
 use std::io::Write;

@@ -31,8 +31,10 @@ use goodbot_console::messages::{counted, say};
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
+use goodbot_console::restored;
 use goodbot_console::starter::{Starter, StarterOptions};
-use goodbot_console::training_data::{self, Lesson, Lessons, LogOptions, restored};
+use goodbot_console::training_data::{self, Lesson, Lessons, LogOptions};
+use goodbot_console::whole_file::options_of_model;
 use method::{Method, Trained};
 use novel::Novel;
 use report::{SessionCounts, Summary};
@@ -228,7 +230,7 @@ fn with_model(
     if files.is_empty() {
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }
-    let agent = restored::options(file)?;
+    let agent = options_of_model(file)?;
     let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
     let asked = training_data::read(&files, lifted, agent, false, &log_options)?;
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };

@@ -1,0 +1,116 @@
+//! The training data of one session.
+
+use goodbot_formats::session::{Kind, SessionHeader};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::world::WorldFile;
+use goodbot_lesson::Fault;
+use goodbot_lesson::first_words::FirstWords;
+use std::sync::Arc;
+
+/// A machine command: its tokens.
+pub type MachineCommand = Vec<String>;
+
+/// A task that a command may mean.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The task.
+    pub name: GroundTaskText,
+    /// Its kind, with the attributes of its objects: `blockInRoom bag red`.
+    pub label: String,
+    /// Its probability before any word.
+    pub prior: f32,
+    /// Its machine commands, equally probable.
+    pub commands: Vec<MachineCommand>,
+    /// The actions of one of its shortest plans; empty if no plans were wanted.
+    pub plan: MachineCommand,
+}
+
+/// The training data of one session.
+#[derive(Clone, Debug)]
+pub struct Lesson {
+    /// The session's name.
+    pub id: String,
+    /// The command.
+    pub command: String,
+    /// The session's header. In a world from a file, its environment is empty.
+    pub header: SessionHeader,
+    /// The world's name and its facts, if the place is no home.
+    pub world: Option<String>,
+    /// Whether a robot can act in the place: in homes, and in worlds with actions.
+    pub acts: bool,
+    /// The group to keep on one side of a split between training and test data, if the log names one.
+    pub group: Option<String>,
+    /// The position of the intended task, if the record names it.
+    pub intended: Option<usize>,
+    /// The possible tasks. Lessons in the same state of the same world share them.
+    pub readings: Arc<[Reading]>,
+    /// The probability of each task without words: from the steps, or from the label.
+    pub beliefs: Vec<f32>,
+    /// The machine commands of the possible tasks, with their probabilities.
+    pub pairs: Vec<(MachineCommand, f32)>,
+    /// The demonstrated actions in order; empty for feedback.
+    pub shown: Vec<String>,
+    /// The actions and their feedback, as a text.
+    pub walk: String,
+    /// Whether the language model is to learn from it.
+    pub learn: bool,
+    /// Remarks that are no faults.
+    pub remarks: Vec<Fault>,
+    /// The command's length, if only its first words are read.
+    pub long: Option<Fault>,
+}
+
+impl Lesson {
+    /// A command in a world without a robot. Its meaning is still unknown, and it is not learned from.
+    pub(super) fn told(id: String, world: String, command: &FirstWords<'_>, header: SessionHeader, readings: Arc<[Reading]>) -> Self {
+        Self {
+            id,
+            command: command.words.to_owned(),
+            header,
+            world: Some(world),
+            acts: false,
+            group: None,
+            intended: None,
+            beliefs: readings.iter().map(|reading| reading.prior).collect(),
+            readings,
+            pairs: vec![],
+            shown: vec![],
+            walk: String::new(),
+            learn: false,
+            remarks: vec![],
+            long: None,
+        }
+    }
+
+    /// Whether the evidence without words makes the intended task more probable than any other. `None` if the intended task is unknown or
+    /// was labelled.
+    pub fn evidence_is_right(&self) -> Option<bool> {
+        let meant = self.beliefs.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
+        Some(self.beliefs.iter().filter(|belief| *belief >= meant).count() == 1)
+    }
+
+    /// The place as a text: equal for equal homes, and for the same state of the same world.
+    pub fn place(&self) -> String {
+        self.world.clone().unwrap_or_else(|| self.header.environment.to_json_line())
+    }
+}
+
+/// The machine commands of a labelled task: all equally probable, and equal ones merged.
+pub(super) fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
+    let share = 1.0 / reading.commands.len().max(1) as f32;
+    let mut pairs: Vec<(MachineCommand, f32)> = Vec::new();
+    for command in &reading.commands {
+        match pairs.iter_mut().find(|(known, _)| known == command) {
+            Some((_, whole)) => *whole += share,
+            None => pairs.push((command.clone(), share)),
+        }
+    }
+    pairs
+}
+
+/// A state of a world, as a text.
+pub(super) fn place(world: &WorldFile, facts: &[GroundAtomText]) -> String {
+    let mut facts: Vec<String> = facts.iter().map(ToString::to_string).collect();
+    facts.sort();
+    format!("{} {}", world.name, facts.join(" "))
+}
