@@ -4,6 +4,7 @@ use crate::arrays::array;
 use crate::decision::Decision;
 use crate::error::{self, InUseError, InternalError, ModelError, value};
 use crate::home as home_of;
+use crate::kinds::{Kinds, are_same, kinds_of_tasks};
 use crate::mind::{Mind, Part, words_read};
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::in_place;
@@ -11,7 +12,7 @@ use crate::robot;
 use crate::world::World;
 use goodbot::asking::{Answer, Asking, Subject};
 use goodbot::feedback::{Feedback, Strategy};
-use goodbot::home::{self, SCHEMA};
+use goodbot::home::SCHEMA;
 use goodbot::language::{Meaning, Synonyms};
 use goodbot::oomdp::{Action, Domain, Schema};
 use goodbot::planning::Progress;
@@ -19,7 +20,7 @@ use goodbot::session::{Evidence, Phase};
 use goodbot::snapshot::Contents;
 use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
-use goodbot::task::{LiftedTask, TaskSet};
+use goodbot::task::TaskSet;
 use goodbot::{AgentError, Options};
 use goodbot_console::output::Kind;
 use goodbot_console::restored::{room_for, room_for_tasks};
@@ -53,32 +54,6 @@ pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
         None => Ok(Feedback::Neutral),
         Some(name) => name.parse().map_err(|_| value(format!("{name:?} is no feedback; say reward, punish or neutral"))),
     }
-}
-
-/// Kinds of tasks that commands may mean, and their texts if a model file shall keep them.
-pub struct Kinds {
-    pub lifted: Vec<LiftedTask>,
-    pub texts: Option<Vec<String>>,
-}
-
-/// The kinds of tasks that commands may mean: those named, or the paper's two. A model file without kinds means the paper's two.
-pub fn kinds_of_tasks(py: Python<'_>, kinds: Option<Vec<String>>, schema: &Schema<'_>) -> PyResult<Kinds> {
-    let paper = home::paper_tasks().map_err(value)?.to_vec();
-    let Some(kinds) = kinds else { return Ok(Kinds { lifted: paper, texts: None }) };
-    let parse = |text: &String| {
-        LiftedTask::parse(text, schema).map_err(|problem| match problem {
-            goodbot::task::TaskTextError::Capacity(full) => error::full(py, full),
-            problem => value(format!("{text:?}: {problem}")),
-        })
-    };
-    let lifted = kinds.iter().map(parse).collect::<PyResult<Vec<_>>>()?;
-    let texts = (!are_same(&lifted, &paper)).then(|| lifted.iter().map(|kind| kept_kinds::text(kind, schema)).collect());
-    Ok(Kinds { lifted, texts })
-}
-
-/// Whether two lists have the same kinds, in any order.
-fn are_same(some: &[LiftedTask], others: &[LiftedTask]) -> bool {
-    some.iter().all(|kind| others.contains(kind)) && others.iter().all(|kind| some.contains(kind))
 }
 
 /// The kinds of tasks of a model: those that its file keeps, or else those that are named.

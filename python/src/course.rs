@@ -1,8 +1,8 @@
 //! The paper's lessons and tests.
 
-use crate::agent::kinds_of_tasks;
 use crate::error::{self, value};
 use crate::home::{Home, meant};
+use crate::kinds::kinds_of_tasks;
 use crate::options::options;
 use crate::trainer::{counts, trainer_of};
 use goodbot::home::SCHEMA;

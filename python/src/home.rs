@@ -1,8 +1,8 @@
 //! Homes and their states.
 
 use crate::error::{format, full, misformed, value};
+use crate::names::{action_of, task_name};
 use crate::options::{as_dict, capacities_of};
-use crate::place::{action_of, task_name};
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, Moves, Problem, ROOM, SHAPE};
 use goodbot::memory::HomeHeap;
@@ -342,7 +342,7 @@ impl Home {
     #[pyo3(signature = (state=None, kinds=None))]
     fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Vec<String>>) -> PyResult<Vec<String>> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;
-        let lifted = crate::agent::kinds_of_tasks(py, kinds, &SCHEMA)?.lifted;
+        let lifted = crate::kinds::kinds_of_tasks(py, kinds, &SCHEMA)?.lifted;
         let tasks = tasks(&self.rooms, &lifted, &at).map_err(|error| full(py, error))?;
         let name = |task: &GroundedTask| Some(task_name(&self.rooms, lifted.get(usize::from(task.lifted))?, task));
         Ok(tasks.iter().filter_map(name).collect())

@@ -1,9 +1,10 @@
 //! The robot's mind: long work goes in parts, between which other threads may run and ctrl-C is heard.
 
-use crate::agent::Kinds;
 use crate::error::{self, SessionError, value};
 use crate::home as home_of;
-use crate::place::{Place, in_place, task_name};
+use crate::kinds::Kinds;
+use crate::names::task_name;
+use crate::place::{Place, in_place};
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;

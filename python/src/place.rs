@@ -2,11 +2,11 @@
 
 use crate::error::value;
 use crate::home::Home;
+use crate::names::action_of;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::home::HomeState;
-use goodbot::oomdp::{Action, Domain, action_name, action_named};
-use goodbot::task::{GroundedTask, LiftedTask, TaskText};
+use goodbot::oomdp::{Action, action_name};
 use goodbot_lesson::world::robot::Tables;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -77,17 +77,4 @@ impl Place {
     pub fn action_text(&self, action: Action) -> String {
         in_place!(self, |domain, _state| action_name(domain, action).to_owned())
     }
-}
-
-/// The action of this name, `noop` included.
-pub fn action_of<D: Domain>(domain: &D, name: &str) -> PyResult<Action> {
-    action_named(domain, name).ok_or_else(|| {
-        let known: Vec<&str> = domain.actions().iter().map(|kind| kind.name).chain(["noop"]).collect();
-        value(format!("{name:?} is no action here; there are {}", known.join(", ")))
-    })
-}
-
-/// A task as logs write it: `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`.
-pub fn task_name<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
-    TaskText::new(task, lifted, domain.world()).to_string()
 }

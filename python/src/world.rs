@@ -1,7 +1,7 @@
 //! A world with a robot of any kind, from a file or a dict.
 
 use crate::error::{format as misformed, value};
-use crate::place::{action_of, task_name};
+use crate::names::{action_of, task_name};
 use goodbot::Capacities;
 use goodbot::oomdp::{Domain, apply};
 use goodbot::task::{GroundedTask, ground};
