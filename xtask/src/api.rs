@@ -5,7 +5,7 @@ use clap::Args;
 use xshell::cmd;
 
 use crate::process::{shell, target_dir};
-use crate::release::installed_by_cargo;
+use crate::programs::installed_by_cargo;
 
 const LIST: &str = "core/public-api.txt";
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use std::time::Duration;
 
 use anyhow::{Context, Result, anyhow, ensure};
 use goodbot_formats::microbit::MicrobitFile;
@@ -12,12 +11,11 @@ use object::read::elf::{ElfFile32, ProgramHeader};
 use object::{Endianness, Object, ObjectSection, ObjectSymbol};
 use xshell::cmd;
 
+use crate::emulated_boards::{AN386, BOARDS, Board, LIMIT, Report, emulate};
 use crate::process::{once, root, shell, within};
 use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
-use crate::toolchain::{self, CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
+use crate::toolchain::{self, CORTEX_M0, RISCV_C3};
 
-/// No run comes near this; a binary for another processor would hang.
-const LIMIT: Duration = Duration::from_secs(180);
 /// The exit code of a firmware stopped by a processor fault.
 const FAULT: i32 = 102;
 
@@ -28,90 +26,8 @@ const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "
 pub const FLASH: [&str; 7] = [".vector_table", ".text", ".init.rust", ".rodata", ".ARM.exidx", ".eh_frame", ".data"];
 pub const STATICS: [&str; 2] = [".data", ".bss"];
 
-/// A board that the emulator knows, and a preset of the library's capacities.
-#[derive(Debug)]
-pub struct Board {
-    pub name: &'static str,
-    /// The firmware's feature: this board, or one with the same processor family and memory, whose firmware it runs.
-    feature: &'static str,
-    pub processor: &'static str,
-    pub target: &'static str,
-    pub preset: &'static str,
-    /// The course's bounds: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
-    /// it is planned.
-    pub most: [u64; 3],
-}
-
-const AN386: Board = Board {
-    name: "mps2-an386",
-    feature: "mps2-an386",
-    processor: "Cortex-M4F",
-    target: CORTEX_M4F,
-    preset: "small",
-    most: [32 * 1024, 96 * 1024, 1_000_000],
-};
-const UNBOUND: [u64; 3] = [u64::MAX; 3];
-
-/// The emulator's board for RISC-V, which needs an emulator of its own.
-const RISCV_BOARD: &str = "virt";
-
-/// The boards whose firmware is built, run and measured. The micro:bit computes floats in software, which takes flash and instructions.
-const BOARDS: [Board; 6] = [
-    AN386,
-    Board { name: "mps2-an385", feature: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
-    Board {
-        name: "microbit",
-        feature: "microbit",
-        processor: "Cortex-M0",
-        target: CORTEX_M0,
-        preset: "tiny",
-        most: [16 * 1024, 100 * 1024, 2_000_000],
-    },
-    Board { name: "mps2-an505", feature: "mps2-an505", processor: "Cortex-M33F", target: CORTEX_M33F, most: UNBOUND, ..AN386 },
-    Board { name: "mps2-an500", processor: "Cortex-M7F", most: UNBOUND, ..AN386 },
-    Board { name: RISCV_BOARD, feature: RISCV_BOARD, processor: "RISC-V, rv32imac", target: RISCV, most: UNBOUND, ..AN386 },
-];
-
 /// The binaries of each firmware.
 const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
-
-/// A binary's output: among other lines, lines of a name and a number.
-#[derive(Clone, Debug)]
-pub struct Report(pub String);
-
-impl Report {
-    /// All numbers with a name, in order.
-    pub fn all(&self, name: &str) -> Vec<u64> {
-        self.0.lines().filter_map(|line| line.strip_prefix(name)?.strip_prefix(' ')?.trim().parse().ok()).collect()
-    }
-
-    /// The first number with a name.
-    pub fn number(&self, name: &str) -> Result<u64> {
-        self.all(name).first().copied().with_context(|| format!("the firmware did not report `{name}`"))
-    }
-
-    /// Bytes of RAM: statics and the deepest stack.
-    pub fn ram(&self) -> Result<u64> {
-        Ok(self.number("statics")? + self.number("stack")?)
-    }
-}
-
-/// Runs a binary in the emulator. Each instruction takes 64 ns of the board's time. It is an error if it ends with another exit code.
-fn emulate(board: &str, binary: &Path, code: i32) -> Result<Report> {
-    let (sh, is_riscv) = (shell()?, board == RISCV_BOARD);
-    let qemu = if is_riscv { &QEMU_RISCV } else { &QEMU }.path()?;
-    let machine = cmd!(sh, "{qemu} -M {board} -display none -monitor none -serial none -icount shift=6,sleep=off -chardev stdio,id=out");
-    let machine = machine.args(["-semihosting-config", "enable=on,target=native,chardev=out"]);
-    // As a kernel it would be started at the beginning of the RAM, where the stack is.
-    let loaded = if is_riscv {
-        machine.args(["-bios", "none", "-device"]).arg(format!("loader,cpu-num=0,file={}", binary.display()))
-    } else {
-        machine.arg("-kernel").arg(binary)
-    };
-    let (ended, said) = within(LIMIT, loaded)?;
-    ensure!(ended == code, "{} ended with {ended} on {board}, not with {code}; it said:\n{said}", binary.display());
-    Ok(Report(said))
-}
 
 /// Runs a program on the Cortex-M4F.
 pub fn run_alone(binary: &Path) -> Result<Report> {
@@ -335,14 +251,6 @@ mod tests {
         assert_eq!([0, 1, 2].map(|number| (word(number, 20), word(number, 24))), [(0, 3), (1, 3), (2, 3)]);
         assert_eq!((block(1)[32..34].to_vec(), block(1)[287], block(2)[32]), (vec![0xff, 0xff], 2, 3));
         assert!(file.chunks(512).all(|block| block.starts_with(b"UF2\n") && block.ends_with(&[0x30, 0x6f, 0xb1, 0x0a])));
-    }
-
-    #[test]
-    fn a_report_is_names_and_numbers() {
-        let report = Report("stack 4268\nplan 1\nplan 2\nerror: no room\n".to_owned());
-        assert_eq!(report.number("stack").unwrap(), 4268);
-        assert_eq!(report.all("plan"), [1, 2]);
-        assert!(report.number("statics").unwrap_err().to_string().contains("statics"));
     }
 
     #[test]

@@ -3,19 +3,18 @@
 mod api;
 mod benches;
 mod capi;
+mod checks;
 #[cfg(test)]
 mod dependencies;
+mod emulated_boards;
 mod firmware;
 mod footprint;
 mod fuzz;
 mod guide;
 mod page;
-mod parallel;
 mod process;
 mod programs;
 mod release;
-mod steps;
-mod test;
 mod toolchain;
 
 use anyhow::Result;
@@ -30,7 +29,7 @@ enum Task {
     /// Writes the trainer page, `dist/goodbot.html`.
     Page,
     /// Runs every check and every test; stops at the first that fails, and names those that cannot be run here.
-    Test(test::Options),
+    Test(checks::Options),
     /// Compares goodbot with other programs on the same work; those that cannot be installed are left out.
     Compare,
     /// Runs the fuzz targets, and prints how many inputs each had.
@@ -70,9 +69,9 @@ fn main() {
 
 fn run(task: Task) -> Result<()> {
     match task {
-        Task::Programs => programs::list(),
+        Task::Programs => programs::list().and_then(|()| toolchain::list()),
         Task::Page => page::build(),
-        Task::Test(options) => test::run(&options),
+        Task::Test(options) => checks::run(&options),
         Task::Compare => benches::compare(),
         Task::Fuzz(options) => fuzz::run(&options),
         Task::BenchWasm => benches::wasm(),

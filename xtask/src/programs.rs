@@ -10,10 +10,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use anyhow::{Context, Result, anyhow, ensure};
-use xshell::cmd;
+use xshell::{Shell, cmd};
 
 use crate::process::{folder_named_by, root, shell, target_dir};
-use crate::toolchain::{self, TARGETS};
 
 /// A program that a command needs.
 #[derive(Debug)]
@@ -140,6 +139,15 @@ pub fn built_by_cargo(program: &str) -> Option<PathBuf> {
     on_path(program).or_else(|| Some(programs().join(program).join("bin").join(program)).filter(|path| path.is_file()))
 }
 
+/// A program that cargo installs, on the `PATH` or among those that were fetched.
+pub fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
+    let place = programs().join(program);
+    if built_by_cargo(program).is_none() {
+        cmd!(sh, "cargo install --quiet --locked --root {place} {program}").run()?;
+    }
+    built_by_cargo(program).with_context(|| format!("cargo installed no {program}"))
+}
+
 /// The path of a program on the `PATH`, if it is there.
 pub fn on_path(name: &str) -> Option<PathBuf> {
     std::env::split_paths(&std::env::var_os("PATH")?).map(|folder| folder.join(format!("{name}{EXE_SUFFIX}"))).find(|file| file.is_file())
@@ -151,13 +159,12 @@ pub fn version(path: &Path) -> Result<String> {
     Ok(cmd!(sh, "{path} --version").ignore_stderr().read()?.lines().next().unwrap_or_default().trim().to_owned())
 }
 
-/// Finds or fetches the programs other than Python and valgrind, and sets up the targets. Prints paths and versions.
+/// Finds or fetches the programs other than Python and valgrind. Prints paths and versions.
 pub fn list() -> Result<()> {
     for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
         let path = program.path()?;
         println!("{}: {}", path.display(), version(&path)?);
     }
-    println!("{}: built by {}", TARGETS.join(", "), toolchain::compiler()?);
     Ok(())
 }
 

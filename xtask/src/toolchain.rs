@@ -115,6 +115,12 @@ fn add_by_rustup(targets: &[&'static str]) -> Result<()> {
     Ok(())
 }
 
+/// Sets up the targets, and prints them with the compiler that builds for them.
+pub fn list() -> Result<()> {
+    println!("{}: built by {}", TARGETS.join(", "), compiler()?);
+    Ok(())
+}
+
 /// The name of the compiler for the targets, such as `rustup's rustc 1.95.0`. It is set up if necessary.
 pub fn compiler() -> Result<String> {
     let sh = shell()?;

@@ -11,8 +11,9 @@ use anyhow::{Context, Result, anyhow, ensure};
 use clap::ValueEnum;
 use serde_json::{Value, json};
 
+use super::step::{End, Outcome, Step};
+use super::tally::Tally;
 use crate::process::{shell, target_dir};
-use crate::test::{End, Outcome, Step, Tally};
 
 pub struct ParallelSteps {
     child: Child,

@@ -1,17 +1,18 @@
-//! The steps of `cargo xtask test` that have no command of their own.
+//! The work of those steps that have no command of their own.
 
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
 use xshell::{Shell, cmd};
 
+use super::step::Step;
+use super::tally::Run;
+use crate::emulated_boards::Report;
 use crate::firmware::{
-    FLASH, Image, Report, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico,
-    trials,
+    FLASH, Image, alone, bytes, check_esp32c3, deliver, for_cortex_m0, full, images, nothing_panics, obeying, run_alone, run_pico, trials,
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
-use crate::test::{Run, Step};
 use crate::toolchain::{self, CORTEX_M4F, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
@@ -46,7 +47,7 @@ pub fn format() -> Result<()> {
 pub fn style() -> Result<()> {
     let sh = shell()?;
     for (what, files, expression) in FORBIDDEN {
-        let found = cmd!(sh, "git grep --untracked -nIE -e {expression} -- {files} :!xtask/src/steps.rs").ignore_status().output()?;
+        let found = cmd!(sh, "git grep --untracked -nIE -e {expression} -- {files} :!xtask/src/checks/work.rs").ignore_status().output()?;
         match found.status.code() {
             Some(0) => bail!("{what}:\n{}", String::from_utf8_lossy(&found.stdout)),
             Some(1) => {}

@@ -6,10 +6,10 @@ use anyhow::Result;
 use xshell::{Shell, cmd};
 
 use super::archive::{files, pack};
+use super::npm;
 use super::texts::Texts;
-use super::{installed_by_cargo, npm};
 use crate::process::root;
-use crate::programs::{Missing, npm_packages};
+use crate::programs::{Missing, installed_by_cargo, npm_packages};
 
 const DOCS: &str = "docs";
 /// The belief that a reader moves, in the page about how it works.

@@ -18,7 +18,7 @@ use xshell::{Shell, cmd};
 
 use crate::capi::{ALL_FEATURES, FEATURES, HEADERS, library};
 use crate::process::{folder_named_by, root, shell, target_dir};
-use crate::programs::{built_by_cargo, on_path, programs, python_with};
+use crate::programs::{installed_by_cargo, on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
 use archive::{files, pack, unpack};
 use texts::Texts;
@@ -244,15 +244,6 @@ fn python(sh: &Shell, to: &Path) -> Result<()> {
         ensure!(found.contains(&format!("platform tag: \"{MANYLINUX}")), "{} is not for {MANYLINUX}: {found}", wheel.display());
     }
     packages.iter().try_for_each(|package| Ok(sh.copy_file(package, to)?))
-}
-
-/// A program that cargo installs, on the `PATH` or among those that were fetched.
-pub fn installed_by_cargo(sh: &Shell, program: &str) -> Result<PathBuf> {
-    let place = programs().join(program);
-    if built_by_cargo(program).is_none() {
-        cmd!(sh, "cargo install --quiet --locked --root {place} {program}").run()?;
-    }
-    built_by_cargo(program).with_context(|| format!("cargo installed no {program}"))
 }
 
 /// What is shipped, and the crate that it is built of.

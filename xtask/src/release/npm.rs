@@ -8,9 +8,9 @@ use base64::engine::general_purpose::STANDARD;
 use xshell::{Shell, cmd};
 
 use super::texts::Texts;
+use crate::checks::tally::Run;
 use crate::process::{root, shell};
 use crate::programs::{NODE, NPM};
-use crate::test::Run;
 use crate::toolchain::{WASM, artifacts};
 
 const SOURCES: &str = "wasm/npm";

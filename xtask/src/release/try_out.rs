@@ -9,9 +9,9 @@ use zip::ZipArchive;
 
 use super::archive::{self, files};
 use super::{FOLDER, Package, check, npm, this_machine};
+use crate::checks::tally::Run;
 use crate::process::{root, target_dir};
 use crate::programs::{CHROMIUM, NODE, VENV, npm_packages, on_path, python3};
-use crate::test::Run;
 
 /// Tries the chosen kinds of package that have a tool to install them.
 pub fn run(sh: &Shell, from: &Path, packages: impl Iterator<Item = Package>) -> Result<()> {

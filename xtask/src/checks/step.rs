@@ -1,0 +1,88 @@
+//! The steps of `cargo xtask test`, and their outcomes.
+
+use std::time::Duration;
+
+use clap::ValueEnum;
+
+/// One check. They run in this order: those that fail soonest come first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Step {
+    /// files are as rustfmt writes them
+    Format,
+    /// no file names a place on one machine, or a package's server
+    Style,
+    /// actionlint finds no fault in the workflows of GitHub Actions
+    Workflows,
+    /// clippy finds no fault
+    Clippy,
+    /// the tests of all crates
+    Tests,
+    /// locked crates, licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
+    Trust,
+    /// the documentation is built without a warning
+    Docs,
+    /// the command line compiles for Windows, and a robot on pins for Cortex-M4F
+    Portable,
+    /// the Python package's tests, types and stubs, of a wheel in an environment of its own
+    Python,
+    /// the trainer page works in a browser, from a file
+    Page,
+    /// the C examples run under AddressSanitizer and UBSan
+    CHost,
+    /// the C examples run on an emulated Cortex-M4F and contain no panic
+    CBoard,
+    /// CMake, pkg-config, PlatformIO and Arduino find the C library in its packages, and C++ takes it
+    Packages,
+    /// the programs of docs/robot.md, built in an empty folder, print what it promises
+    Guide,
+    /// the paper's course passes on six emulated boards, Cortex-M0 to M33 and RISC-V, in its bounds
+    Firmware,
+    /// a control loop with a fixed tick misses none while the robot learns
+    Tick,
+    /// the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store; so among embassy's tasks
+    Microbit,
+    /// this machine, WebAssembly, every board and the Raspberry Pi Pico's file come to the same posteriors, bit for bit
+    SameBits,
+    /// the linked firmware contains no panic
+    NoPanic,
+    /// nothing costs more than docs/footprint.md says
+    Footprint,
+}
+
+impl Step {
+    /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
+    /// the time it uses only one processor, to link one program.
+    pub const fn is_parallel(self) -> bool {
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Packages, Portable, SameBits, Tick};
+        matches!(self, Portable | CHost | CBoard | Packages | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
+    }
+
+    /// Its name.
+    pub fn name(self) -> String {
+        self.described().0
+    }
+
+    /// Its name, and a description of its check.
+    pub fn described(self) -> (String, String) {
+        let value = self.to_possible_value();
+        let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
+        (name.unwrap_or_default(), about.flatten().unwrap_or_default())
+    }
+
+    /// Whether it is quick enough for `--fast`.
+    pub const fn is_fast(self) -> bool {
+        matches!(self, Self::Format | Self::Style | Self::Workflows | Self::Clippy | Self::Tests)
+    }
+}
+
+/// The outcome of a step.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    Passed,
+    Failed,
+    /// It cannot be run here, for this reason.
+    LeftOut(String),
+}
+
+/// A step that was run, the time that it took, and its outcome.
+pub type End = (Step, Duration, Outcome);
