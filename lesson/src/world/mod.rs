@@ -10,8 +10,8 @@
 //! So words learned for an object in one kind of task serve in all kinds. After other commands of a conversation, these roles have facts of
 //! [`before`] too, if the description has room for all of them.
 //!
-//! A world with actions belongs to a robot: see [`robot`]. The role model reads its tasks as it reads those of a home, so words learned in
-//! one are understood in the other. [`checked`] walks through sessions in it.
+//! A world with actions belongs to a robot: see [`robot`], which also words the faults of such a world. The role model reads its tasks as
+//! it reads those of a home, so words learned in one are understood in the other. [`checked`] walks through sessions in it.
 
 pub mod before;
 pub mod checked;
