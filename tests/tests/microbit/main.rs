@@ -25,7 +25,9 @@ fn main() -> ExitCode {
     let test = |setup: &Result<Setup, String>, name: &str, run: fn(&Setup)| {
         let setup = setup.clone();
         let absent = setup.is_err();
-        Trial::test(name, move || setup.as_ref().map(run).map_err(Failed::from)).with_ignored_flag(absent).with_kind("needs an emulated board")
+        Trial::test(name, move || setup.as_ref().map(run).map_err(Failed::from))
+            .with_ignored_flag(absent)
+            .with_kind("needs an emulated board")
     };
     macro_rules! tests {
         ($($setup:ident: $file:ident::$name:ident),* $(,)?) => { vec![$(test(&$setup, &format!("{}_{}", stringify!($setup), stringify!($name)), $file::$name)),*] };
