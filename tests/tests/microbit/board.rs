@@ -176,11 +176,11 @@ impl Board {
 
     /// Waits for about this many milliseconds on the board's clock, or longer: each row of lights is on for four milliseconds.
     fn wait(&mut self, milliseconds: u32) {
-        let mut row = self.row();
+        let (_, mut row) = self.row();
         for _ in 0..milliseconds / 4 {
             let before = row;
             while row == before {
-                row = self.row();
+                (_, row) = self.row();
             }
         }
     }
@@ -191,10 +191,12 @@ impl Board {
         u64::from_str_radix(answer.trim_start_matches("0x"), 16).unwrap()
     }
 
-    /// The pin of the row that is on.
-    fn row(&mut self) -> u64 {
-        let rows = self.version.lights.iter().flatten().fold(0, |rows, (row, _)| rows | 1 << row);
-        self.light_pins() & rows
+    /// The pins of the lights, and the only row among them that is on.
+    fn row(&mut self) -> (u64, u32) {
+        let pins = self.light_pins();
+        let rows = pins & self.version.lights.iter().flatten().fold(0, |rows, (row, _)| rows | 1 << row);
+        assert!(rows.is_power_of_two(), "the rows at the pins {rows:#b} are on at one time");
+        (pins, rows.ilog2())
     }
 
     /// Waits until the blinking light has changed this many times.
@@ -211,12 +213,11 @@ impl Board {
     /// Looks at the pins of the lights this many times.
     pub fn look(&mut self, looks: &mut Looks, times: usize) {
         for _ in 0..times {
-            let pins = self.light_pins();
-            let counts = looks.0.iter_mut().flatten();
-            for ((row, column), (on, lit)) in self.version.lights.iter().flatten().zip(counts) {
-                let is_on = pins >> row & 1 == 1;
-                *on += u32::from(is_on);
-                *lit += u32::from(is_on && pins >> column & 1 == 0);
+            let (pins, shown) = self.row();
+            let lights = self.version.lights.iter().flatten().zip(looks.0.iter_mut().flatten());
+            for ((_, column), (on, lit)) in lights.filter(|((row, _), _)| *row == shown) {
+                *on += 1;
+                *lit += u32::from(pins >> column & 1 == 0);
             }
         }
     }

@@ -22,6 +22,7 @@ fn main() -> ExitCode {
         Ok::<_, String>(Setup { version, emulator: emulator?, hex: hex?, goodbot: goodbot?, embassy: embassy? })
     };
     let (v1, v2) = (setup(&V1, "GOODBOT_QEMU"), setup(&V2, "GOODBOT_UNICORN"));
+    let embassy = v1.clone();
     let test = |setup: &Result<Setup, String>, name: &str, run: fn(&Setup)| {
         let setup = setup.clone();
         let absent = setup.is_err();
@@ -38,7 +39,7 @@ fn main() -> ExitCode {
         v1: lessons::the_lights_show_the_rooms_the_robot_and_the_block,
         v1: lessons::a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before,
         v1: lessons::what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_commands_too,
-        v1: embassy::a_lesson_is_given_by_buttons_and_outlives_the_battery,
+        embassy: embassy::a_lesson_is_given_by_buttons_and_outlives_the_battery,
         v1: lessons::a_lesson_of_given_actions_is_learned_and_the_model_is_fetched_as_it_is_stored,
         v1: lessons::what_is_said_wrongly_is_answered_and_changes_nothing,
         v2: lessons::the_papers_course_is_learned_over_the_serial_line,
