@@ -32,7 +32,7 @@ const HOW_TO_GET_IT: &str = "cargo xtask microbit, in the folder of goodbot's so
 /// The options of `goodbot microbit`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The file has the program of goodbot.hex, the model, and the home if one is named. The micro:bit (first version) goes on learning from there. It \
+The file has the program of goodbot.hex, the model, and the home if one is named. The micro:bit goes on learning from there. It \
 has room for about 14 words and 7 lessons and for a home of 41 cells; an error names the part that has no room.
 
 Example:
@@ -78,7 +78,7 @@ pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
         file.put_home(objects.as_ref(), &options.command).map_err(|error| Failure::Input(error.to_string()))?;
     }
     target.write(file.to_text().as_bytes())?;
-    say!("{}: {}; drag it onto a micro:bit (first version)", target.name(), counted(sessions, "lesson"));
+    say!("{}: {}; drag it onto a micro:bit", target.name(), counted(sessions, "lesson"));
     Ok(())
 }
 
@@ -177,7 +177,7 @@ impl ReadNorFlash for Flash {
 
 impl NorFlash for Flash {
     const WRITE_SIZE: usize = 4;
-    const ERASE_SIZE: usize = 1_024;
+    const ERASE_SIZE: usize = 4_096;
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Outside> {
         self.0.get_mut(from as usize..to as usize).ok_or(Outside)?.fill(0xff);

@@ -181,11 +181,27 @@ pub fn check_esp32c3() -> Result<()> {
 /// Builds the micro:bit's program and writes `dist/goodbot.hex`. Returns the file's path.
 pub fn deliver() -> Result<PathBuf> {
     let program = std::fs::read(for_cortex_m0("microbit")?)?;
-    let file = MicrobitFile::of_program(in_flash(&program)?)?;
+    let mut parts = in_flash(&program)?;
+    let vectors = with_all_faults(&parts)?;
+    if let Some((_, part)) = parts.first_mut() {
+        *part = &vectors;
+    }
+    let file = MicrobitFile::of_program(parts)?;
     let path = root().join("dist/goodbot.hex");
     shell()?.write_file(&path, file.to_text())?;
-    println!("{}: {} bytes of flash; drag it onto a micro:bit (first version)", path.display(), file.len());
+    println!("{}: {} bytes of flash; drag it onto a micro:bit", path.display(), file.len());
     Ok(path)
+}
+
+/// The part of a program at address 0, with handlers for three more kinds of fault. A Cortex-M0 has none of them. A Cortex-M4 calls the same handler
+/// for them anyway, until it is told otherwise; but DAPLink, which loads programs into a micro:bit V2, refuses one without them as made for the V1.
+fn with_all_faults(parts: &[(u32, &[u8])]) -> Result<Vec<u8>> {
+    let &(_, part) = parts.first().filter(|(at, part)| *at == 0 && part.len() >= 64).context("the program does not begin at address 0")?;
+    let mut part = part.to_vec();
+    for vector in 4..7 {
+        part.copy_within(12..16, 4 * vector);
+    }
+    Ok(part)
 }
 
 /// Builds the Raspberry Pi Pico's program and writes `dist/goodbot.uf2`. Returns the file's path.
@@ -251,6 +267,15 @@ mod tests {
         assert_eq!([0, 1, 2].map(|number| (word(number, 20), word(number, 24))), [(0, 3), (1, 3), (2, 3)]);
         assert_eq!((block(1)[32..34].to_vec(), block(1)[287], block(2)[32]), (vec![0xff, 0xff], 2, 3));
         assert!(file.chunks(512).all(|block| block.starts_with(b"UF2\n") && block.ends_with(&[0x30, 0x6f, 0xb1, 0x0a])));
+    }
+
+    #[test]
+    fn each_kind_of_fault_of_a_cortex_m4_has_the_handler_of_the_only_one_of_a_cortex_m0() {
+        let before: Vec<u8> = (0..64).collect();
+        let after = with_all_faults(&[(0, &before), (64, &[1])]).unwrap();
+        let same = [12, 13, 14, 15].repeat(3);
+        assert_eq!(after, [&before[..16], &same, &before[28..]].concat());
+        assert!(with_all_faults(&[(64, &before)]).is_err());
     }
 
     #[test]

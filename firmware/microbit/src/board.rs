@@ -12,11 +12,7 @@ pub fn print(text: &str) {
 pub fn exit(_code: u8) -> ! {
     serial::say(&["error: the robot has stopped; press reset, it still knows what it stored"]);
     lights::show(&[[FULL; 5]; 5]);
-    // SAFETY: nothing else runs any more.
-    let board = unsafe { nrf51_pac::Peripherals::steal() };
-    for moment in (0..=u32::MAX).cycle() {
-        lights::refresh(&board, moment);
-    }
+    (0..=u32::MAX).cycle().for_each(lights::refresh);
     loop {}
 }
 

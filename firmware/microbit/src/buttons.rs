@@ -1,9 +1,7 @@
 //! The two buttons. A long press means neither good nor bad.
 
+use crate::wiring::wiring;
 use nrf51_pac::Peripherals;
-
-const BUTTON_A: usize = 17;
-const BUTTON_B: usize = 26;
 
 /// A press shorter than this, in milliseconds, is only a contact that bounces.
 const SHORTEST: u32 = 20;
@@ -35,8 +33,8 @@ pub struct Buttons {
 impl Buttons {
     /// Makes the pins inputs; the board pulls them up.
     pub fn begin(board: &Peripherals) -> Self {
-        for pin in [BUTTON_A, BUTTON_B] {
-            if let Some(pin) = board.GPIO.pin_cnf.get(pin) {
+        for pin in wiring().buttons {
+            if let Some(pin) = board.GPIO.pin_cnf.get(usize::from(pin)) {
                 pin.write(|pin| pin.dir().input().input().connect().pull().pullup());
             }
         }
@@ -68,5 +66,6 @@ impl Buttons {
 
 fn down(board: &Peripherals) -> (bool, bool) {
     let pins = board.GPIO.in_.read().bits();
-    (pins & 1 << BUTTON_A == 0, pins & 1 << BUTTON_B == 0)
+    let [a, b] = wiring().buttons.map(|pin| pins >> (pin % 32) & 1 == 0);
+    (a, b)
 }

@@ -32,10 +32,10 @@ pub fn now() -> u32 {
 
 #[interrupt]
 fn TIMER0() {
-    // SAFETY: of these, only this handler writes the event and the lights' pins.
+    // SAFETY: of these, only this handler writes the event.
     let board = unsafe { Peripherals::steal() };
     board.TIMER0.events_compare[0].write(|event| unsafe { event.bits(0) });
     let moment = MOMENTS.load(Relaxed);
     MOMENTS.store(moment.wrapping_add(1), Relaxed);
-    lights::refresh(&board, moment);
+    lights::refresh(moment);
 }

@@ -1,16 +1,19 @@
 //! The last pages of the flash: a home that came with the program's file, and the learned model, which is kept without power.
 
 use crate::memory::{Agent, CAPACITIES};
+use crate::wiring::wiring;
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::snapshot::{RestoreError, most_bytes};
 use goodbot::storage::{SLOT_HEADER_BYTES, StorageError, TwoSlots};
 use nrf51_pac::NVMC;
 
-const PAGE: u32 = 1_024;
+/// Bytes that are erased together: a page of V2, four of V1.
+const BLOCK: u32 = 4_096;
+/// The end of the flash of V1. V2 has more, which stays free.
 const FLASH: u32 = 256 * 1_024;
 /// The start of the two slots: the linker keeps the program out of them.
 const START: u32 = 0x3_E000;
-const SLOT: u32 = 4 * PAGE;
+const SLOT: u32 = BLOCK;
 
 /// The start of the home and the commands that came with the file: text, then erased flash up to the slots. In an emulator, erased flash is
 /// 0.
@@ -73,15 +76,17 @@ impl ReadNorFlash for Flash {
 
 impl NorFlash for Flash {
     const WRITE_SIZE: usize = 4;
-    const ERASE_SIZE: usize = PAGE as usize;
+    const ERASE_SIZE: usize = BLOCK as usize;
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Refused> {
         check(from, to.saturating_sub(from) as usize)?;
         controller().config.write(|config| config.wen().een());
-        for page in (from..to).step_by(PAGE as usize) {
+        let mut page = from;
+        while page < to {
             // SAFETY: a page that holds no part of the program.
             controller().erasepage().write(|at| unsafe { at.bits(page) });
             wait();
+            page = page.saturating_add(wiring().page);
         }
         controller().config.write(|config| config.wen().ren());
         Ok(())

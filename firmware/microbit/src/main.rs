@@ -1,5 +1,7 @@
-//! A robot on a BBC micro:bit (the first version: nRF51822, 16 KiB of RAM). Its home is on the lights; button B is good, A is bad, both are
-//! the end of a lesson, and a long press chooses the next command. `docs/microbit.md` tells what people see.
+//! A robot on a BBC micro:bit, of either version. Its home is on the lights; button B is good, A is bad, both are the end of a lesson, and a
+//! long press chooses the next command. `docs/microbit.md` tells what people see.
+//!
+//! It is the code of V1, a Cortex-M0 with 16 KiB of RAM, which a Cortex-M4 as of V2 runs too.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -10,6 +12,7 @@
 //! | [`memory`] | its capacities |
 //! | [`flash`] | the learned model, kept without power |
 //! | [`clock`], [`lights`], [`buttons`], [`serial`] | the board's parts |
+//! | [`wiring`] | the differences between the two versions |
 //! | `board`, `fault`, [`stack`] | a stack overflow, which must stop the robot and change nothing |
 
 #![no_std]
@@ -30,6 +33,7 @@ mod robot;
 mod serial;
 #[path = "../../src/stack.rs"]
 mod stack;
+mod wiring;
 
 use buttons::Buttons;
 use goodbot::memory::HomeArrays;
@@ -44,7 +48,7 @@ static mut ROOMS: HomeArrays<RobotMemory> = RobotMemory::new().home;
 fn main() -> ! {
     // SAFETY: this function runs once; the interrupt handlers use only their own parts.
     let (agent, rooms, board) = unsafe { (&mut *(&raw mut AGENT), &mut *(&raw mut ROOMS), Peripherals::steal()) };
-    lights::begin(&board);
+    lights::begin();
     serial::begin(&board);
     clock::begin(&board);
     let mut buttons = Buttons::begin(&board);

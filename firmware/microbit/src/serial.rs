@@ -1,10 +1,8 @@
 //! The serial line over USB: 115,200 baud, 8 bits, no parity, one stop bit. The interrupt keeps received bytes until they are read.
 
+use crate::wiring::wiring;
 use core::sync::atomic::{AtomicBool, AtomicU8, Ordering::Relaxed};
 use nrf51_pac::{Interrupt, NVIC, Peripherals, UART0, interrupt};
-
-const SENDS: u32 = 24;
-const RECEIVES: u32 = 25;
 
 /// The longest line, in bytes.
 const LONGEST: usize = 64;
@@ -21,8 +19,9 @@ static TOO_FAST: AtomicBool = AtomicBool::new(false);
 pub fn begin(board: &Peripherals) {
     let line = &board.UART0;
     // SAFETY, here and below: the registers of this peripheral, with values from its manual.
-    line.pseltxd.write(|pin| unsafe { pin.bits(SENDS) });
-    line.pselrxd.write(|pin| unsafe { pin.bits(RECEIVES) });
+    let [sends, receives] = wiring().serial.map(u32::from);
+    line.pseltxd.write(|pin| unsafe { pin.bits(sends) });
+    line.pselrxd.write(|pin| unsafe { pin.bits(receives) });
     line.baudrate.write(|rate| rate.baudrate().baud115200());
     line.enable.write(|enable| enable.enable().enabled());
     line.intenset.write(|interrupts| interrupts.rxdrdy().set());

@@ -1,6 +1,5 @@
-//! A micro:bit in the emulator: its serial line, its pins, its flash.
+//! A micro:bit in an emulator: its serial line, its pins, its flash.
 
-use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
 use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
@@ -16,13 +15,66 @@ const LIMIT: Duration = Duration::from_secs(120);
 pub const SLOTS: u64 = 0x3_E000;
 pub const SLOTS_BYTES: usize = 0x2000;
 
-/// The pins of the buttons.
-pub const A: u32 = 17;
-pub const B: u32 = 26;
+/// The buttons.
+pub const A: usize = 0;
+pub const B: usize = 1;
 
-/// The files to run, and the emulator.
+/// A version of the board: the pins of its buttons, and of each light's row and column. Pins of the second port are counted on from 32.
+#[derive(Debug)]
+pub struct Version {
+    buttons: [u32; 2],
+    lights: [[(u32, u32); 5]; 5],
+    emulator: fn(&Setup, &Path, &Path) -> Command,
+}
+
+/// QEMU has the first one.
+pub static V1: Version = Version {
+    buttons: [17, 26],
+    lights: [
+        [(13, 4), (14, 7), (13, 5), (14, 8), (13, 6)],
+        [(15, 7), (15, 8), (15, 9), (15, 10), (15, 11)],
+        [(14, 5), (13, 12), (14, 6), (15, 12), (14, 4)],
+        [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
+        [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
+    ],
+    emulator: |setup, hex, folder| {
+        let file = |name: &str| folder.join(name).display().to_string();
+        let mut emulator = Command::new(&setup.emulator);
+        emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none"]);
+        emulator.arg("-device").arg(format!("loader,file={}", hex.display()));
+        if folder.join("slots").exists() {
+            emulator.arg("-device").arg(format!("loader,file={},addr={SLOTS:#x},force-raw=on", file("slots")));
+        }
+        // It waits for the serial line to be connected, so that no output is lost.
+        emulator.arg("-serial").arg(format!("unix:{},server=on,wait=on", file("serial")));
+        emulator.arg("-qtest").arg(format!("unix:{},server=on,wait=off", file("pins"))).args(["-qtest-log", "/dev/null"]);
+        emulator.stderr(Stdio::null());
+        emulator
+    },
+};
+
+/// For the second one, a script and unicorn.
+pub static V2: Version = Version {
+    buttons: [14, 23],
+    lights: [
+        [(21, 28), (21, 11), (21, 31), (21, 37), (21, 30)],
+        [(22, 28), (22, 11), (22, 31), (22, 37), (22, 30)],
+        [(15, 28), (15, 11), (15, 31), (15, 37), (15, 30)],
+        [(24, 28), (24, 11), (24, 31), (24, 37), (24, 30)],
+        [(19, 28), (19, 11), (19, 31), (19, 37), (19, 30)],
+    ],
+    emulator: |setup, hex, folder| {
+        let mut emulator = Command::new(&setup.emulator);
+        emulator.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/microbit/v2.py")).args([hex, folder]);
+        emulator
+    },
+};
+
+/// The files to run, and the emulators.
 #[derive(Clone, Debug)]
 pub struct Setup {
+    pub version: &'static Version,
+    /// QEMU for V1; for V2, a Python that has unicorn.
     pub emulator: PathBuf,
     pub hex: PathBuf,
     /// The command line, which writes `.hex` files.
@@ -33,6 +85,7 @@ pub struct Setup {
 
 /// A board that is switched on; it is switched off when dropped.
 pub struct Board {
+    version: &'static Version,
     emulator: Child,
     serial: BufReader<UnixStream>,
     pins: BufReader<UnixStream>,
@@ -47,24 +100,13 @@ impl Board {
 
     /// Switches on a board onto which this file was dragged.
     pub fn with_file(setup: &Setup, hex: &Path, slots: Option<&[u8]>) -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
-        let folder = std::env::temp_dir().join(name);
-        std::fs::create_dir_all(&folder).unwrap();
-        // It waits for the serial line to be connected, so that no output is lost.
-        let socket = |name: &str, wait: &str| format!("unix:{},server=on,wait={wait}", folder.join(name).display());
-        let mut emulator = Command::new(&setup.emulator);
-        emulator.args(["-M", "microbit", "-display", "none", "-monitor", "none"]);
-        emulator.arg("-device").arg(format!("loader,file={}", hex.display()));
+        let (version, folder) = (setup.version, folder());
         if let Some(slots) = slots {
-            let file = folder.join("slots");
-            std::fs::write(&file, slots).unwrap();
-            emulator.arg("-device").arg(format!("loader,file={},addr={SLOTS:#x},force-raw=on", file.display()));
+            std::fs::write(folder.join("slots"), slots).unwrap();
         }
-        emulator.args(["-serial", &socket("serial", "on"), "-qtest", &socket("pins", "off"), "-qtest-log", "/dev/null"]);
-        let emulator = emulator.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        let emulator = (version.emulator)(setup, hex, &folder).stdin(Stdio::null()).stdout(Stdio::null()).spawn().unwrap();
         let (serial, pins) = (connect(&folder, "serial"), connect(&folder, "pins"));
-        let mut board = Self { emulator, serial, pins, folder };
+        let mut board = Self { version, emulator, serial, pins, folder };
         assert!(board.line().starts_with("goodbot on the micro:bit"));
         board
     }
@@ -119,25 +161,26 @@ impl Board {
     }
 
     /// Presses or releases a button.
-    pub fn button(&mut self, pin: u32, down: bool) {
+    pub fn button(&mut self, button: usize, down: bool) {
+        let pin = self.version.buttons[button];
         self.pins(&format!("set_irq_in /machine/nrf51 unnamed-gpio-in {pin} {}", u32::from(!down)));
     }
 
     /// Presses buttons for a short time on the board's own clock, which may run slowly in an emulator on a busy machine.
-    pub fn press(&mut self, buttons: &[u32]) {
-        buttons.iter().for_each(|&pin| self.button(pin, true));
+    pub fn press(&mut self, buttons: &[usize]) {
+        buttons.iter().for_each(|&button| self.button(button, true));
         self.wait(60);
-        buttons.iter().for_each(|&pin| self.button(pin, false));
+        buttons.iter().for_each(|&button| self.button(button, false));
         self.wait(60);
     }
 
     /// Waits for about this many milliseconds on the board's clock, or longer: each row of lights is on for four milliseconds.
     fn wait(&mut self, milliseconds: u32) {
-        let mut row = self.row();
+        let (_, mut row) = self.row();
         for _ in 0..milliseconds / 4 {
             let before = row;
             while row == before {
-                row = self.row();
+                (_, row) = self.row();
             }
         }
     }
@@ -148,8 +191,12 @@ impl Board {
         u64::from_str_radix(answer.trim_start_matches("0x"), 16).unwrap()
     }
 
-    fn row(&mut self) -> u64 {
-        self.light_pins() >> 13 & 0b111
+    /// The pins of the lights, and the only row among them that is on.
+    fn row(&mut self) -> (u64, u32) {
+        let pins = self.light_pins();
+        let rows = pins & self.version.lights.iter().flatten().fold(0, |rows, (row, _)| rows | 1 << row);
+        assert!(rows.is_power_of_two(), "the rows at the pins {rows:#b} are on at one time");
+        (pins, rows.ilog2())
     }
 
     /// Waits until the blinking light has changed this many times.
@@ -166,11 +213,12 @@ impl Board {
     /// Looks at the pins of the lights this many times.
     pub fn look(&mut self, looks: &mut Looks, times: usize) {
         for _ in 0..times {
-            let pins = self.light_pins();
-            let shown: Vec<u32> = (13..16).filter(|row| pins >> row & 1 == 1).collect();
-            let [row] = shown[..] else { panic!("rows {shown:?} are on at one time") };
-            *looks.rows.entry(row).or_default() += 1;
-            (4..13).filter(|column| pins >> column & 1 == 0).for_each(|column| *looks.lit.entry((row, column)).or_default() += 1);
+            let (pins, shown) = self.row();
+            let lights = self.version.lights.iter().flatten().zip(looks.0.iter_mut().flatten());
+            for ((_, column), (on, lit)) in lights.filter(|((row, _), _)| *row == shown) {
+                *on += 1;
+                *lit += u32::from(pins >> column & 1 == 0);
+            }
         }
     }
 
@@ -190,26 +238,24 @@ impl Drop for Board {
     }
 }
 
-/// How often each row was seen, and how often each of its lights was on.
+/// How often each light's row was on, and how often the light itself: rows from the top, each from the left.
 #[derive(Debug, Default)]
-pub struct Looks {
-    rows: BTreeMap<u32, u32>,
-    lit: BTreeMap<(u32, u32), u32>,
-}
+pub struct Looks([[(u32, u32); 5]; 5]);
 
 impl Looks {
-    /// The brightness of each light, from 0 to 16: rows from the top, each from the left. `None` if its row was not seen.
+    /// The brightness of each light, from 0 to 16. `None` if its row was not seen.
     pub fn lights(&self) -> [[Option<f32>; 5]; 5] {
-        /// The row's and the column's pin of each light, as the board is wired.
-        const WIRED: [[(u32, u32); 5]; 5] = [
-            [(13, 4), (14, 7), (13, 5), (14, 8), (13, 6)],
-            [(15, 7), (15, 8), (15, 9), (15, 10), (15, 11)],
-            [(14, 5), (13, 12), (14, 6), (15, 12), (14, 4)],
-            [(13, 11), (13, 10), (13, 9), (13, 8), (13, 7)],
-            [(15, 6), (14, 10), (15, 4), (14, 9), (15, 5)],
-        ];
-        WIRED.map(|row| row.map(|light| Some(16.0 * self.lit.get(&light).copied().unwrap_or(0) as f32 / *self.rows.get(&light.0)? as f32)))
+        self.0.map(|row| row.map(|(on, lit)| (on > 0).then(|| 16.0 * lit as f32 / on as f32)))
     }
+}
+
+/// A new folder for files.
+pub fn folder() -> PathBuf {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    let name = format!("goodbot-{}-{}", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed));
+    let folder = std::env::temp_dir().join(name);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
 }
 
 fn connect(folder: &Path, name: &str) -> BufReader<UnixStream> {

@@ -1,6 +1,6 @@
 //! The tests. The trainer finds the right actions by a robot of its own, which is told the meaning of each command.
 
-use super::board::{A, B, Board, Looks, SLOTS_BYTES, Setup};
+use super::board::{A, B, Board, Looks, SLOTS_BYTES, Setup, folder};
 use goodbot::feedback::Strategy;
 use goodbot::home::{Area, Cell, HomeState};
 use goodbot::memory::HomeMemory;
@@ -167,8 +167,7 @@ pub fn what_a_robot_learned_elsewhere_comes_with_the_file_and_its_home_and_comma
     run_course(&mut agent, &mut memory.home, homes, &trainer, Strategy::BALANCED, &mut generator(1), &mut ()).unwrap();
     let mut model = vec![0; agent.saved_bytes().unwrap()];
     agent.save(&mut model).unwrap();
-    let folder = std::env::temp_dir().join(format!("goodbot-taught-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = folder();
     std::fs::write(folder.join("course.goodbot"), model).unwrap();
     std::fs::write(folder.join("home.json"), file_of(&homes.test).to_json_line()).unwrap();
     let written = Command::new(&setup.goodbot)
@@ -213,6 +212,18 @@ pub fn a_lesson_is_given_with_the_buttons_alone(setup: &Setup) {
     // The list continues.
     board.button(A, true);
     assert_eq!(board.line(), "next: go to the blue room");
+}
+
+pub fn each_button_says_its_word_and_both_end_the_lesson(setup: &Setup) {
+    let mut board = Board::on(setup, None);
+    board.lines_to("nothing is stored");
+    for request in ["pace 0", "say go to the green room", "act"] {
+        board.must(request);
+    }
+    for (buttons, said) in [(&[B][..], "good"), (&[A], "bad"), (&[A, B], "lessons 1")] {
+        board.press(buttons);
+        assert_eq!(board.line(), said);
+    }
 }
 
 pub fn the_lights_show_the_rooms_the_robot_and_the_block(setup: &Setup) {
@@ -266,7 +277,7 @@ pub fn a_power_cut_at_any_write_of_a_store_leaves_the_lessons_of_before(setup: &
     let length = u32::from_le_bytes(*after[slot + 8..].first_chunk().unwrap()) as usize;
     let model = slot + SLOT_HEADER_BYTES..slot + SLOT_HEADER_BYTES + length;
     let mut cuts = vec![before];
-    for page in (slot..model.end).step_by(PAGE) {
+    for page in (slot..slot + SLOT).step_by(PAGE) {
         let mut next = cuts.last().unwrap().clone();
         next[page..page + PAGE].fill(0xff);
         cuts.push(next);
@@ -313,8 +324,7 @@ pub fn a_lesson_of_given_actions_is_learned_and_the_model_is_fetched_as_it_is_st
         .collect();
     let slots = board.slots();
     assert!(!model.is_empty() && slots.windows(model.len()).any(|stored| stored == model));
-    let folder = std::env::temp_dir().join(format!("goodbot-fetched-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = folder();
     std::fs::write(folder.join("fetched.goodbot"), &model).unwrap();
     let read = Command::new(&setup.goodbot).current_dir(&folder).args(["inspect", "fetched.goodbot"]).output().unwrap();
     std::fs::remove_dir_all(&folder).unwrap();

