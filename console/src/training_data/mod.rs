@@ -29,8 +29,7 @@ use goodbot_lesson::first_words::{FirstWords, told};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// A machine command: its tokens.
-pub type MachineCommand = Vec<String>;
+pub use goodbot_lesson::machine_command::MachineCommand;
 
 /// A task that a command may mean.
 #[derive(Clone, Debug)]
