@@ -132,8 +132,8 @@ impl Kind {
 /// The parts of a starter's text.
 #[derive(Default)]
 struct Text<'t> {
-    /// A colour's value, and the forms of its word in the language.
-    colors: Vec<(&'t str, Vec<&'t str>)>,
+    /// A colour's value, and the forms of its word in the language, with slashes between.
+    colors: Vec<(&'t str, &'t str)>,
     /// A shape's value, and its name with a gap for the colour.
     things: Vec<(&'t str, &'t str)>,
     sentences: Vec<(Kind, &'t str)>,
@@ -150,11 +150,8 @@ impl<'t> Text<'t> {
                 // A remark.
                 Some(("#", _)) => {}
                 _ => {
-                    if let Some((value, words)) = line.split_once('=') {
-                        read.colors.push((value, words.split('/').collect()));
-                    } else if let Some((value, name)) = line.split_once(':') {
-                        read.things.push((value, name));
-                    }
+                    read.colors.extend(line.split_once('='));
+                    read.things.extend(line.split_once(':'));
                 }
             }
         }
@@ -171,51 +168,65 @@ impl<'t> Text<'t> {
         let ((shape, name), (beside, _)) = (thing(number), thing(number + 1));
         let value = |color: usize| self.colors.get(color).map_or("", |(value, _)| *value).to_owned();
         let word = |color: usize, form: usize| {
-            self.colors.get(color).and_then(|(_, forms)| forms.get(form).or(forms.first())).map_or("", |word| *word)
+            let forms = self.colors.get(color).map_or("", |(_, forms)| *forms);
+            forms.split('/').nth(form).or_else(|| forms.split('/').next()).unwrap_or_default().to_owned()
         };
-        let named = name.replace("{C}", word(own, 0)).replace("{c}", word(own, 1));
-        let plain: String = match name.split_once("的") {
+        let named = || filled(name, |gap| word(own, usize::from(gap == "c")));
+        let plain = || match name.split_once('的') {
             Some((_, noun)) => noun.to_owned(),
-            None => name.split_inclusive(' ').filter(|part| !part.contains('{')).collect(),
-        };
-        let mut command = sentence.replace("{T}", &named).replace("{N}", plain.trim_end());
-        for (gap, color) in [("R", goal), ("F", start), ("O", other)] {
-            for (form, gap) in [gap.to_owned(), gap.to_ascii_lowercase()].iter().enumerate() {
-                command = command.replace(&format!("{{{gap}}}"), word(color, form));
+            None => {
+                let words: Vec<&str> = name.split(' ').filter(|word| !word.starts_with('{')).collect();
+                words.join(" ")
             }
-        }
-        let room = |number: usize, [left, bottom]: [i32; 2], color: usize| ObjectRecord::Room {
-            name: format!("room{number}"),
-            left,
-            bottom,
-            right: left + 4,
-            top: bottom + 4,
-            color: value(color),
         };
-        let door =
-            |number: usize, [x, y]: [i32; 2]| ObjectRecord::Door { name: format!("door{number}"), left: x, bottom: y, right: x, top: y };
-        let block = |number: usize, y: i32, color: usize, shape: &str| ObjectRecord::Block {
-            name: format!("block{number}"),
+        let command = filled(sentence, |gap| match gap {
+            "T" => named(),
+            "N" => plain(),
+            "R" => word(goal, 0),
+            "r" => word(goal, 1),
+            "F" => word(start, 0),
+            "f" => word(start, 1),
+            "O" => word(other, 0),
+            _ => word(other, 1),
+        });
+        let room = |name: &str, [left, bottom]: [i32; 2], color: usize| {
+            let (name, color) = (name.to_owned(), value(color));
+            ObjectRecord::Room { name, left, bottom, right: left + 4, top: bottom + 4, color }
+        };
+        let door = |name: &str, [x, y]: [i32; 2]| ObjectRecord::Door { name: name.to_owned(), left: x, bottom: y, right: x, top: y };
+        let block = |name: &str, y: i32, color: usize, shape: &str| ObjectRecord::Block {
+            name: name.to_owned(),
             x: 6,
             y,
             color: value(color),
             shape: shape.to_owned(),
         };
         let objects = vec![
-            room(0, [0, 0], goal),
-            room(1, [4, 0], start),
-            room(2, [0, 4], other),
-            room(3, [4, 4], last),
-            door(0, [4, 2]),
-            door(1, [4, 6]),
-            door(2, [2, 4]),
-            door(3, [6, 4]),
-            block(0, 2, own, shape),
-            block(1, 6, second, beside),
+            room("room0", [0, 0], goal),
+            room("room1", [4, 0], start),
+            room("room2", [0, 4], other),
+            room("room3", [4, 4], last),
+            door("door0", [4, 2]),
+            door("door1", [4, 6]),
+            door("door2", [2, 4]),
+            door("door3", [6, 4]),
+            block("block0", 2, own, shape),
+            block("block1", 6, second, beside),
             ObjectRecord::Agent { name: "agent0".to_owned(), x: 5, y: 1 },
         ];
         Sentence { command, home: EnvironmentFile::new(objects), intended: kind.task() }
     }
+}
+
+/// A text with its gaps filled: `{R}` by `fill("R")`.
+fn filled(text: &str, fill: impl Fn(&str) -> String) -> String {
+    let mut parts = text.split('{');
+    let mut whole = parts.next().unwrap_or_default().to_owned();
+    for (gap, after) in parts.filter_map(|part| part.split_once('}')) {
+        whole += &fill(gap);
+        whole += after;
+    }
+    whole
 }
 
 #[cfg(test)]

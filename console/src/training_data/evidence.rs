@@ -9,7 +9,7 @@ use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
-use goodbot::symbols::{Symbol, Symbols};
+use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
 use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
@@ -17,7 +17,7 @@ use goodbot_formats::task_text::GroundAtomText;
 use goodbot_formats::world::SessionInWorld;
 use goodbot_lesson::checked::{CheckedSession, check};
 use goodbot_lesson::fault::quoted;
-use goodbot_lesson::machine_command::{description, token_text};
+use goodbot_lesson::machine_command::description;
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::world::{self, robot::Robot};
 use goodbot_lesson::{Fault, home};
@@ -251,6 +251,11 @@ pub(super) fn told_pairs(reading: &Reading) -> Vec<(MachineCommand, f32)> {
     pairs
 }
 
+/// The text of a machine token; a role's marker is `@` and its number.
+pub fn token_text(tokens: SymbolsRef<'_>, token: Symbol) -> String {
+    Marker::of(token).map_or_else(|| tokens.text(token).to_owned(), |marker| marker.to_string())
+}
+
 /// The machine commands of a task, one for each constraint. For the role model, its description alone.
 pub fn commands<D: Domain>(
     domain: &D,
@@ -260,7 +265,7 @@ pub fn commands<D: Domain>(
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
     if options.language.model == Model::Roles {
-        return Ok(vec![description(domain, all, task, start)?]);
+        return Ok(vec![description(domain, all, task, start, |tokens, token| Ok(token_text(tokens, token)))?]);
     }
     let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
     let mut tokens =

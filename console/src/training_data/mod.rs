@@ -29,7 +29,8 @@ use goodbot_lesson::first_words::{FirstWords, told};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-pub use goodbot_lesson::machine_command::MachineCommand;
+/// A machine command: its tokens.
+pub type MachineCommand = Vec<String>;
 
 /// A task that a command may mean.
 #[derive(Clone, Debug)]

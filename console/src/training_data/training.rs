@@ -11,9 +11,8 @@ use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
 use goodbot::probability::{Scaled, total};
 use goodbot::symbols::Symbol;
-use goodbot::task::is_marker;
+use goodbot::task::{Marker, is_marker};
 use goodbot_lesson::first_words::heard;
-use goodbot_lesson::machine_command::{symbol, symbols};
 use std::collections::{BTreeSet, HashMap};
 
 /// Memory for a language model of these lessons, without planning.
@@ -174,6 +173,18 @@ impl Interned {
         };
         command.iter().map(symbol).collect()
     }
+}
+
+fn symbol(model: &mut LanguageModel<impl AgentMemory>, token: &str) -> Result<Symbol, CapacityError> {
+    match token.parse::<Marker>() {
+        Ok(marker) => Ok(marker.symbol()),
+        Err(_) => model.tokens_mut().intern(token),
+    }
+}
+
+/// The symbols of a machine command.
+pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
+    command.iter().map(|token| symbol(model, token)).collect()
 }
 
 /// Pr(t|e,s) for each task of a lesson.
