@@ -80,8 +80,11 @@ export function lessonLearned(heardNew) {
   return now.size ? t('learned.surer', { words: listed([...now.keys()].map(asWritten)) }) : t('learned.onceMore');
 }
 
+/** Whether the robot knows any word. */
+export const knowsWords = () => state.sessions > 0 || Boolean(world.starter());
+
 /** The words of the command under way that the robot has not learned from. */
-export const unknownWords = () => (state.support && state.sessions > 0 ? [...new Set(state.support.words.filter((_, at) => !state.support?.known[at]))] : []);
+export const unknownWords = () => (state.support && knowsWords() ? [...new Set(state.support.words.filter((_, at) => !state.support?.known[at]))] : []);
 
 // Scripts that are written without spaces between the words.
 const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;

@@ -33,10 +33,10 @@ export function checksum(bytes) {
 }
 
 /** The address of this page with this tab's robot: its model, name, home and settings.
- * @param {{ secret?: boolean, session?: any[] }} more `secret`: the visitor is to find out its words; `session`: the records of a log, to be shown
+ * @param {{ secret?: boolean, session?: any[], starter?: string }} more `secret`: the visitor is to find out its words; `session`: the records of a log, to be shown
  * @param {string} known its model, as it is kept */
 export async function robotLink(more = {}, known = state.robot.model) {
-  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), ...more }));
+  const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), starter: state.robot.starter, ...more }));
   const model = fromBase64(known);
   const whole = new Uint8Array(2 + about.length + model.length);
   whole.set([about.length >> 8, about.length & 255]);
@@ -57,11 +57,11 @@ export async function sessionLink() {
   const before = state.robot.past.findLast(point => point.length < log.length);
   const records = before ? log.slice(before.length).trimEnd().split('\n').map(line => JSON.parse(line)) : [];
   const session = records.filter(({ type }) => type !== 'end').map(({ at_ms, said_ms, ...record }) => record);
-  return before && records.length === session.length + 1 ? robotLink({ session }, before.model) : undefined;
+  return before && records.length === session.length + 1 ? robotLink({ session, starter: before.had }, before.model) : undefined;
 }
 
 /** The robot in the address, which is removed from it; `null` if there is none, or if it is damaged, which is told.
- * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, secret: boolean, session: any[] | undefined, model: Uint8Array } | null>} */
+ * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, starter: string, secret: boolean, session: any[] | undefined, model: Uint8Array } | null>} */
 export async function readRobot() {
   const text = takeOff('robot|session');
   if (text === undefined) return null;
@@ -75,9 +75,9 @@ export async function readRobot() {
     if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(robot)) throw new Error('checksum');
     const whole = await expanded(robot);
     const length = whole[0] << 8 | whole[1];
-    const { name, home, pull, ways, secret, session } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
+    const { name, home, pull, ways, starter, secret, session } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
     session?.forEach(checkRecord);
-    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, secret: secret === true, session, model: whole.slice(2 + length) };
+    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, starter: String(starter || ''), secret: secret === true, session, model: whole.slice(2 + length) };
   } catch {
     tell(t('link.damaged'), true);
     return null;

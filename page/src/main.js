@@ -16,7 +16,7 @@ import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
 import * as shelf from './shelf.js';
 import { setUpSpeech } from './speech.js';
 import { $, all, attempt, state } from './state.js';
-import { openLast, othersTaught, wouldBeLost } from './store.js';
+import { enterMode, openLast, othersTaught, wouldBeLost } from './store.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
@@ -50,7 +50,7 @@ function setUp() {
     const isHome = readLink();
     const visitor = isHome ? null : await meet();
     if (!isHome && !visitor) return;
-    state.mode = 'play';
+    await enterMode('play');
     state.heat = { now: heatNow(), before: null };
     refresh();
     nameHome();
@@ -95,7 +95,7 @@ async function begin(module, languages) {
   await openLast();
   const home = shelf.get('home');
   if (home) attempt(() => world.setEnvironment(home));
-  if (readLink()) state.mode = 'play';
+  if (readLink()) await enterMode('play');
   const visited = await meet();
   state.heat = { now: heatNow(), before: null };
   refresh();

@@ -19,7 +19,7 @@ const keep = all => patch(state.robot, { tests: all });
 
 // The result of each test; valid until the robot learns something.
 let results = { of: '', verdicts: /** @type {string[]} */ ([]), right: 0 };
-const knowledge = () => JSON.stringify([state.robot.id, state.robot.model, tests(), document.documentElement.lang]);
+const knowledge = () => JSON.stringify([state.robot.id, state.robot.model, world.starter(), tests(), document.documentElement.lang]);
 
 const idle = () => !state.session && state.phase === 'none';
 

@@ -7,6 +7,7 @@ import { render } from './render.js';
 import { leaveSession, refresh } from './session.js';
 import * as shelf from './shelf.js';
 import { $, make, state } from './state.js';
+import { enterMode } from './store.js';
 import { say, tellRobot } from './talk.js';
 import { enterHome, enterStop, homeNamed } from './tour.js';
 
@@ -22,7 +23,7 @@ export function renderIdeas() {
 
 export async function setMode(mode) {
   if (mode === state.mode || state.tour.watching || !await leaveSession()) return;
-  state.mode = mode;
+  await enterMode(mode);
   state.tab = mode === 'build' ? 'editor' : mode === 'play' && state.sessions ? 'challenges' : 'thoughts';
   if (mode === 'build') enterBuild();
   else if (mode === 'tour') enterStop(state.tour.at);

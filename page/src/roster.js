@@ -139,15 +139,15 @@ export async function meet() {
   const mine = state.robot;
   try {
     await beginGuest(visitor.name);
-    await takeModel(visitor.model, visitor.ways);
-    Object.assign(state.robot, newRecord(visitor.name), { log: '' });
     state.mode = 'play';
+    await takeModel(visitor.model, visitor.ways, visitor.starter);
+    Object.assign(state.robot, newRecord(visitor.name), { log: '', starter: visitor.starter });
     state.settings.pull = visitor.pull;
     world.setEnvironment(JSON.stringify(visitor.home));
     world.setPulls(visitor.pull);
   } catch {
-    await open(mine);
     state.mode = 'tour';
+    await open(mine);
     tell(t('guest.cannot'), true);
     return null;
   }

@@ -3,13 +3,13 @@ import { parsed, world } from './core.js';
 import { askTrainer } from './asking.js';
 import { ask } from './dialog.js';
 import { t } from './language.js';
-import { lessonLearned, spaced, unknownWords, unspaced } from './learned.js';
+import { knowsWords, lessonLearned, spaced, unknownWords, unspaced } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { renderPlan } from './plan.js';
 import { render } from './render.js';
 import { underWay } from './shelf.js';
 import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { change, travel } from './store.js';
+import { change, enterMode, travel } from './store.js';
 import { tellRest } from './talk.js';
 import { attend, enterStop } from './tour.js';
 import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
@@ -71,7 +71,7 @@ export function begin(command, { intended = null, looking = false, picked = '', 
   session.picked = picked;
   state.session = session;
   [state.said, state.verdict, state.already, state.astray] = [null, '', '', false];
-  session.heardNew = state.sessions > 0 ? unknownWords() : [...new Set(state.support?.words)];
+  session.heardNew = knowsWords() ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
   const best = ranked()[0];
   if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
@@ -179,7 +179,7 @@ export async function takeUpSession() {
     // A session without steps is not resumed from a tab that was closed.
     if (closed && kept.steps.length < 2) return false;
     const [first, ...steps] = kept.steps.map(parsed);
-    state.mode = kept.mode;
+    await enterMode(kept.mode);
     if (kept.at !== null && kept.at !== state.tour.at) return false;
     beginAnew(first);
     session = newSession(first.command, {});

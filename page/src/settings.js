@@ -16,7 +16,7 @@ import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leav
 import { setUpShare, share } from './share.js';
 import * as shelf from './shelf.js';
 import { $, all, attempt, inParts, make, state, tell } from './state.js';
-import { change, logOf } from './store.js';
+import { change, giveStarter, logOf } from './store.js';
 import { enterHome, enterStop } from './tour.js';
 import { isThere } from './words.js';
 
@@ -28,7 +28,7 @@ export function renderSettings() {
   $('rule').value = settings.rule;
   $('rule-field').hidden = settings.speed !== 'confidence';
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
-  if (state.phase !== 'learning') $('set-ways').checked = world.ways();
+  if (state.phase !== 'learning') [$('set-ways').checked, $('set-starter').checked] = [world.ways(), state.robot.starter === document.documentElement.lang];
   $('theme').value = settings.theme;
   renderBelieves();
   if (document.activeElement !== $('seed')) $('seed').value = settings.seed;
@@ -108,6 +108,11 @@ export function setUpSettings() {
     if (await leaveSession()) await considerWays(value);
     render();
   });
+  $('set-starter').addEventListener('change', async () => {
+    const starter = $('set-starter').checked ? document.documentElement.lang : '';
+    if (await leaveSession()) await relearn(t('undo.starter'), () => giveStarter(starter));
+    render();
+  });
   $('theme').addEventListener('change', () => {
     state.settings.theme = $('theme').value;
     keepSetting('theme');
@@ -171,12 +176,15 @@ export function setUpSettings() {
   $('end-guest').addEventListener('click', endGuest);
 }
 
-/** Sets whether commands to this robot may say how: it learns its training data anew. */
-export async function considerWays(value) {
+/** Sets whether commands to this robot may say how. */
+export const considerWays = value => relearn(t('undo.ways'), () => world.setWays(value));
+
+// Changes the robot so that it learns its training data anew.
+async function relearn(what, work) {
   state.phase = 'learning';
   render();
-  await change(t('undo.ways'), async () => {
-    attempt(() => world.setWays(value));
+  await change(what, async () => {
+    attempt(work);
     await inParts(() => world.learn(LEARN_BUDGET));
     return '';
   });

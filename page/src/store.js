@@ -4,7 +4,7 @@ import { fromBase64, toBase64 } from './base64.js';
 import { expectedNow } from './believes.js';
 import { world } from './core.js';
 import { t } from './language.js';
-import { LEARN_BUDGET } from './session.js';
+import { LEARN_BUDGET, heatNow } from './session.js';
 import * as shelf from './shelf.js';
 import { inParts, state, tell } from './state.js';
 
@@ -20,6 +20,8 @@ const DAYS_KEPT = 30;
  * @property {number} sessions
  * @property {{ at: number, done: string[], said?: Record<string, string> }} tour
  * @property {boolean} [ways]
+ * @property {string} [starter]
+ * @property {string} [had] the starter that it had in the change: none in the tour
  * @property {number} length how long the log is there
  * @property {string} [rest] the log's lines that come again on the way forward
  */
@@ -36,6 +38,7 @@ const DAYS_KEPT = 30;
  * @property {number} sessions
  * @property {{ at: number, done: string[], said?: Record<string, string> }} tour the progress of the tour, and the user's own words for its commands
  * @property {boolean} [ways] whether commands to it may say how
+ * @property {string} [starter] the language of the everyday sentences that it knows; its model is without them
  * @property {(number | null)[]} [scores] for each session, how sure it was of the taught task when it heard the command
  * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
@@ -87,15 +90,39 @@ function writeLog(robot, log) {
 const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said } });
 
 /** @returns {Point} */
-const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), length: logOf(state.robot).length });
+const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), starter: state.robot.starter, had: world.starter(), length: logOf(state.robot).length });
+
+// The everyday sentences that a robot has now: none in the tour.
+const sentencesNow = starter => (state.mode === 'tour' ? '' : starter || '');
+
+/** Gives this tab's robot the everyday sentences of a language; the robot then has to learn.
+ * @param {string} starter */
+export function giveStarter(starter) {
+  state.robot.starter = starter;
+  world.setStarter(sentencesNow(starter));
+}
+
+/** Enters the tour, free play or the editor. In the tour the robot is without its everyday sentences.
+ * @param {string} mode */
+export async function enterMode(mode) {
+  state.mode = mode;
+  if (world.starter() === sentencesNow(state.robot.starter)) return;
+  world.setStarter(sentencesNow(state.robot.starter));
+  state.phase = 'learning';
+  await inParts(() => world.learn(LEARN_BUDGET));
+  state.phase = 'none';
+  state.heat = { now: heatNow(), before: null };
+}
 
 /** Restores a model, a part at a time; throws if it is none.
  * @param {Uint8Array} bytes
- * @param {boolean} ways whether commands may say how */
-export async function takeModel(bytes, ways = world.ways()) {
+ * @param {boolean} ways whether commands may say how
+ * @param {string} starter */
+export async function takeModel(bytes, ways = world.ways(), starter = '') {
   world.setWays(ways);
   await inParts(() => world.learn(LEARN_BUDGET));
   world.restore(bytes);
+  world.setStarter(sentencesNow(starter));
   await inParts(() => world.learn(LEARN_BUDGET));
   state.sessions = world.sessions();
   state.settings.style = expectedNow();
@@ -106,8 +133,8 @@ async function catchUp() {
   const { robot } = state;
   const stored = kept(robot);
   if (!stored) return false;
-  const stale = stored.model !== robot.model;
-  if (stale) await takeModel(fromBase64(stored.model), stored.ways === true);
+  const stale = stored.model !== robot.model || stored.starter !== robot.starter;
+  if (stale) await takeModel(fromBase64(stored.model), stored.ways === true, stored.starter);
   Object.assign(robot, stored);
   return stale;
 }
@@ -149,7 +176,7 @@ export async function travel(from) {
     if (!point) return;
     const here = pointNow(point.what);
     const log = logOf(robot);
-    await takeModel(fromBase64(point.model), point.ways === true);
+    await takeModel(fromBase64(point.model), point.ways === true, point.starter);
     robot[from] = robot[from].slice(0, -1);
     if (from === 'past') {
       here.rest = log.slice(point.length);
@@ -162,7 +189,7 @@ export async function travel(from) {
     robot.model = point.model;
     robot.sessions = state.sessions;
     robot.tour = point.tour;
-    robot.ways = point.ways;
+    Object.assign(robot, { ways: point.ways, starter: point.starter || '' });
     Object.assign(state.tour, { at: point.tour.at, done: [...point.tour.done] });
     write(robot);
     what = point.what;
@@ -184,7 +211,7 @@ export const keepTour = () => patch(state.robot, { tour: tourNow() });
 /** Makes this the robot of this tab: restores its model in the world.
  * @param {Robot} robot */
 export async function open(robot) {
-  await takeModel(fromBase64(robot.model), robot.ways === true);
+  await takeModel(fromBase64(robot.model), robot.ways === true, robot.starter);
   state.robot = robot;
   state.secret = '';
   state.tour = { at: robot.tour.at, done: [...robot.tour.done], said: { ...robot.tour.said }, watching: false };

@@ -1,4 +1,5 @@
 // One panel beside the stage, with tabs. Which tabs there are depends on the mode, and on whether the robot knows anything.
+import { knowsWords } from './learned.js';
 import { render } from './render.js';
 import { $, all, state } from './state.js';
 
@@ -8,7 +9,7 @@ import { $, all, state } from './state.js';
 /** @type {() => Tab[]} */
 function offered() {
   if (state.mode === 'build') return ['editor', 'settings'];
-  const nothing = state.sessions === 0 && !state.session;
+  const nothing = !knowsWords() && !state.session;
   return [...(/** @type {Tab[]} */ (nothing ? ['thoughts'] : ['thoughts', 'words', 'steps'])), ...(/** @type {Tab[]} */ (state.mode === 'play' ? ['challenges'] : [])), 'robots', 'settings'];
 }
 

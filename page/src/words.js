@@ -2,7 +2,7 @@
 import { questionWords } from './asking.js';
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { asWritten, unknownWords, unspaced } from './learned.js';
+import { asWritten, knowsWords, unknownWords, unspaced } from './learned.js';
 import { percent, state } from './state.js';
 import { isOver } from './tour.js';
 
@@ -137,7 +137,7 @@ export function speech() {
   if (!session) {
     if (isOver()) return [t('say.iAm', state.robot), ''];
     if (state.said) return /** @type {[string, string]} */ (state.said);
-    if (state.sessions === 0) return [t('say.hello'), t('say.helloMore')];
+    if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), t('say.helloMore')];
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
   }
   const best = ranked()[0];

@@ -102,6 +102,18 @@ impl Goodbot {
         self.0.ways()
     }
 
+    /// Gives the robot the everyday sentences of a language, beside its own sessions; the empty text takes them away. Call `learn` until it is
+    /// done.
+    #[wasm_bindgen(js_name = setStarter)]
+    pub fn set_starter(&mut self, language: &str) {
+        self.0.set_starter(language);
+    }
+
+    /// The language of these sentences; empty without them.
+    pub fn starter(&self) -> String {
+        self.0.starter().to_owned()
+    }
+
     /// Seeds the random draws of this step of the next session.
     #[wasm_bindgen(js_name = drawFrom)]
     pub fn draw_from(&mut self, seed: u32, step: u32) {

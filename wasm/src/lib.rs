@@ -6,6 +6,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`world`] | the home, the robot's mind and the session under way |
+//! | [`starter`] | everyday sentences that the robot knows beside its own sessions |
 //! | [`talk`] | utterances that may be no command, and sessions that begin with one |
 //! | [`training`] | a session from a command to a robot that has learned |
 //! | [`asking`] | questions, and the trainer's answers |
@@ -29,6 +30,7 @@ mod log;
 pub mod next;
 pub mod replay;
 pub mod route;
+pub mod starter;
 pub mod talk;
 pub mod training;
 pub mod view;

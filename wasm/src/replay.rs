@@ -134,7 +134,8 @@ impl World {
         (self.file, self.start) = (environment, walk.start);
         if learn {
             let (agent, home, _) = self.lesson.parts();
-            self.gave_way += agent.finish(home).map_err(Refusal::from)?.gave_way.count();
+            let finished = agent.finish(home).map_err(Refusal::from)?;
+            self.learned(&finished);
         } else {
             self.lesson.agent.forget();
         }

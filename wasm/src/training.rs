@@ -9,7 +9,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::oomdp::Domain;
 use goodbot::planning::{Judgement, Progress};
 use goodbot::random::unit;
-use goodbot::session;
+use goodbot::session::{self, Finished};
 use goodbot::talk::Conversation;
 use goodbot::task::GroundedTask;
 use goodbot_formats::environment::EnvironmentFile;
@@ -235,8 +235,15 @@ impl World {
     /// Where no session is under way or a table is full; the training data are kept.
     pub fn finish(&mut self) -> Result<String, Refusal> {
         let log = self.log(true)?;
-        self.gave_way += self.lesson.finish().map_err(Refusal::from)?.gave_way.count();
+        let finished = self.lesson.finish().map_err(Refusal::from)?;
+        self.learned(&finished);
         Ok(log)
+    }
+
+    /// Counts the sessions that gave way to a new one, and leaves fewer sentences of the starter.
+    pub(crate) fn learned(&mut self, finished: &Finished) {
+        self.gave_way += finished.gave_way.count();
+        self.starter.fade(&mut self.lesson.agent, finished);
     }
 
     /// How many older sessions this robot has forgotten for new ones, because its memory was full.
@@ -258,9 +265,9 @@ impl World {
         self.ahead = None;
     }
 
-    /// How many sessions the robot has learned from.
+    /// How many sessions the robot has learned from, without its starter.
     pub fn sessions(&self) -> usize {
-        self.agent().language().bitext().sessions()
+        self.agent().language().bitext().sessions() - self.starter.places.count()
     }
 
     /// The session under way as lines of a log, ended with or without learning.

@@ -19,6 +19,7 @@ use rand_pcg::Pcg32;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
 use crate::route::{Lookahead, Scout};
+use crate::starter::Starter;
 use crate::view::{Extent, Place, Scene, Thing};
 
 /// Why something was refused, in words for the person at the page.
@@ -47,6 +48,7 @@ pub struct World {
     pub(crate) ahead: Option<Lookahead>,
     pub(crate) random: Pcg32,
     pub(crate) replaying: Option<Replaying>,
+    pub(crate) starter: Starter,
 }
 
 /// A recorded session that is handed over in parts, and then replayed.
@@ -141,6 +143,7 @@ impl World {
             ahead: None,
             random: Pcg32::new(seed, 1),
             replaying: None,
+            starter: Starter::default(),
         })
     }
 
@@ -186,7 +189,7 @@ impl World {
         self.lesson.put(self.start);
     }
 
-    /// A new robot in the same home. It has learned nothing, and expects the trainer strategies that the one before expected.
+    /// A new robot in the same home. It has learned nothing, has no starter, and expects the trainer strategies that the one before expected.
     ///
     /// # Errors
     /// None where the built-in strategies are sound.
@@ -195,15 +198,22 @@ impl World {
         self.lesson.replace_agent(new_mind(&MIND, self.ways())?);
         self.lesson.put(self.start);
         self.gave_way = 0;
+        self.starter = Starter::default();
         expected.map_or(Ok(()), |strategies| self.set_strategies(&strategies))
     }
 
-    /// The robot's model, as the bytes of a model file.
+    /// The robot's model, as the bytes of a model file, without its starter.
     ///
     /// # Errors
     /// Where it is still learning.
     pub fn save(&self) -> Result<Vec<u8>, Refusal> {
-        self.lesson.agent.saved().map_err(Refusal::from)
+        let mut bytes = self.lesson.agent.saved().map_err(Refusal::from)?;
+        if self.starter.places.count() > 0 {
+            let mut mind = taught(&bytes, self.ways())?;
+            self.starter.places.clone().leave(&mut mind);
+            bytes = mind.saved().map_err(Refusal::from)?;
+        }
+        Ok(bytes)
     }
 
     /// Replaces the robot's model by a model file, and begins to train it: call [`learn`](Self::learn) until it is done. A session under
@@ -212,10 +222,15 @@ impl World {
     /// # Errors
     /// Why the file cannot be used; the old model then stays.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), Refusal> {
-        let mind = taught(bytes, self.ways())?;
+        self.take(taught(bytes, self.ways())?);
+        Ok(())
+    }
+
+    /// Replaces the mind by one that has only its own sessions.
+    fn take(&mut self, mut mind: Agent<AgentHeap>) {
+        self.starter.join(&mut mind);
         self.forget();
         self.lesson.replace_agent(mind);
-        Ok(())
     }
 
     /// Adds the lessons of another robot's model file, and begins to train: call [`learn`](Self::learn) until it is done. Returns the number
@@ -225,7 +240,11 @@ impl World {
     /// Why the file cannot be used; the training data are then unchanged.
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, Refusal> {
         self.forget();
-        self.lesson.agent.join(bytes).map_err(Refusal::from)
+        let Self { starter, lesson, .. } = self;
+        starter.places.leave(&mut lesson.agent);
+        let joined = lesson.agent.join(bytes);
+        starter.join(&mut lesson.agent);
+        joined.map_err(Refusal::from)
     }
 
     /// Whether a micro:bit has room for the home.
@@ -258,9 +277,7 @@ impl World {
             self.forget();
             return Ok(());
         }
-        let mind = taught(&self.save()?, ways)?;
-        self.forget();
-        self.lesson.replace_agent(mind);
+        self.take(taught(&self.save()?, ways)?);
         Ok(())
     }
 

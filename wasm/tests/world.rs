@@ -413,3 +413,98 @@ fn the_next_lesson_is_the_one_with_the_word_that_was_heard_least() {
     assert_eq!((known.word.as_str(), known.heard), ("green", 1));
     assert_eq!(world.next_lesson("go to the green room", "coffee").unwrap(), None);
 }
+
+/// A new robot in the home of the tests, with the starter of a language.
+fn half_taught(language: &str) -> World {
+    let mut world = world("Test");
+    world.set_starter(language);
+    while !world.learn(10_000) {}
+    world
+}
+
+/// The bits of what a robot believes on a command.
+fn believed(world: &mut World, command: &str) -> Vec<u32> {
+    let home = world.environment();
+    world.asked(&home, command).unwrap().tasks.iter().map(|task| task.probability.to_bits()).collect()
+}
+
+#[test]
+fn a_robot_with_a_starter_is_sure_of_everyday_sentences_before_its_first_lesson() {
+    for (language, go, take) in [
+        ("en", "go to the green room", "take the chair to the yellow room"),
+        ("de", "geh in den grünen Raum", "bring den Stuhl in den gelben Raum"),
+        ("fr", "va dans la pièce verte", "porte la chaise dans la pièce jaune"),
+        ("es", "ve a la habitación verde", "lleva la silla a la habitación amarilla"),
+        ("zh", "去绿色的房间", "把椅子搬到黄色的房间"),
+    ] {
+        let [mut knowing, mut new] = [half_taught(language), half_taught("")];
+        let scene = knowing.scene();
+        let room = |color| &scene.rooms.iter().find(|room| room.color == color).unwrap().name;
+        let chair = &scene.blocks.iter().find(|block| block.shape == "chair").unwrap().name;
+        for (command, wanted) in
+            [(go, format!("agentInRoom(agent0,{})", room("green"))), (take, format!("blockInRoom({chair},{})", room("yellow")))]
+        {
+            let home = knowing.environment();
+            let sure = |world: &mut World| {
+                let belief = world.asked(&home, command).unwrap();
+                belief.tasks.iter().find(|task| task.name == wanted).unwrap().probability
+            };
+            assert!(sure(&mut knowing) > 0.5 && sure(&mut new) < 0.3, "{command}: {} {}", sure(&mut knowing), sure(&mut new));
+        }
+        assert_eq!((knowing.sessions(), knowing.save().unwrap()), (0, new.save().unwrap()), "the sentences are not saved");
+    }
+}
+
+#[test]
+fn a_robot_with_a_starter_comes_back_from_its_model_and_from_its_log_to_the_last_bit() {
+    let mut first = half_taught("en");
+    let begun = first.agent().language().bitext().sessions();
+    let mut log = String::new();
+    for (command, meant) in [("go to the red room", "agentInRoom(agent0,room1)"), ("off to red with you", "agentInRoom(agent0,room1)")] {
+        log += &train(&mut first, command, meant);
+        first.reset();
+    }
+    assert_eq!(first.sessions(), 2);
+    assert!(first.agent().language().bitext().sessions() < begun, "the sentences fade");
+    let [mut restored, mut replayed] = ["en", "en"].map(half_taught);
+    restored.restore(&first.save().unwrap()).unwrap();
+    while !restored.learn(10_000) {}
+    for session in SessionReader::new(log.as_bytes()) {
+        replayed.replay(&session.unwrap()).unwrap();
+    }
+    let known = believed(&mut first, "go to the blue room");
+    for other in [&mut restored, &mut replayed] {
+        assert_eq!(other.save().unwrap(), first.save().unwrap());
+        assert_eq!(believed(other, "go to the blue room"), known);
+    }
+    restored.set_ways(true).unwrap();
+    restored.set_ways(false).unwrap();
+    restored.set_starter("");
+    restored.set_starter("en");
+    while !restored.learn(10_000) {}
+    assert_eq!(believed(&mut restored, "go to the blue room"), known);
+    restored.restart().unwrap();
+    assert_eq!((restored.sessions(), restored.starter()), (0, ""));
+}
+
+#[test]
+fn a_robot_with_a_starter_takes_over_lessons_and_a_trainer() {
+    let [mut first, mut other] = ["de", ""].map(half_taught);
+    train(&mut other, "geh zum roten", "agentInRoom(agent0,room1)");
+    let theirs = other.save().unwrap();
+    for added in [1, 0] {
+        assert_eq!(first.join(&theirs).unwrap(), added);
+        while !first.learn(10_000) {}
+        assert_eq!(first.sessions(), 1);
+    }
+    assert!(first.join(&theirs[1..]).is_err());
+    while !first.learn(10_000) {}
+    let mut same = half_taught("de");
+    same.restore(&theirs).unwrap();
+    while !same.learn(10_000) {}
+    assert_eq!(believed(&mut first, "geh ins blaue Zimmer"), believed(&mut same, "geh ins blaue Zimmer"));
+    first.set_learns_style(false).unwrap();
+    let mut restored = half_taught("");
+    restored.restore(&first.save().unwrap()).unwrap();
+    assert!(!restored.learns_style());
+}

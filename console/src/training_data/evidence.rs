@@ -10,8 +10,6 @@ use goodbot::oomdp::{Domain, ObjectId, apply};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
-use goodbot::task::Tokens;
-use goodbot::task::description::{Scene, describe};
 use goodbot::task::{Expression, LiftedTask, Marker, Part};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, StepRecord};
@@ -19,6 +17,7 @@ use goodbot_formats::task_text::GroundAtomText;
 use goodbot_formats::world::SessionInWorld;
 use goodbot_lesson::checked::{CheckedSession, check};
 use goodbot_lesson::fault::quoted;
+use goodbot_lesson::machine_command::description;
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::world::{self, robot::Robot};
 use goodbot_lesson::{Fault, home};
@@ -252,14 +251,12 @@ pub fn commands<D: Domain>(
     start: &D::State,
     options: &Options,
 ) -> Result<Vec<MachineCommand>, AgentError> {
+    if options.language.model == Model::Roles {
+        return Ok(vec![description(domain, all, task, start, |tokens, token| Ok(token_text(tokens, token)))?]);
+    }
     let (mut bytes, mut ends, mut count) = ([0; 2_048], [0; 64], 0);
     let mut tokens =
         Symbols::new(&mut bytes, &mut ends, &mut count, goodbot::capacity::Capacity::Tokens, goodbot::capacity::Capacity::TokenBytes);
-    if options.language.model == Model::Roles {
-        let mut description = Tokens::new();
-        describe(domain, all, task, &mut Scene::new(*start), &mut tokens, &mut description)?;
-        return Ok(vec![description.iter().map(|&token| token_text(tokens.read(), token)).collect()]);
-    }
     let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(vec![]) };
     let expression = Expression::new(domain, lifted, task, options.language.order, &mut tokens)?;
     let text = |constraint| -> Result<MachineCommand, AgentError> {

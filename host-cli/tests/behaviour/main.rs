@@ -27,6 +27,7 @@ mod parameters;
 mod replay;
 mod robot;
 mod size;
+mod starter;
 mod study;
 mod table;
 mod talk;

@@ -8,14 +8,13 @@ use goodbot::{Agent, Capacities};
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
 use goodbot_console::training_data::training;
-use std::ops::Range;
+use goodbot_lesson::starter::Places;
 
 /// The sentences, and their places in the agent's training data.
 #[derive(Debug, Default)]
 pub struct StarterSessions {
     starter: Starter,
-    /// Their positions among the agent's sessions.
-    places: Range<usize>,
+    places: Places,
     /// The agent without them, as the bytes of a model file.
     own: Vec<u8>,
 }
@@ -42,7 +41,7 @@ impl StarterSessions {
 
     /// The number of sentences in the agent's training data.
     pub fn count(&self) -> usize {
-        self.places.len()
+        self.places.count()
     }
 
     /// The agent without the sentences, as the bytes of a model file; `None` without a starter.
@@ -58,7 +57,7 @@ impl StarterSessions {
         let own = mind.language().bitext().sessions();
         self.own = mind.saved()?;
         let joined = self.starter.join(mind, own)?;
-        self.places = own..own + joined;
+        self.places = Places::last(mind, joined);
         Ok(())
     }
 
@@ -67,15 +66,9 @@ impl StarterSessions {
         if !self.is_on() {
             return Ok(());
         }
-        let gone = finished.gave_way.positions();
-        if gone.len() < finished.gave_way.count() {
-            // The places of the sentences are unknown now. The sentences that are left stay, as sessions like all others.
+        if !self.places.leave_after(finished, mind) {
             *self = Self::default();
             return Ok(());
-        }
-        let now = |place: usize| place - gone.iter().filter(|&&gone| usize::from(gone) < place).count();
-        for place in (now(self.places.start)..now(self.places.end)).rev() {
-            mind.unlearn(place as u16);
         }
         self.join(mind)
     }
