@@ -235,9 +235,14 @@ fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said
 
 /// The number of new words that may name things: those after a known word, "the purple bag".
 pub(super) fn new_names(words: Words<'_>) -> usize {
-    let (mut is_behind, mut phrase) = (false, 0);
+    let (mut is_behind, mut phrase, mut is_way) = (false, 0, false);
+    let mut behind = words.iter();
     let may_name = |word: &&Heard| {
-        let may_name = is_behind && word.is_new && word.phrase == phrase;
+        // "Ask you to step into".
+        let _ = behind.next();
+        let is_verb = is_way && behind.clone().next().is_some_and(|behind| behind.is_toward);
+        is_way = word.is_toward;
+        let may_name = is_behind && word.is_new && word.phrase == phrase && !is_verb;
         phrase = word.phrase;
         is_behind = word.count > 0.0 || may_name;
         may_name
@@ -262,7 +267,7 @@ fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let front = || words.iter().take_while(|word| !word.is_toward);
     let is_told = words.iter().any(|word| word.is_name && !word.is_toward)
         && front().count() == MOST_NEW
-        && front().all(|word| word.is_new && word.classes == Classes::NONE);
+        && front().all(|word| word.is_new && !word.is_sign && word.classes == Classes::NONE);
     let is_verb = is_verb && !is_told;
     // "All bags": the new word names a thing.
     let before = first.checked_sub(1).and_then(|before| words.get(before));

@@ -1,7 +1,7 @@
 //! Slips of the pen: known words that new words may be slips for.
 
-use super::classes::{Classes, ClosedWords};
-use super::heard::Utterance;
+use super::classes::{Class, Classes, ClosedWords};
+use super::heard::{Utterance, elided};
 use super::renamed::{RENAMED, renamed};
 use crate::capacity::CapacityError;
 use crate::language::roles::talk::{is_name, is_of_task};
@@ -92,8 +92,9 @@ pub(super) fn mend(
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
         // The first word is no slip for the name of a thing.
-        let first = words.iter().position(|word| word.classes == Classes::NONE);
+        let first = words.iter().position(|word| word.classes == Classes::NONE || word.classes.contains(Class::All));
         for_each_piece(utterance, |piece| {
+            let piece = elided(language, closed, piece).map_or(piece, |(_, word)| word);
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
             let word = at.and_then(|at| words.get(at));
             if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))

@@ -92,7 +92,9 @@ impl<M: AgentMemory> Agent<M> {
         let part = self.judge_one(domain, first, explained, wording, place, taken)?;
         let (probability, command) = (share * part.probability, share * part.command);
         let rest = words.get(parting.begin).map(|word| usize::from(word.piece));
-        Ok(Judged { hypothesis: best, probability, command, rest, ..part })
+        // "Go there, but take the bag first" is in another order.
+        let is_clear = part.is_clear && !words.part(parting.begin.saturating_sub(1), words.len()).has(Class::But);
+        Ok(Judged { hypothesis: best, probability, command, rest, is_clear, ..part })
     }
 
     /// The tasks of words that are not several commands. `taken` is their hypothesis, its probability, and the probability of a plain
@@ -274,10 +276,17 @@ fn tells(words: Words<'_>) -> bool {
 /// condition, and "I'd be glad if you went" is a request.
 fn has_condition(words: Words<'_>) -> bool {
     let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
-    let Some(at) = words.iter().position(is_if) else { return false };
+    let Some(first) = words.iter().position(is_if) else { return false };
+    // Two signs make a word.
+    let at = first.saturating_add(words.iter().skip(first.saturating_add(1)).take_while(|word| word.is_sign && is_if(word)).count());
     let case = words.part(at.saturating_add(1), at.saturating_add(NAMES_A_CASE));
     let is_polite = case.get(0).is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
-    let is_glad = at > 0 && words.has(Class::You) && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
+    let is_glad = first > 0 && words.has(Class::You) && !words.part(0, first).iter().any(|word| word.is_of_task || word.is_name);
+    // "If you took the bag there, I'd be glad."
+    let phrase = words.get(at).map_or(0, |word| word.phrase);
+    let behind = words.only(|word| word.phrase > phrase);
+    let is_thanked = behind.has(Class::Polite) && behind.has(Class::Speaker) && !behind.iter().any(|word| word.is_of_task || word.is_name);
+    let is_glad = is_glad || first == 0 && is_polite && is_thanked && !behind.has(Class::Negation);
     !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
