@@ -1,6 +1,6 @@
 //! The words of an utterance, with their probabilities in a command and beside one.
 
-use super::classes::{Class, Classes, ClosedWords};
+use super::classes::{Class, Classes, ClosedWords, is};
 use super::slips::{SLIP, is_plural, slip_for};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
@@ -208,8 +208,7 @@ impl Heard {
             false => share(background(language.tables(), symbol), NEW),
         };
         let is_of_task = is_of_task(language.tables(), symbol);
-        let is_new =
-            classes == Classes::NONE && !is_toward && !is_beside && symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
+        let is_new = classes == Classes::NONE && !is_toward && !is_beside && !is_article && is_unknown(language, symbol);
         let count = symbol.map_or(0.0, |symbol| count(language.bitext(), symbol) as f32);
         let turns = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective];
         let factor = if count == 0.0 && classes.contains_any(&turns) { TURNS } else { 1.0 };
@@ -239,8 +238,7 @@ impl Heard {
     /// Replaces a new word of direction ("hasta") by the lessons' own ("a"); `None` for a word of the lessons, or one without direction.
     pub fn as_usual_way(&self, language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Self> {
         let Self { piece, phrase, is_sign, is_toward, classes, factor, .. } = *self;
-        let is_unknown = self.said.symbol.is_none_or(|symbol| symbol.index() >= language.tables().words());
-        let way = Some(usual_way(language, closed).filter(|_| is_toward && is_unknown && factor == 1.0)?);
+        let way = Some(usual_way(language, closed).filter(|_| is_toward && is_unknown(language, self.said.symbol) && factor == 1.0)?);
         Some(Self { piece, phrase, is_sign, is_toward, factor: OTHER_WAY, ..Self::new(language, way, classes) })
     }
 
@@ -339,14 +337,17 @@ impl<M: AgentMemory> Agent<M> {
         })?;
         let (mut of_word, mut position) = ((0, Classes::NONE), 0_usize);
         for_each_piece(utterance, |piece| {
-            // The first word of a command names no thing: "range" in "range le panier" is no slip for "orange".
-            let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE);
+            let (elided, piece, is_whole) =
+                elided(language, closed, piece).map_or(("", piece, true), |(elided, word)| (elided, word, false));
+            // The first word of a command names no thing: "range" in "range le panier" is no slip for "orange". "Alle Stühle" has no verb.
+            let is_first = words.iter().all(|word: &Heard| word.classes != Classes::NONE && !word.classes.contains(Class::All));
             // "Chairs" is a plural, not a slip.
             let is_no_name = |symbol: &Symbol| {
                 let known = language.words().text(*symbol);
                 !(is_name(language.tables(), Some(*symbol)) && is_slip(known, piece) && !piece.starts_with(known))
             };
-            let symbol = sentence.get(position).copied().flatten().filter(|symbol| !is_first || is_no_name(symbol));
+            let symbol = if is_whole { sentence.get(position).copied().flatten() } else { language.words().find(piece) };
+            let symbol = symbol.filter(|symbol| !is_first || is_no_name(symbol));
             if of_word.0 == 0 {
                 of_word = closed.of_signs(signs.get(position..).unwrap_or(&[])).unwrap_or((1, closed.of(piece)));
             }
@@ -356,7 +357,7 @@ impl<M: AgentMemory> Agent<M> {
             let may_be_plural = heard.is_name && piece.ends_with(['s', 'x']);
             heard.is_plural = may_be_plural && symbol.is_some_and(|symbol| is_plural(piece, language.words().text(symbol)));
             let is_cue = heard.is_new && !of_word.1.contains(Class::Act) && slip_for(language, piece, SLIP).is_none();
-            let is_behind_verb = words.last().is_some_and(|word: &Heard| word.is_of_task);
+            let is_behind_verb = words.last().is_some_and(Heard::may_act);
             let left = signs.len().saturating_sub(position);
             let is_sign = signs.get(position).is_some_and(Option::is_some);
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
@@ -364,11 +365,17 @@ impl<M: AgentMemory> Agent<M> {
             let mut add = |word: Heard| {
                 let _ = words.push(Heard { piece: position as u8, phrase: phrase(utterance, position), is_sign, ..word });
             };
+            let before = closed.of(elided);
+            if before != Classes::NONE && has_room {
+                add(Heard::new(language, None, before));
+            }
             if of_word.1.contains(Class::Clitic) && is_behind_verb && is_joined(utterance, position) {
                 add(Heard::joined(language));
-            } else if let Some(verb) = parted {
+            } else if let Some((verb, has_it)) = parted {
                 add(Heard::new(language, Some(verb), Classes::NONE));
-                add(Heard::joined(language));
+                if has_it {
+                    add(Heard::joined(language));
+                }
             } else {
                 add(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
             }
@@ -385,6 +392,16 @@ impl<M: AgentMemory> Agent<M> {
         let asks = |word: &&mut Heard| word.classes.contains(Class::Asking) && !word.said.symbol.is_some_and(begins);
         words.iter_mut().take(1).filter(asks).for_each(|word| word.count = 0.0);
         excuse(words);
+        // In "把篮子提到", the new sign is a verb.
+        let mut is_named = false;
+        for at in 1..words.len() {
+            let is_way = words.get(at).is_some_and(|word| word.is_toward && word.is_sign);
+            let Some(word) = words.get_mut(at.saturating_sub(1)) else { break };
+            if is_way && is_named && word.is_new {
+                (word.is_new, word.is_of_task) = (false, true);
+            }
+            is_named |= word.is_name || word.classes.contains(Class::All);
+        }
         Ok(())
     }
 }
@@ -396,8 +413,21 @@ fn usual_way(language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Symbo
     learned.filter(|(_, word)| leads(word)).map(|(symbol, _)| symbol).max_by_key(|&symbol| count(language.bitext(), symbol))
 }
 
+/// Whether words begin with a command that is done first: "after you have been to the red room, go to the green room".
+fn begins_with_after(words: &[Heard]) -> bool {
+    let Some(first) = words.first() else { return false };
+    let names = |is_first: bool| words.iter().any(|word| word.is_name && (word.phrase == first.phrase) == is_first);
+    first.classes.contains(Class::Connective) && first.classes.contains(Class::Polite) && names(true) && names(false)
+}
+
 /// Excuses words that negate, except or split nothing in their context, and marks words for the present place.
 fn excuse(words: &mut [Heard]) {
+    if begins_with_after(words) {
+        let first = words.first().map_or(0, |word| word.phrase);
+        let is_of_past =
+            |word: &&mut Heard| word.phrase == first && word.classes.contains_any(&[Class::Connective, Class::Asking, Class::You]);
+        words.iter_mut().filter(is_of_past).for_each(Heard::excuse);
+    }
     // In "be so kind and go", no command comes before "and".
     let polite = [Class::Polite, Class::Greeting, Class::Connective];
     for word in words.iter_mut() {
@@ -406,11 +436,12 @@ fn excuse(words: &mut [Heard]) {
         }
         word.make_polite();
     }
-    let spoken_to = words.iter().position(|word| word.classes.contains(Class::You)).unwrap_or(0);
+    let mut spoken_to = 0;
     let (mut is_from, mut is_polite, mut is_out, mut is_named) = (false, false, false, false);
     for at in (0..words.len()).rev() {
         let Some(word) = words.get_mut(at) else { continue };
         let is_of = |class| word.classes.contains(class);
+        spoken_to = if is_of(Class::You) { at } else { spoken_to };
         // "Away" is a cue only before "from", not in "right away". "But" in "sorry, but could you go" excepts nothing.
         let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
         let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
@@ -427,6 +458,7 @@ fn excuse(words: &mut [Heard]) {
     for at in 0..words.len() {
         let behind = at.saturating_add(1);
         let acts = words.iter().skip(behind).any(|word| word.is_of_task);
+        let asks_behind = words.get(behind).is_some_and(|word| word.classes.contains(Class::Asking));
         let Some(word) = words.get_mut(at) else { break };
         let is_of = |class| word.classes.contains(class);
         let (forgets, negates) = (word.is_forgetting, is_of(Class::Negation));
@@ -440,7 +472,7 @@ fn excuse(words: &mut [Heard]) {
         } else if is_of(Class::Speaker) || word.classes == Classes::NONE && !word.is_new {
             reach = 0;
         }
-        let is_polite = negates && case.saturating_add(1) < at && at < reach;
+        let is_polite = negates && (case.saturating_add(1) < at || case < at && asks_behind) && at < reach;
         if is_out && is_named {
             // "Stay out of the red room" is about another place than here, "get out of here" is not.
             word.classes = word.classes.without(Class::Here);
@@ -474,8 +506,22 @@ fn is_joined(utterance: &str, piece: usize) -> bool {
         .is_some_and(|before| before.ends_with(['-', '\u{2010}', '\u{2011}']))
 }
 
-/// The verb in a word that ends in "it": "llévalo" is "lleva" and "lo". Accents do not count.
-fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: &str) -> Option<Symbol> {
+/// The word after an elided one, and the elided one before it: "d" and "aller" of "d'aller". The longer part is the word: "you" in "you're".
+pub(super) fn elided<'p>(language: LanguageRef<'_>, closed: ClosedWords<'_>, piece: &'p str) -> Option<(&'p str, &'p str)> {
+    let (front, back) = piece.split_once(is('\''))?;
+    let is_known = closed.of(piece) != Classes::NONE || !is_unknown(language, language.words().find(piece));
+    let parts = if front.len() < back.len() { (front, back) } else { (back, front) };
+    (!is_known).then_some(parts)
+}
+
+/// Whether no lesson had a word.
+fn is_unknown(language: LanguageRef<'_>, symbol: Option<Symbol>) -> bool {
+    symbol.is_none_or(|symbol| symbol.index() >= language.tables().words())
+}
+
+/// The verb in a word that ends in a pronoun, and whether that is "it": "llévalo" is "lleva" and "lo", "llévame" is "lleva". Accents do not
+/// count.
+fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: &str) -> Option<(Symbol, bool)> {
     let plain = |letter: char| match letter {
         'á' => 'a',
         'é' => 'e',
@@ -484,9 +530,12 @@ fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: 
         'ú' => 'u',
         other => other,
     };
-    closed.ends(Class::Clitic, word).find_map(|verb| {
+    let known = |verb: &str| {
         let is_verb = |known: &str| known.chars().map(plain).eq(verb.chars().map(plain));
         let (symbol, _) = language.words().iter().take(language.tables().words()).find(|&(_, known)| is_verb(known))?;
         is_of_task(language.tables(), Some(symbol)).then_some(symbol)
-    })
+    };
+    let before_polite = |front: &str| closed.ends(Class::Polite, front).find_map(known);
+    let with_it = closed.ends(Class::Clitic, word).find_map(|front| known(front).or_else(|| before_polite(front)));
+    with_it.map(|verb| (verb, true)).or_else(|| Some((before_polite(word)?, false)))
 }

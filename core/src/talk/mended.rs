@@ -1,7 +1,7 @@
 //! New words taken for known ones: slips of the pen, and a synonym of the noun that lessons put beside names, "chamber" for "room".
 
 use super::classes::{Class, Classes, ClosedWords};
-use super::heard::{Utterance, count};
+use super::heard::{Utterance, count, elided};
 use super::slips::{SLIP, is_plural, slip_for};
 use crate::capacity::CapacityError;
 use crate::language::roles::talk::{is_name, is_of_task};
@@ -28,8 +28,9 @@ pub(super) fn mend(
     for rate in [SLIP, ANOTHER_SLIP] {
         let mut position = 0_usize;
         // The first word is no slip for the name of a thing.
-        let first = words.iter().position(|word| word.classes == Classes::NONE);
+        let first = words.iter().position(|word| word.classes == Classes::NONE || word.classes.contains(Class::All));
         for_each_piece(utterance, |piece| {
+            let piece = elided(language, closed, piece).map_or(piece, |(_, word)| word);
             let at = words.iter().position(|word| usize::from(word.piece) == position && word.is_new);
             let word = at.and_then(|at| words.get(at));
             if let (Some(word), Some(slot)) = (word, at.and_then(|at| mended.get_mut(at)))

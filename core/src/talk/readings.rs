@@ -131,7 +131,8 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
     // "Don't move the bag, it has to stay here" says the same thing twice.
-    let is_clear = !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words)) && turns;
+    let is_clear =
+        !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words) && !denies_stay(words)) && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
     let is_double = is_not && is_out;
     Some(WithoutCues {
@@ -146,6 +147,13 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
         stays,
         is_double,
     })
+}
+
+/// Whether a word such as "stay" is negated: "the basket can't stay in the green room".
+fn denies_stay(words: Words<'_>) -> bool {
+    let not = words.at(Class::Negation).unwrap_or(words.len());
+    let near = |word: &&Heard| word.classes.contains_any(&[Class::Negation, Class::Polite, Class::Here]);
+    words.iter().skip(not).take_while(near).any(|word| word.classes.contains(Class::Here))
 }
 
 /// Whether all things of a kind are to leave a place.

@@ -7,6 +7,9 @@ use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, stays_by_
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
 
+/// The most words from "but" to "before" in "but before that". Two signs make a word.
+const MOST_BEFORE_FIRST: usize = 5;
+
 /// The most new words of a phrase that calls somebody.
 const MOST_CALLED: usize = 2;
 
@@ -28,6 +31,10 @@ pub(super) const OF_SENTENCES: [Class; 14] = [
     Class::Meant,
 ];
 
+/// A phrase with such a word is no aside.
+const OF_REQUESTS: [Class; 8] =
+    [Class::Negation, Class::If, Class::No, Class::Meant, Class::Connective, Class::Stop, Class::Wish, Class::You];
+
 /// Such words belong to the command, however polite they are.
 const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class::All, Class::Connective, Class::Or, Class::Pronoun];
 
@@ -38,6 +45,11 @@ pub(super) fn fronted(words: Words<'_>) -> Option<Words<'_>> {
     let (mut is_named, mut behind) = (false, 0);
     for (position, word) in words.iter().enumerate() {
         let is_verb = word.may_act() && !word.is_toward;
+        // "The red room, eh, nice" has no verb.
+        let is_alone = || words.iter().filter(|other| other.phrase == word.phrase).count() == 1;
+        if is_verb && is_named && word.is_new && is_alone() {
+            return None;
+        }
         if is_verb && is_named {
             // "The bag, put it in the red room".
             let rest = words.only(|word| !word.classes.contains(Class::It));
@@ -69,7 +81,9 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     }
     // The words for a direction before the names, and where these names begin and end.
     let (mut way, mut is_place, mut begin, mut end) = (None, false, 0, 0);
+    let (mut phrase_before, mut is_at_comma) = (0, false);
     let corrects = |(position, word): (usize, &Heard)| {
+        (is_at_comma, phrase_before) = (word.phrase > phrase_before, word.phrase);
         let is_no = end > 0 && word.classes.contains_any(&[Class::No, Class::Meant, Class::Blame]);
         if is_no || is_place && word.classes.contains(Class::Negation) {
             return Some((position, is_no));
@@ -103,7 +117,7 @@ pub(super) fn corrected(words: Words<'_>) -> Option<Words<'_>> {
     Some(match (is_no, has_verb) {
         (false, _) => before,
         // "La bolsa no entre" corrects nothing.
-        (true, true) => return Some(behind).filter(|_| before.iter().any(is_verb)),
+        (true, true) => return Some(behind).filter(|_| is_at_comma && before.iter().any(is_verb)),
         (true, false) => before.with(noun).with(behind),
     })
 }
@@ -122,15 +136,24 @@ pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     let is_other =
         |word: &Heard| word.is_name || acts(word) || !word.classes.contains(Class::Pronoun) && word.classes.contains_any(&OF_SENTENCES);
     let is_tag = |phrase: u8| phrase > first && of(phrase).any(|word| word.classes.contains(Class::You)) && !of(phrase).any(is_other);
+    // "..., we're painting" gives a reason, and "my friend, ..." calls somebody.
+    let last = words.iter().filter(|word| word.is_name).last()?.phrase;
+    let denies = |word: &Heard| word.is_name || acts(word) || word.classes.contains_any(&OF_REQUESTS);
+    let is_spoken = |phrase: u8| of(phrase).next().is_some_and(|word| word.classes.contains(Class::Speaker)) && !of(phrase).any(denies);
+    let is_called = |phrase: u8| phrase < first && of(phrase).count() <= MOST_CALLED;
+    let is_aside = |phrase: u8| is_spoken(phrase) && (phrase > last || is_called(phrase)) && !words.has(Class::If);
     let mut rest = words.only(|word| {
-        if is_polite(word.phrase) || is_tag(word.phrase) {
+        if is_polite(word.phrase) || is_tag(word.phrase) || is_aside(word.phrase) {
             return false;
         }
         let is_front = word.phrase < first;
         let new = of(word.phrase).filter(|word| word.is_new).count();
         of(word.phrase).any(says) || is_front && (new > MOST_CALLED || of(word.phrase).any(|word| word.classes.contains(Class::Asking)))
     });
-    rest.is_asked &= !words.iter().last().is_some_and(|word| is_tag(word.phrase));
+    // "Could you, please, go there?"
+    let front = words.only(|word| word.phrase < first);
+    let asks_politely = front.has(Class::You) && front.has(Class::Polite);
+    rest.is_asked &= !(asks_politely || words.iter().last().is_some_and(|word| is_tag(word.phrase)));
     (rest.len() < words.len()).then_some(rest)
 }
 
@@ -160,7 +183,11 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
 
 /// The words without those that first take a thing: "pick up the bag and bring it to the red room" becomes "the bag bring to the red room".
 pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
-    let (and, it) = (words.at(Class::Connective)?, words.at(Class::It)?);
+    let is_it = |word: &Heard| {
+        word.classes.contains(Class::It)
+            || word.classes.contains(Class::Pronoun) && !word.classes.contains_any(&[Class::There, Class::Other])
+    };
+    let (and, it) = (words.at(Class::Connective)?, words.iter().position(is_it)?);
     // "Fetch the bag from the green room and put it ..." names its present place.
     let from = words.at(Class::From).filter(|&from| from < and).unwrap_or(and);
     let (front, behind) = (words.part(0, from), words.part(it.saturating_add(1), words.len()));
@@ -216,8 +243,22 @@ pub(super) fn both(words: Words<'_>) -> Option<Words<'_>> {
     (is_between && !words.iter().any(|word| word.is_plural)).then(|| words.only(|word| !word.classes.contains(Class::All)))
 }
 
+/// The same with "but" and "before": "go to the red room, but before that take the bag to the blue room".
+fn after_but(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
+    let but = words.at(Class::But)?;
+    let behind = words.part(but, words.len());
+    let is_before = |(at, word): (usize, &Heard)| word.classes.is_before().then_some(at);
+    let before = behind.iter().take(MOST_BEFORE_FIRST).enumerate().filter_map(is_before).last()?;
+    let (last, first) = (words.part(0, but), behind.part(before.saturating_add(1), behind.len()));
+    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
+    (names(first) && names(last)).then_some((first, last))
+}
+
 /// The command done first and the one done last, if the last comes first: "before you go to the red room, take the bag to the blue room".
 pub(super) fn reversed(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
+    if let Some(reversed) = after_but(words) {
+        return Some(reversed);
+    }
     let phrase = words.get(0)?.phrase;
     let last = words.only(|word| word.phrase == phrase);
     let first = words.only(|word| word.phrase != phrase);

@@ -12,9 +12,14 @@ const LEAST_SUBJECT: usize = 2;
 
 /// The number of new words that may name things: those after a known word, "the purple bag".
 pub(super) fn new_names(words: Words<'_>) -> usize {
-    let (mut is_behind, mut phrase) = (false, 0);
+    let (mut is_behind, mut phrase, mut is_way) = (false, 0, false);
+    let mut behind = words.iter();
     let may_name = |word: &&Heard| {
-        let may_name = is_behind && word.is_new && word.phrase == phrase;
+        // "Ask you to step into".
+        let _ = behind.next();
+        let is_verb = is_way && behind.clone().next().is_some_and(|behind| behind.is_toward);
+        is_way = word.is_toward;
+        let may_name = is_behind && word.is_new && word.phrase == phrase && !is_verb;
         phrase = word.phrase;
         is_behind = word.count > 0.0 || may_name;
         may_name
@@ -30,7 +35,7 @@ pub(super) fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
     let front = || words.iter().take_while(|word| !word.is_toward);
     let is_told = words.iter().any(|word| word.is_name && !word.is_toward)
         && front().count() == MOST_NEW
-        && front().all(|word| word.is_new && word.classes == Classes::NONE);
+        && front().all(|word| word.is_new && !word.is_sign && word.classes == Classes::NONE);
     let is_verb = is_verb && !is_told;
     // "All bags": the new word names a thing.
     let before = first.checked_sub(1).and_then(|before| words.get(before));
@@ -149,10 +154,17 @@ pub(super) fn tells(words: Words<'_>) -> bool {
 /// condition, and "I'd be glad if you went" is a request.
 pub(super) fn has_condition(words: Words<'_>) -> bool {
     let is_if = |word: &Heard| word.count == 0.0 && word.classes.contains(Class::If) && !word.classes.contains(Class::Wish);
-    let Some(at) = words.iter().position(is_if) else { return false };
+    let Some(first) = words.iter().position(is_if) else { return false };
+    // Two signs make a word.
+    let at = first.saturating_add(words.iter().skip(first.saturating_add(1)).take_while(|word| word.is_sign && is_if(word)).count());
     let case = words.part(at.saturating_add(1), at.saturating_add(NAMES_A_CASE));
     let is_polite = case.get(0).is_some_and(|word| word.classes.contains_any(&[Class::Polite, Class::You]));
-    let is_glad = at > 0 && words.has(Class::You) && !words.part(0, at).iter().any(|word| word.is_of_task || word.is_name);
+    let is_glad = first > 0 && words.has(Class::You) && !words.part(0, first).iter().any(|word| word.is_of_task || word.is_name);
+    // "If you took the bag there, I'd be glad."
+    let phrase = words.get(at).map_or(0, |word| word.phrase);
+    let behind = words.only(|word| word.phrase > phrase);
+    let is_thanked = behind.has(Class::Polite) && behind.has(Class::Speaker) && !behind.iter().any(|word| word.is_of_task || word.is_name);
+    let is_glad = is_glad || first == 0 && is_polite && is_thanked && !behind.has(Class::Negation);
     !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 

@@ -89,7 +89,9 @@ impl<M: AgentMemory> Agent<M> {
         let part = self.judge_one(domain, first, explained, wording, place, taken)?;
         let (probability, command) = (share * part.probability, share * part.command);
         let rest = words.get(parting.begin).map(|word| usize::from(word.piece));
-        Ok(Judged { hypothesis: best, probability, command, rest, ..part })
+        // "Go there, but take the bag first" is in another order.
+        let is_clear = part.is_clear && !words.part(parting.begin.saturating_sub(1), words.len()).has(Class::But);
+        Ok(Judged { hypothesis: best, probability, command, rest, is_clear, ..part })
     }
 
     /// The tasks of words that are not several commands. `taken` is their hypothesis, its probability, and the probability of a plain

@@ -705,6 +705,35 @@ fn german_is_taken_apart_as_well() {
 }
 
 #[test]
+fn asides_thanks_and_earlier_commands_are_told_apart_from_a_command() {
+    let (_folder, model) = taught(120, &ENGLISH);
+    let cases = [
+        ("sorry to bother you, but could you go to the blue room", "sure", go(1)),
+        ("leave the red room, I'm about to paint", "sure", not(&go(0))),
+        ("if you could take the yellow bag to the blue room, I'd be grateful", "sure", take(0, 1)),
+        ("the yellow bag can't stay in the green room", "sure", not(&take(0, 2))),
+        ("after you have been to the blue room, go to the green room", "sure", then(&[go(1), go(2)])),
+        ("go to the blue room, but before that take the red chair to the green room", "sure", then(&[take(1, 2), go(1)])),
+        ("go to the blue room, but take the red chair to the green room first", "unsure", String::new()),
+    ];
+    check(&model, &three_rooms(), &cases.each_ref().map(|(words, verdict, task)| (*words, *verdict, task.as_str())));
+}
+
+#[test]
+fn words_with_an_apostrophe_and_joined_pronouns_are_heard_apart() {
+    let (_folder, model) = taught(120, &FRENCH);
+    let cases = [
+        ("n'apporte pas la malle jaune dans la salle bleue", "done", not(&take(0, 1))),
+        ("je te prie d'apporter la malle jaune dans la salle bleue", "sure", take(0, 1)),
+    ];
+    check(&model, &three_rooms(), &cases.each_ref().map(|(words, verdict, task)| (*words, *verdict, task.as_str())));
+    let (_folder, model) = taught(120, &SPANISH);
+    check(&model, &three_rooms(), &[("llévame la bolsa amarilla a la sala azul", "sure", &*take(0, 1))]);
+    let (_folder, model) = taught(120, &GERMAN);
+    check(&model, &three_rooms(), &[("alle Bänke ins grüne Zimmer, bitte", "sure", &*then(&[take(1, 2), take(2, 2)]))]);
+}
+
+#[test]
 fn long_utterances_get_an_answer_and_end_no_batch() {
     let (_folder, model) = taught(120, &ENGLISH);
     let home = three_rooms();

@@ -117,7 +117,9 @@ pub fn portable(run: &Run) -> Result<()> {
         let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
         check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?;
     } else {
-        println!("not checked: the command line for Windows, for lack of its standard library (`cargo xtask test --only portable` builds it)");
+        println!(
+            "not checked: the command line for Windows, for lack of its standard library (`cargo xtask test --only portable` builds it)"
+        );
     }
     Ok(())
 }
