@@ -33,7 +33,7 @@ pub struct GroundProposition {
 }
 
 impl GroundProposition {
-    /// The proposition of these objects. Unused arguments are object 0, and objects beyond [`ARGUMENTS`](crate::capacity::ARGUMENTS) are left out.
+    /// The proposition of these objects. Unused arguments are object 0, and objects beyond [`ARGUMENTS`] are left out.
     pub fn new(proposition: PropositionId, objects: &[ObjectId]) -> Self {
         let mut arguments = [ObjectId(0); ARGUMENTS];
         arguments.iter_mut().zip(objects).for_each(|(argument, &object)| *argument = object);

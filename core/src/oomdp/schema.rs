@@ -87,7 +87,7 @@ impl<'a> Attribute<'a> {
 pub struct Proposition<'a> {
     /// The machine token of the proposition.
     pub name: &'a str,
-    /// The class of each argument, at most [`ARGUMENTS`].
+    /// The class of each argument, at most [`ARGUMENTS`](crate::capacity::ARGUMENTS).
     pub parameters: &'a [ClassId],
 }
 
