@@ -21,11 +21,11 @@ const TIMES: usize = 2;
 /// The text of a language's starter; empty for a language without one.
 fn text(language: &str) -> &'static str {
     match language {
-        "de" => include_str!("../starter/de.txt"),
-        "en" => include_str!("../starter/en.txt"),
-        "es" => include_str!("../starter/es.txt"),
-        "fr" => include_str!("../starter/fr.txt"),
-        "zh" => include_str!("../starter/zh.txt"),
+        "de" => include_str!(concat!(env!("OUT_DIR"), "/de.txt")),
+        "en" => include_str!(concat!(env!("OUT_DIR"), "/en.txt")),
+        "es" => include_str!(concat!(env!("OUT_DIR"), "/es.txt")),
+        "fr" => include_str!(concat!(env!("OUT_DIR"), "/fr.txt")),
+        "zh" => include_str!(concat!(env!("OUT_DIR"), "/zh.txt")),
         _ => "",
     }
 }
@@ -147,8 +147,6 @@ impl<'t> Text<'t> {
                 Some(("go", sentence)) => read.sentences.push((Kind::Go, sentence)),
                 Some(("take", sentence)) => read.sentences.push((Kind::Take, sentence)),
                 Some(("both", sentence)) => read.sentences.push((Kind::Both, sentence)),
-                // A remark.
-                Some(("#", _)) => {}
                 _ => {
                     read.colors.extend(line.split_once('='));
                     read.things.extend(line.split_once(':'));
