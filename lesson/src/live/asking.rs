@@ -8,7 +8,7 @@ impl<D: Place> Lesson<D> {
     /// The question to ask here, if it teaches the robot more than its next steps do. The plan must be done.
     ///
     /// # Errors
-    /// [`LiveError::NoSession`], or the errors of [`Agent::question`].
+    /// [`LiveError::NoSession`], or the errors of [`Agent::question`](goodbot::Agent::question).
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Question>, LiveError> {
         loop {
             match self.consider(asking, u32::MAX)? {
@@ -19,7 +19,7 @@ impl<D: Place> Lesson<D> {
         }
     }
 
-    /// As [`ask`](Self::ask), but in parts: see [`Agent::consider`].
+    /// As [`ask`](Self::ask), but in parts: see [`Agent::consider`](goodbot::Agent::consider).
     ///
     /// # Errors
     /// As [`ask`](Self::ask).

@@ -61,7 +61,7 @@ impl<D: Place> Lesson<D> {
     /// of its utterance are forgotten.
     ///
     /// # Errors
-    /// The errors of [`Agent::listen`].
+    /// The errors of [`Agent::listen`](goodbot::Agent::listen).
     pub fn listen(&mut self, utterance: &str, environment: D::Record, insists: bool) -> Result<Listened, LiveError> {
         self.forget();
         let listening = self.listening_to(utterance.trim(), None);
@@ -72,7 +72,7 @@ impl<D: Place> Lesson<D> {
     /// returned. If the same words are said twice and there was nothing to do, they count as a command too, unless they forbid something.
     ///
     /// # Errors
-    /// The errors of [`Agent::listen`] and [`Agent::hear`].
+    /// The errors of [`Agent::listen`](goodbot::Agent::listen) and [`Agent::hear`](goodbot::Agent::hear).
     pub fn tell(&mut self, words: &str, environment: D::Record) -> Result<Option<Listened>, LiveError> {
         let is_again = self.declined.take().is_some_and(|declined| declined == words);
         if tells_talk(&self.agent) {
@@ -120,7 +120,7 @@ impl<D: Place> Lesson<D> {
     /// over.
     ///
     /// # Errors
-    /// The errors of [`Agent::listen_after`].
+    /// The errors of [`Agent::listen_after`](goodbot::Agent::listen_after).
     pub fn listen_on(&mut self, environment: D::Record) -> Result<Option<Listened>, LiveError> {
         let Some(mut ahead) = self.ahead.take() else { return Ok(None) };
         let left = ahead.left;
