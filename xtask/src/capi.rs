@@ -58,7 +58,8 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
         Some(target) => {
             let cargo = toolchain::cargo(&sh, target, "rustc")?.args(["--profile", CONTROLLER]);
             // The smallest code would listen half as fast.
-            let faster = if features.contains("talk") { toolchain::faster(&["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
+            let faster =
+                if features.contains("talk") { toolchain::faster(CONTROLLER, &["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
             let cargo = cargo.args(faster);
             (cargo, toolchain::artifacts(target, CONTROLLER))
         }

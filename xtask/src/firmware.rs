@@ -14,7 +14,7 @@ use xshell::cmd;
 use crate::emulated_boards::{AN386, BOARDS, Board, LIMIT, Report, emulate};
 use crate::process::{once, root, shell, within};
 use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
-use crate::toolchain::{self, CONTROLLER, CORTEX_M0, RISCV_C3};
+use crate::toolchain::{self, CORTEX_M0, RISCV_C3};
 
 /// The exit code of a firmware stopped by a processor fault.
 const FAULT: i32 = 102;
@@ -27,7 +27,7 @@ pub const FLASH: [&str; 7] = [".vector_table", ".text", ".init.rust", ".rodata",
 pub const STATICS: [&str; 2] = [".data", ".bss"];
 
 /// Arguments for cargo that choose the firmware's workspace and the profile of its programs.
-const FIRMWARE: [&str; 6] = ["--quiet", "--locked", "--profile", CONTROLLER, "--manifest-path", "firmware/Cargo.toml"];
+const FIRMWARE: [&str; 5] = ["--quiet", "--locked", "--release", "--manifest-path", "firmware/Cargo.toml"];
 
 /// The binaries of each firmware.
 const BINARIES: [&str; 3] = ["course", "tick", "overflow"];
@@ -44,12 +44,12 @@ fn build(target: &str, what: &[&str]) -> Result<PathBuf> {
     // The smallest code has a deeper stack, for which the micro:bit's RAM is too small, and takes longer than is promised for ways and full tables.
     let is_faster = target == CORTEX_M0 || what.iter().any(|&what| ["full", "ways"].contains(&what));
     let cargo = match is_faster {
-        true if target == CORTEX_M0 => cargo.env("CARGO_PROFILE_CONTROLLER_OPT_LEVEL", "s"),
-        true => cargo.args(toolchain::faster(&["goodbot", "goodbot-firmware", "libm"])),
+        true if target == CORTEX_M0 => cargo.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "s"),
+        true => cargo.args(toolchain::faster("release", &["goodbot", "goodbot-firmware", "libm"])),
         false => cargo,
     };
     toolchain::in_any_folder(cargo)?.args(what).run()?;
-    Ok(toolchain::artifacts(target, CONTROLLER))
+    Ok(toolchain::artifacts(target, "release"))
 }
 
 /// The firmware of one board and preset, built.

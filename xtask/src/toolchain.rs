@@ -197,13 +197,13 @@ pub fn artifacts(target: &str, profile: &str) -> PathBuf {
     target_dir().join("cross").join(target).join(profile)
 }
 
-/// Arguments for [`cargo`] that optimise packages for size and speed ("s") where [`CONTROLLER`] optimises for size alone ("z"). The standard
-/// library stays as it is, so that it is built once for both.
-pub fn faster(packages: &[&str]) -> Vec<String> {
-    packages.iter().map(|package| format!("--config=profile.{CONTROLLER}.package.{package}.opt-level=\"s\"")).collect()
+/// Arguments for [`cargo`] that optimise packages for size and speed ("s") where a profile optimises for size alone ("z"). The standard library stays
+/// as it is, so that it is built once for both.
+pub fn faster(profile: &str, packages: &[&str]) -> Vec<String> {
+    packages.iter().map(|package| format!("--config=profile.{profile}.package.{package}.opt-level=\"s\"")).collect()
 }
 
-/// The profile of everything for controllers, in the workspace and in the firmware's: so the standard library is built once for both.
+/// The profile of the C library for controllers. The firmware's workspace needs another folder: the two would rebuild each other's standard library.
 pub const CONTROLLER: &str = "controller";
 
 /// Cargo's command for a small WebAssembly module of one package, without the package, and whether the module has messages of panics:

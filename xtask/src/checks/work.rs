@@ -268,11 +268,10 @@ pub fn microbit(run: &mut Run) -> Result<()> {
 /// Checks that the same drill has equal digests everywhere.
 pub fn same_bits() -> Result<()> {
     let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
-    let drill = ["--quiet", "--locked", "--package", "goodbot-drill", "--manifest-path", "firmware/Cargo.toml"];
-    let host = Report(cmd!(sh, "cargo run --release {drill...} --target-dir {folder}").read()?).number("digest")?;
-    // As the page's module, whose standard library is there.
-    toolchain::module(&sh)?.0.args(drill).arg("--lib").run()?;
-    let module = toolchain::artifacts(WASM, "page").join("goodbot_drill.wasm");
+    let drill = ["--quiet", "--release", "--locked", "--package", "goodbot-drill", "--manifest-path", "firmware/Cargo.toml"];
+    let host = Report(cmd!(sh, "cargo run {drill...} --target-dir {folder}").read()?).number("digest")?;
+    toolchain::cargo(&sh, WASM, "rustc")?.args(drill).args(["--lib", "--crate-type", "cdylib"]).run()?;
+    let module = toolchain::artifacts(WASM, "release").join("goodbot_drill.wasm");
     let script = "const bytes = require('fs').readFileSync(process.argv[1]); \
                   WebAssembly.instantiate(bytes, {}).then(({ instance }) => console.log(instance.exports.goodbot_drill_digest() >>> 0));";
     let wasm = cmd!(sh, "{node} --eval {script} {module}").read()?;
