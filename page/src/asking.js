@@ -1,11 +1,10 @@
 // The robot's questions: when an answer teaches it more than its next steps, it asks, and waits.
-import { parsed, world } from './core.js';
-import { render } from './render.js';
+import { attempt, parsed, world } from './core.js';
 import { listed, t } from './language.js';
-import { keepSession, noteAnswer, pause, wake } from './session.js';
-import { speak } from './speech.js';
-import { $, announce, attempt, inParts, make, state } from './state.js';
-import { beliefNow, objectWords } from './words.js';
+import { noteAnswer, pause, wake } from './session.js';
+import { $, announce, inParts, make, render, state } from './state.js';
+import { speak } from './voice.js';
+import { objectWords, questionWords } from './words.js';
 
 const BUDGET = 4000;
 // An answer within this many milliseconds is ignored: it may be a late press of Good.
@@ -22,7 +21,6 @@ export async function askTrainer(session) {
   if (!question) return false;
   Object.assign(session, { question, asked: performance.now(), delay: 0 });
   state.phase = 'asking';
-  state.route = null;
   const focused = document.activeElement;
   render();
   announce([questionWords(question), listed(['', ...choicesOf(question)].slice(choicesOf(question).length ? 1 : 0), 'or')].join(' '));
@@ -42,11 +40,8 @@ export function answer(given) {
   if (given !== 'no' && (given === 'yes') === isChoice(session.question)) return;
   if (Number(given) > choicesOf(session.question).length) return;
   if (attempt(() => world.answer(given)) === undefined) return;
-  session.answers += 1;
-  noteAnswer(session);
   session.question = null;
-  state.belief = beliefNow();
-  keepSession(session);
+  noteAnswer(session);
   goOn(session);
 }
 
@@ -56,21 +51,6 @@ function goOn(session) {
 }
 
 const isChoice = question => question.about === 'whichObject' || question.about === 'whichTask';
-
-/** @type {Record<string, import('./language.js').Key>} */
-const WAYS = { any: 'ask.way.any', through: 'ask.way.through', either: 'ask.way.either', avoiding: 'ask.way.avoiding' };
-
-/** The question as a person hears it.
- * @param {import('goodbot-wasm').Question} question */
-export function questionWords({ about, way, objects, choices }) {
-  if (about === 'object') return t('ask.object', { thing: objectWords(objects[0]) });
-  if (about === 'carrying' || about === 'moving') {
-    const question = t(about === 'carrying' ? 'ask.carrying' : 'ask.moving');
-    return way ? t('ask.howWay', { question, way: t(WAYS[way]) }) : question;
-  }
-  if (about === 'task') return t('ask.task', { task: state.belief.tasks[choices[0]].words });
-  return t('ask.which');
-}
 
 /** The choices, without "none of these".
  * @param {import('goodbot-wasm').Question} question

@@ -1,13 +1,12 @@
 // The editor: rooms, doors, blocks and the robot, by pointer on the plan and by numbers in a list.
-import { download, readFile } from './files.js';
 import { Goodbot, parsed, world } from './core.js';
+import { download, readFile } from './files.js';
 import { listed, named, t } from './language.js';
 import { CELL, Frame, houseDrawing, thingDrawing } from './plan.js';
-import { render } from './render.js';
 import * as shelf from './shelf.js';
-import { $, all, draw, make, state, tell } from './state.js';
+import { $, all, draw, make, render, state, tell } from './state.js';
+import { enterHome } from './stops.js';
 import { fromTextMap, toTextMap } from './textmap.js';
-import { enterHome } from './tour.js';
 import { colorWords, labelWords, objectWords, shapeWords } from './words.js';
 
 const PALETTE = ['red', 'green', 'blue', 'yellow', 'purple', 'orange', 'tan', 'teal', 'magenta'];

@@ -1,9 +1,9 @@
 // Charts: the robot's belief, step by step, and how sure it was of each command when it heard it, session by session; and both as a table.
 import { download } from './files.js';
-import { t } from './language.js';
+import { percent, t } from './language.js';
 import { sessionLink } from './link.js';
 import { share } from './share.js';
-import { $, draw, make, percent, state, tell } from './state.js';
+import { $, draw, make, state, tell } from './state.js';
 import { logOf } from './store.js';
 import { isShown } from './tabs.js';
 import { ranked } from './words.js';

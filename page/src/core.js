@@ -1,5 +1,10 @@
 // The robot's core, in WebAssembly: one world with one robot, and the course.
 import { Goodbot, initSync } from 'goodbot-wasm';
+import { t } from './language.js';
+import { inParts, tell } from './state.js';
+
+export const PLAN_BUDGET = 20000;
+export const LEARN_BUDGET = 60000;
 
 /** @type {Goodbot} */
 export let world;
@@ -18,3 +23,19 @@ export function startCore(module) {
   world = new Goodbot(2014);
   course = parsed(Goodbot.course(0));
 }
+
+// Runs a call that the core may refuse; a refusal is told, and the result is then undefined.
+export function attempt(action) {
+  try {
+    return action();
+  } catch (error) {
+    // The core names the limit by its name in Rust.
+    tell(/::(WORDS_PER_COMMAND|NAME_BYTES) /.test(error.message) ? t('talk.tooLong') : error.message, true);
+    return undefined;
+  }
+}
+
+/** Has the robot learn its training data, a part at a time. */
+export const learn = () => inParts(() => world.learn(LEARN_BUDGET));
+
+export const heatNow = () => parsed(world.heat());

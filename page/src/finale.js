@@ -2,13 +2,13 @@
 import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
-import { t } from './language.js';
+import { percent, t } from './language.js';
 import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { rename } from './roster.js';
 import { sureness } from './silent.js';
-import { $, announce, make, percent, state, tell } from './state.js';
+import { $, announce, make, state, tell } from './state.js';
 import { logOf } from './store.js';
 import { quoted } from './words.js';
 

@@ -41,6 +41,9 @@ export function t(key, values = {}) {
   return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
 }
 
+/** A probability. */
+export const percent = p => t('percent', { n: p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100) });
+
 /** The text of a name that comes from elsewhere, such as a colour; `undefined` if there is none.
  * @param {string} key
  * @returns {string | undefined} */

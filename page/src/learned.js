@@ -1,9 +1,9 @@
 // The robot's dictionary in words: the meaning of each word.
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { state } from './state.js';
+import { make, state } from './state.js';
 import { logOf } from './store.js';
-import { beliefNow, colorWords, quoted, shapeWords } from './words.js';
+import { beliefNow, colorWords, quoted, shapeWords, unspaced } from './words.js';
 
 // A word means an idea if its probability for the idea is at least this, and this many times its probability for the next idea, and for
 // no idea at all: a word such as “the”, which is in every command, is as probable without any idea.
@@ -86,20 +86,12 @@ export const knowsWords = () => state.sessions > 0 || Boolean(world.starter());
 /** The words of the command under way that the robot has not learned from. */
 export const unknownWords = () => (state.support && knowsWords() ? [...new Set(state.support.words.filter((_, at) => !state.support?.known[at]))] : []);
 
-// Scripts that are written without spaces between the words.
-const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;
-
-/** A command in composed letters, with spaces between its words, in any script.
- * @param {string} written */
-export function spaced(written) {
-  const command = written.normalize('NFKC').replace(/[‘’ʼ]/g, "'");
-  if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
-  return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
-}
-
-/** A command as people write it: `spaced` undone.
+/** A command, with unknown words underlined.
  * @param {string} command */
-export const unspaced = command => (UNSPACED.test(command) ? command.replaceAll(' ', '') : command);
+export function heardWords(command) {
+  const unknown = new Set(unknownWords());
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part === ' ' && unspaced(command) !== command ? '' : part));
+}
 
 const hasWay = task => / (through|avoiding) /.test(task.name);
 

@@ -3,9 +3,9 @@ import { fromAddress, fromBase64, toAddress } from './base64.js';
 import { expectTrainer, expectedNow } from './believes.js';
 import { world } from './core.js';
 import { expanded, packed } from './deflate.js';
-import { names, t } from './language.js';
+import { t } from './language.js';
 import { checkRecord } from './logs.js';
-import { RULES, SPEEDS } from './session.js';
+import { isSetting } from './settings.js';
 import { state, tell } from './state.js';
 import { logOf } from './store.js';
 
@@ -96,18 +96,6 @@ export function readStudy() {
   } catch { /* Then it is damaged, too. */ }
   tell(t('link.damaged'), true);
   return null;
-}
-
-/** Whether a setting may have this value.
- * @param {string} name */
-export function isSetting(name, value) {
-  if (name === 'speed') return Object.hasOwn(SPEEDS, value);
-  if (name === 'rule') return Object.hasOwn(RULES, value);
-  if (name === 'theme') return ['auto', 'light', 'dark'].includes(value);
-  if (name === 'language') return names().some(([code]) => code === value);
-  if (name === 'seed') return Number.isInteger(value) && value >= 0 && value < 2 ** 32;
-  if (name === 'style' && typeof value === 'string') return true;
-  return typeof value === 'boolean';
 }
 
 // The text of this name in the address, which is removed from it, so that a reload does not undo later changes. Other names after the #,

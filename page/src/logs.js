@@ -1,14 +1,9 @@
-// Replays a session log: the robot learns from its sessions one after the other.
-import { NO_LAG, expectedNow, restsAsMoves } from './believes.js';
-import { readFile } from './files.js';
-import { world } from './core.js';
+// The records of a session log: the robot learns from its sessions one after the other.
+import { NO_LAG, restsAsMoves } from './believes.js';
+import { PLAN_BUDGET, learn, world } from './core.js';
 import { t } from './language.js';
-import { render } from './render.js';
-import { LEARN_BUDGET, PLAN_BUDGET, heatNow, leaveSession, refresh } from './session.js';
-import { inParts, nextFrame, state, tell } from './state.js';
-import { change, open } from './store.js';
-import { enterHome } from './tour.js';
-import { ACTIONS, sessionsWord } from './words.js';
+import { inParts, nextFrame, render, state } from './state.js';
+import { ACTIONS } from './words.js';
 
 const LOG_FIELDS = {
   session: ['type', 'version', 'id', 'kind', 'environment', 'command', 'intended', 'before', 'through', 'avoiding', 'actions', 'prior', 'strategies', 'continues', 'utterance', 'after', 'conversation', 'closed_words'],
@@ -96,7 +91,7 @@ export async function learnFrom(lines) {
       } else {
         await inParts(() => world.replayOn(PLAN_BUDGET, record.learn));
         if (record.learn) {
-          await inParts(() => world.learn(LEARN_BUDGET));
+          await learn();
           learned.push(...unlearned, ...own);
           unlearned = [];
         } else unlearned.push(...own);
@@ -116,31 +111,4 @@ export async function learnFrom(lines) {
   if (session) throw new Error(t('log.lastOpen'));
   if (!last) throw new Error(t('log.empty'));
   return learned;
-}
-
-export async function loadLog(input) {
-  const { content, name } = await readFile(input, 'text');
-  if (!await leaveSession()) return;
-  const home = world.environment();
-  state.phase = 'learning';
-  render();
-  try {
-    await change(t('undo.log', { name }), async () => {
-      const learned = await learnFrom(content.trimEnd().split('\n'));
-      return learned.length ? learned.join('\n') + '\n' : '';
-    });
-    tell(t('log.done', { sessions: sessionsWord() }));
-  } catch (error) {
-    world.forget();
-    await inParts(() => world.learn(LEARN_BUDGET));
-    await open(state.robot);
-    tell(t('log.failed', { why: error.message }), true);
-  }
-  state.phase = 'none';
-  state.progress = '';
-  state.settings.style = expectedNow();
-  enterHome(home);
-  state.heat = { now: heatNow(), before: null };
-  refresh();
-  render();
 }

@@ -1,29 +1,32 @@
 // Sets up the page.
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { saveTable, shareSession } from './charts.js';
-import { startCore, world } from './core.js';
+import { setUpSettings, setUpShortcuts } from './controls.js';
+import { attempt, startCore, world } from './core.js';
 import { speakLanguage, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
 import { setUpNext } from './next.js';
 import { setUpOwnTests } from './owntests.js';
 import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
-import { render } from './render.js';
+import { renderPage } from './render.js';
 import { robotDrawing } from './robot.js';
-import { finishSession, finishWithoutLearning, heatNow, leaveSession, pick, refresh, showSession, stepOnce, takeUpSession, thatWasIt, togglePause, undo } from './session.js';
-import { joinStudy, meet } from './roster.js';
-import { restoreSettings, setUpSettings, setUpShortcuts } from './settings.js';
+import { joinStudy, meet, undo } from './roster.js';
+import { isThere, takeStock } from './session.js';
+import { restoreSettings } from './settings.js';
 import * as shelf from './shelf.js';
-import { setUpSpeech } from './speech.js';
-import { $, all, attempt, state } from './state.js';
+import { $, all, drawBy, render, state } from './state.js';
+import { enterStop } from './stops.js';
 import { enterMode, openLast, othersTaught, wouldBeLost } from './store.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
-import { beginAppendix, beginStop, enterStop, restartTour, setUpTour, watchTour } from './tour.js';
-import { isThere } from './words.js';
+import { attend, beginAppendix, beginStop, restartTour, setUpTour, watchTour } from './tour.js';
+import { finishSession, finishWithoutLearning, leaveSession, pick, showSession, stepOnce, takeUpSession, thatWasIt, togglePause } from './training.js';
+import { setUpSpeech } from './voice.js';
 
 function setUp() {
+  drawBy(renderPage);
   $('logo').append(...robotDrawing());
   setUpPlay();
   setUpSettings();
@@ -51,8 +54,7 @@ function setUp() {
     const visitor = isHome ? null : await meet();
     if (!isHome && !visitor) return;
     await enterMode('play');
-    state.heat = { now: heatNow(), before: null };
-    refresh();
+    takeStock();
     nameHome();
     render();
     showSession(visitor?.session);
@@ -71,10 +73,7 @@ async function takeOver() {
   state.phase = 'learning';
   const taught = await othersTaught();
   state.phase = 'none';
-  if (taught) {
-    refresh();
-    state.heat = { now: heatNow(), before: null };
-  }
+  if (taught) takeStock();
   const { at, done } = state.robot.tour;
   if (at === state.tour.at && done.join() === state.tour.done.join()) return;
   state.tour.done = [...done];
@@ -97,10 +96,9 @@ async function begin(module, languages) {
   if (home) attempt(() => world.setEnvironment(home));
   if (readLink()) await enterMode('play');
   const visited = await meet();
-  state.heat = { now: heatNow(), before: null };
-  refresh();
+  takeStock();
   setUp();
-  if (visited || !await takeUpSession()) {
+  if (visited || !await takeUpSession(attend)) {
     if (state.mode === 'tour') enterStop(state.tour.at);
     else nameHome();
   }

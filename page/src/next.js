@@ -1,15 +1,13 @@
 // The next lesson: the one that teaches most of the commands that the robot shall understand in the end, and why.
-import { course, parsed, world } from './core.js';
+import { attempt, course, parsed, world } from './core.js';
 import { t } from './language.js';
-import { spaced, unspaced } from './learned.js';
 import { nameHome } from './play.js';
-import { render } from './render.js';
-import { leaveSession, startSession } from './session.js';
 import * as shelf from './shelf.js';
-import { $, attempt, state } from './state.js';
+import { $, render, state } from './state.js';
+import { enterHome } from './stops.js';
 import { logOf } from './store.js';
-import { enterHome } from './tour.js';
-import { sceneOf, sessionsWord, taskWords } from './words.js';
+import { leaveSession, startSession } from './training.js';
+import { sceneOf, sessionsWord, spaced, taskWords, unspaced } from './words.js';
 
 /** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the robot's current home */
 

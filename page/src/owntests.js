@@ -1,14 +1,12 @@
 // The user's own tests of the robot: commands, each with its meaning. It never learns from them. They are kept with it, and can be saved as
 // labelled sessions of a log, which `goodbot evaluate --test` reads.
-import { parsed, world } from './core.js';
+import { attempt, parsed, world } from './core.js';
 import { download, readFile } from './files.js';
-import { t } from './language.js';
-import { spaced } from './learned.js';
-import { render } from './render.js';
-import { $, attempt, inParts, make, percent, state, tell } from './state.js';
+import { percent, t } from './language.js';
+import { $, inParts, make, render, state, tell } from './state.js';
 import { patch } from './store.js';
 import { isShown } from './tabs.js';
-import { askedIn, likeliest, sceneOf, taskWords, understands } from './words.js';
+import { askedIn, likeliest, sceneOf, spaced, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: object, command: string, meant: string }} OwnTest */
 

@@ -1,8 +1,8 @@
 // A card with the words that the robot knows, as a picture of its own.
+import { meaning } from './learned.js';
 import { robotDrawing } from './robot.js';
 import { squares } from './share.js';
 import { draw } from './state.js';
-import { meaning } from './learned.js';
 
 const STYLE = 'text{font-family:Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif;fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
 const [WIDTH, MIDDLE, EDGE] = [1080, 540, 64];

@@ -1,11 +1,13 @@
 // The floor plan: a drawing as by hand, seen from above.
+import { parsed, world } from './core.js';
 import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
-import { $, draw, make, state } from './state.js';
-import { isOver } from './tour.js';
+import { $, draw, inParts, make, state } from './state.js';
+import { isOver } from './stops.js';
 import { describeScene, formsOf, labelWords } from './words.js';
 
 export const CELL = 48;
+const LOOK_BUDGET = 4000;
 
 // A small number that is always the same for the same place, so that the drawing does not flicker.
 function wobble(x, y, seed) {
@@ -156,7 +158,8 @@ export function thingDrawing(frame, thing, isRobot) {
 }
 
 // The plan in the page. It is built anew for another home; otherwise things only move.
-const plan = { frame: /** @type {any} */ (null), key: '', things: new Map(), ahead: /** @type {any} */ (null), asked: /** @type {any} */ (null) };
+/** @type {any} */
+const plan = { frame: null, key: '', things: new Map(), ahead: null, asked: null, decided: null, route: null };
 
 export function renderPlan() {
   const scene = state.scene;
@@ -205,10 +208,26 @@ function renderAsked() {
   plan.asked.replaceChildren(...marks);
 }
 
+// After a decision, looks ahead to where the robot is going, a part at a time, while it waits for feedback.
+async function lookAhead(session) {
+  const { decided } = session;
+  Object.assign(plan, { decided, route: null });
+  if (!state.settings.ghost) return;
+  world.lookAhead(decided.task);
+  const stale = () => session.over || session.decided !== decided;
+  const found = await inParts(() => (stale() ? 'null' : world.look(LOOK_BUDGET)));
+  if (stale()) return;
+  plan.route = { session, ...parsed(found) };
+  renderAhead();
+}
+
 // Footprints on the route of the task that the robot follows, and ghosts of the things at its end.
 function renderAhead() {
-  const route = state.settings.ghost && state.session && state.route;
-  if (!route || route.cells.length < 2) {
+  const { session } = state;
+  if (session?.question || state.phase === 'learning') plan.route = null;
+  if (session?.decided && session.decided !== plan.decided) lookAhead(session);
+  const { route } = plan;
+  if (!state.settings.ghost || !session || route?.session !== session || !(route.cells?.length > 1)) {
     plan.ahead.replaceChildren();
     return;
   }

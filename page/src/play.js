@@ -3,13 +3,13 @@ import { enterBuild } from './build.js';
 import { Goodbot, course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { ideas } from './learned.js';
-import { render } from './render.js';
-import { leaveSession, refresh } from './session.js';
+import { refresh } from './session.js';
 import * as shelf from './shelf.js';
-import { $, make, state } from './state.js';
+import { $, make, render, state } from './state.js';
+import { enterHome, enterStop, homeNamed } from './stops.js';
 import { enterMode } from './store.js';
-import { say, tellRobot } from './talk.js';
-import { enterHome, enterStop, homeNamed } from './tour.js';
+import { say } from './talk.js';
+import { leaveSession, tellRobot } from './training.js';
 
 // Commands that make sense here, for people who do not know what to say.
 export function renderIdeas() {

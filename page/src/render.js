@@ -1,8 +1,10 @@
-// Draws everything.
+// Draws all views.
 import { renderQuestion } from './asking.js';
+import { speech } from './bubble.js';
 import { renderBuild } from './build.js';
+import { renderSettings } from './controls.js';
 import { t } from './language.js';
-import { unknownWords, unspaced } from './learned.js';
+import { heardWords } from './learned.js';
 import { renderNext } from './next.js';
 import { renderOwnTests } from './owntests.js';
 import { renderPlan } from './plan.js';
@@ -10,20 +12,19 @@ import { renderIdeas } from './play.js';
 import { renderRoster } from './roster.js';
 import { renderSecret } from './secret.js';
 import { followSession } from './serial.js';
-import { hasWords } from './session.js';
-import { renderSettings } from './settings.js';
+import { hasWords, isThere } from './session.js';
 import { $, all, make, state } from './state.js';
 import { renderTabs } from './tabs.js';
 import { feedbackWord, renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
 import { renderTrick } from './trick.js';
-import { acted, isThere, speech } from './words.js';
+import { acted } from './words.js';
 
 // The animation of the time that the robot still waits.
 /** @type {Animation | undefined} */
 let waiting;
 
-export function render() {
+export function renderPage() {
   const session = state.session;
   const focused = /** @type {any} */ (document.activeElement);
   const busy = state.phase === 'learning';
@@ -89,10 +90,4 @@ export function render() {
   }
   // The focus does not stay on a button that is gone.
   if (focused && focused !== document.body && (focused.disabled || focused.closest('[hidden]'))) (session?.question ? $('answers') : session ? $('good') : $('lesson').offsetParent ? $('lesson') : $('command').offsetParent ? $('command') : $('main')).focus({ preventScroll: true });
-}
-
-// The command, with unknown words underlined.
-export function heardWords(command) {
-  const unknown = new Set(unknownWords());
-  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part === ' ' && unspaced(command) !== command ? '' : part));
 }

@@ -1,20 +1,20 @@
 // The robots of this browser: the one that learns here, their names, copies, and the deleted ones.
-import { readFile } from './files.js';
-import { world } from './core.js';
-import { render } from './render.js';
-import { heatNow, leaveSession, refresh } from './session.js';
+import { expectTrainer, expectedNow } from './believes.js';
+import { attempt, learn, world } from './core.js';
 import { ask } from './dialog.js';
-import { expectTrainer } from './believes.js';
+import { readFile } from './files.js';
 import { listed, t } from './language.js';
-import { unspaced } from './learned.js';
 import { readRobot, readStudy } from './link.js';
-import { refused } from './shelf.js';
-import { $, make, state, tell } from './state.js';
-import { isShown } from './tabs.js';
+import { learnFrom } from './logs.js';
+import { refresh, takeStock } from './session.js';
 import { keepSetting } from './settings.js';
-import { add, copy, freeName, logOf, newRecord, open, patch, robots, takeModel } from './store.js';
-import { enterStop } from './tour.js';
-import { sessionsWord } from './words.js';
+import { refused } from './shelf.js';
+import { $, make, render, state, tell } from './state.js';
+import { enterHome, enterStop } from './stops.js';
+import { add, change, copy, freeName, logOf, newRecord, open, patch, robots, takeModel, travel } from './store.js';
+import { isShown } from './tabs.js';
+import { leaveSession } from './training.js';
+import { sessionsWord, unspaced } from './words.js';
 
 /** @param {import('./store.js').Robot[]} all */
 function renderList(all) {
@@ -50,10 +50,9 @@ export function renderRoster() {
 }
 
 function shown() {
-  refresh();
+  takeStock();
   state.evidence = [];
   state.support = null;
-  state.heat = { now: heatNow(), before: null };
   if (state.mode === 'tour') enterStop(state.tour.at);
   render();
 }
@@ -219,4 +218,70 @@ export async function loadModel(input) {
     render();
   }
   shown();
+}
+
+/** The robot learns from a log. */
+export async function loadLog(input) {
+  const { content, name } = await readFile(input, 'text');
+  if (!await leaveSession()) return;
+  const home = world.environment();
+  state.phase = 'learning';
+  render();
+  try {
+    await change(t('undo.log', { name }), async () => {
+      const learned = await learnFrom(content.trimEnd().split('\n'));
+      return learned.length ? learned.join('\n') + '\n' : '';
+    });
+    tell(t('log.done', { sessions: sessionsWord() }));
+  } catch (error) {
+    world.forget();
+    await learn();
+    await open(state.robot);
+    tell(t('log.failed', { why: error.message }), true);
+  }
+  state.phase = 'none';
+  state.progress = '';
+  state.settings.style = expectedNow();
+  enterHome(home);
+  takeStock();
+  render();
+}
+
+/** Sets whether commands to this robot may say how. */
+export const considerWays = value => relearn(t('undo.ways'), () => world.setWays(value));
+
+/** Changes the robot so that it learns its training data anew.
+ * @param {string} what
+ * @param {() => void} work */
+export async function relearn(what, work) {
+  state.phase = 'learning';
+  render();
+  await change(what, async () => {
+    attempt(work);
+    await learn();
+    return '';
+  });
+  state.phase = 'none';
+  takeStock();
+}
+
+/** Undoes the last change, or redoes it.
+ * @param {'past' | 'future'} from */
+export async function undo(from) {
+  if (state.session || state.phase === 'learning') return;
+  state.phase = 'learning';
+  let what;
+  try {
+    what = await travel(from);
+  } catch (error) {
+    tell(t('undo.cannot', { why: error.message }), true);
+    return;
+  } finally {
+    state.phase = 'none';
+    render();
+  }
+  if (what === undefined) return;
+  [state.said, state.verdict] = [null, ''];
+  shown();
+  tell(t(from === 'past' ? 'undo.done' : 'redo.done', { what, sessions: sessionsWord() }));
 }

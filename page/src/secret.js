@@ -5,10 +5,9 @@ import { t } from './language.js';
 import { clearWords, ideaWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
-import { render } from './render.js';
-import { leaveSession, startSession } from './session.js';
 import { share } from './share.js';
-import { $, announce, make, state, tell } from './state.js';
+import { $, announce, make, render, state, tell } from './state.js';
+import { leaveSession, startSession } from './training.js';
 
 const MOST_WORDS = 12;
 

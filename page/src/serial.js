@@ -1,12 +1,12 @@
 // A micro:bit at the USB cable, by Web Serial: it goes along in each lesson of the page, and its own lessons can be fetched. Its requests are
 // in `docs/microbit.md`.
-import { world } from './core.js';
+import { learn, world } from './core.js';
 import { t } from './language.js';
 import { homeRequests } from './microbit.js';
-import { render } from './render.js';
-import { LEARN_BUDGET, heatNow, leaveSession, refresh } from './session.js';
-import { $, inParts, state, tell } from './state.js';
+import { takeStock } from './session.js';
+import { $, render, state, tell } from './state.js';
 import { change } from './store.js';
+import { leaveSession } from './training.js';
 import { sessionsWord } from './words.js';
 
 // TypeScript does not know Web Serial.
@@ -167,7 +167,7 @@ async function fetchLessons() {
       try {
         n = world.join(bytes);
       } finally {
-        await inParts(() => world.learn(LEARN_BUDGET));
+        await learn();
       }
       return '';
     });
@@ -176,8 +176,7 @@ async function fetchLessons() {
     fail(error);
   }
   state.phase = 'none';
-  state.heat = { now: heatNow(), before: state.heat.now };
-  refresh();
+  takeStock(state.heat.now);
   render();
 }
 

@@ -1,93 +1,25 @@
-// A training session: hear, act, take feedback, until the trainer ends it. The core plans and learns in parts, between frames.
-import { parsed, world } from './core.js';
-import { askTrainer } from './asking.js';
-import { ask } from './dialog.js';
-import { t } from './language.js';
-import { knowsWords, lessonLearned, spaced, unknownWords, unspaced } from './learned.js';
-import { answerRecorded, beginAnew, learnFrom } from './logs.js';
-import { renderPlan } from './plan.js';
-import { render } from './render.js';
+// The session under way: it is kept after each step, it waits and is woken, and it is stopped.
+import { attempt, heatNow, parsed, world } from './core.js';
 import { underWay } from './shelf.js';
-import { $, announce, attempt, inParts, nextFrame, percent, state, tell } from './state.js';
-import { change, enterMode, travel } from './store.js';
-import { tellRest } from './talk.js';
-import { attend, enterStop } from './tour.js';
-import { acted, beliefNow, quoted, ranked, sessionsWord, speech } from './words.js';
-
-export const SPEEDS = {
-  step: { delay: () => Infinity },
-  slow: { delay: () => 2600 },
-  normal: { delay: () => 1400 },
-  fast: { delay: () => 380 },
-  once: { delay: () => 0 },
-  confidence: { delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
-};
-
-// How long the robot waits, from 0 to 1: the less sure it is of its next action, the longer (the authors' three rules).
-export const RULES = {
-  linear: { wait: sure => 1 - sure },
-  sigmoid: { wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
-  threshold: { wait: sure => (sure < 0.7 ? 1 : 0) },
-};
-
-export const PLAN_BUDGET = 20000;
-export const LEARN_BUDGET = 60000;
-const LOOK_BUDGET = 4000;
-const RESTS = 3;
-// The whole tour is watched in less than a minute.
-const WATCH_DELAY = 260;
-// The verdict of a test is known at once; its way is only shown.
-const TEST_DELAY = 500;
-const MOST_STEPS = 300;
+import { state } from './state.js';
+import { beliefNow } from './words.js';
 
 export function refresh() {
   state.scene = parsed(world.scene());
   state.belief = beliefNow();
 }
 
-// Begins a session. `intended` is the name of a task for a trainer who gives the feedback by itself; `looking` walks without feedback.
-/** @param {string} command
- * @param {{ intended?: string | null, looking?: boolean, picked?: string }} how `picked` is the meaning that the trainer gives at once */
-export function startSession(command, { intended = null, looking = false, picked = '' } = {}) {
-  stopSession();
-  command = spaced(command);
-  if (attempt(() => (world.hear(command), true)) !== true) {
-    render();
-    return null;
-  }
-  return begin(command, { intended, looking, picked });
-}
-
-/** Goes on with a session that the robot has begun.
- * @param {string} command
- * @param {{ intended?: string | null, looking?: boolean, picked?: string, recorded?: any[] }} how */
-export function begin(command, { intended = null, looking = false, picked = '', recorded = undefined }) {
+/** Takes stock of the robot: what it has learned, and what it believes now.
+ * @param {import('./state.js').Heat | null} before */
+export function takeStock(before = null) {
+  state.heat = { now: heatNow(), before };
   refresh();
-  state.support = attempt(() => parsed(world.support()));
-  state.evidence = [];
-  $('command').value = '';
-  const session = newSession(command, { intended, looking, recorded });
-  session.heard = ranked();
-  session.picked = picked;
-  state.session = session;
-  [state.said, state.verdict, state.already, state.astray] = [null, '', '', false];
-  session.heardNew = knowsWords() ? unknownWords() : [...new Set(state.support?.words)];
-  keepSession(session);
-  const best = ranked()[0];
-  if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
-  go(session);
-  if (!state.tour.watching && state.settings.speed !== 'once') {
-    // On a small screen the plan and the buttons matter now; with a keyboard, the focus does.
-    window.scrollTo({ top: 0 });
-    $(looking && state.mode === 'tour' ? 'lesson' : 'good').focus({ preventScroll: true });
-  }
-  return session;
 }
 
 /** @param {string} command
  * @param {{ intended?: string | null, looking?: boolean, recorded?: any[] }} how
  * @returns {import('./state.js').Session} */
-function newSession(command, { intended = null, looking = false, recorded = undefined }) {
+export function newSession(command, { intended = null, looking = false, recorded = undefined }) {
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
@@ -95,64 +27,31 @@ function newSession(command, { intended = null, looking = false, recorded = unde
   };
 }
 
-/** Shows a session from a link, step by step: the same actions and the same feedback. The robot learns nothing from that.
- * @param {any[] | undefined} records */
-export function showSession(records) {
-  if (!records || attempt(() => (beginAnew(records[0]), true)) !== true) return;
-  const session = begin(records[0].command, { looking: true, recorded: records.slice(1) });
-  session.onEnd = () => {
-    const [{ words, probability }] = ranked();
-    state.said = [t('told.heard', { command: unspaced(session.command), task: words, sure: percent(probability) }), ''];
-    render();
-  };
-}
-
-// Looks ahead to where the robot is going, a part at a time, while it waits for feedback.
-async function lookAhead(session) {
-  const { decided } = session;
-  state.route = null;
-  if (!state.settings.ghost) return;
-  world.lookAhead(decided.task);
-  const stale = () => session.over || session.decided !== decided;
-  const found = await inParts(() => (stale() ? 'null' : world.look(LOOK_BUDGET)));
-  if (stale()) return;
-  state.route = parsed(found);
-  renderPlan();
-}
-
 /** Whether the trainer has given feedback or answers in this session that would be lost with it. */
 export const hasWords = session => !session.looking && session.intended === null && (session.given || session.answers > 0 || state.evidence.some(evidence => evidence.feedback !== 'neutral'));
 
-/** Whether the session under way may be left: asks, if the trainer has said something in it. */
-export async function leaveSession() {
-  const { session } = state;
-  if (state.phase === 'learning') {
-    tell(t('judge.learning'));
-    return false;
-  }
-  if (!session) return true;
-  if (!hasWords(session)) {
-    stopSession();
-    return true;
-  }
-  if (!session.paused && !session.question) togglePause();
-  const answer = await ask(t('leave.ask', { command: unspaced(session.command) }), { learn: t('leave.learn'), drop: t('leave.drop'), stay: t('leave.stay') });
-  if (answer === 'learn') await finishSession();
-  else if (answer === 'drop') stopSession();
-  return answer !== 'stay';
+/** Whether the robot rests at the goal of the task that it follows. */
+export function isThere() {
+  const decided = state.session?.decided;
+  return Boolean(decided && !state.session?.question && decided.action === 'noop' && decided.plans[decided.task] === 'goal');
 }
 
 // Milliseconds since the session began.
 const sinceBeginning = (session, moment) => Math.round(moment - session.began);
 
-/** Records the time of an answer. */
-export const noteAnswer = session => session.times.push({ said_ms: sinceBeginning(session, performance.now()) });
+/** The robot has taken in an answer. */
+export function noteAnswer(session) {
+  session.answers += 1;
+  session.times.push({ said_ms: sinceBeginning(session, performance.now()) });
+  state.belief = beliefNow();
+  keepSession(session);
+}
 
 // The times of the last action and of the feedback to it.
-const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.given ? sinceBeginning(session, session.said) : undefined });
+export const timeOfStep = session => ({ at_ms: sinceBeginning(session, session.since), said_ms: session.given ? sinceBeginning(session, session.said) : undefined });
 
 // The session as lines of a log, with the times of its steps and answers.
-function logNow({ times }) {
+export function logNow({ times }) {
   let at = 0;
   return world.log().replace(/^{"type":"(?:step|answer)".*/gm, line => {
     at += 1;
@@ -168,54 +67,6 @@ export function keepSession(session) {
   underWay.put(JSON.stringify({ robot: state.robot.id, mode: state.mode, at: state.mode === 'tour' ? state.tour.at : null, home: world.environment(), steps }));
 }
 
-/** Resumes the session that was under way when this tab was reloaded, or another one closed. Returns whether there was one. */
-export async function takeUpSession() {
-  /** @type {import('./state.js').Session} */
-  let session;
-  try {
-    const { value, closed } = await underWay.get();
-    const kept = JSON.parse(value || 'null');
-    if (!kept || kept.robot !== state.robot.id) return false;
-    // A session without steps is not resumed from a tab that was closed.
-    if (closed && kept.steps.length < 2) return false;
-    const [first, ...steps] = kept.steps.map(parsed);
-    await enterMode(kept.mode);
-    if (kept.at !== null && kept.at !== state.tour.at) return false;
-    beginAnew(first);
-    session = newSession(first.command, {});
-    refresh();
-    session.heard = ranked();
-    state.support = parsed(world.support());
-    for (const step of steps) {
-      const { at_ms, said_ms } = step;
-      session.times.push({ at_ms, said_ms });
-      session.began = performance.now() - (said_ms ?? at_ms ?? 0);
-      if (step.type === 'answer') {
-        answerRecorded(step);
-        session.answers += 1;
-        continue;
-      }
-      await inParts(() => world.plan(PLAN_BUDGET));
-      world.drawFrom(state.settings.seed, session.steps);
-      world.act(step.action);
-      state.evidence.push(parsed(world.judge(step.feedback)));
-      session.steps += 1;
-    }
-  } catch {
-    underWay.put(null);
-    stopSession();
-    return false;
-  }
-  refresh();
-  keepSession(session);
-  session.paused = true;
-  state.session = session;
-  if (state.mode === 'tour') attend(session);
-  go(session);
-  tell(t('session.goesOn'));
-  return true;
-}
-
 // Ends the session under way without learning.
 export function stopSession() {
   const session = state.session;
@@ -224,7 +75,6 @@ export function stopSession() {
     wake(session);
   }
   state.session = null;
-  state.route = null;
   if (state.phase !== 'learning') state.phase = 'none';
   world.forget();
   if (session) underWay.put(null);
@@ -243,319 +93,3 @@ export function pause(session, milliseconds) {
     if (milliseconds < Infinity) setTimeout(() => { if (session.wake === resolve) wake(session); }, milliseconds);
   });
 }
-
-async function go(session) {
-  const { recorded } = session;
-  while (!session.over) {
-    takePick(session);
-    while (recorded?.[0]?.type === 'answer') {
-      attempt(() => answerRecorded(recorded.shift()));
-      state.belief = beliefNow();
-    }
-    state.phase = 'planning';
-    const slow = setTimeout(render, 40);
-    await inParts(() => session.over || attempt(() => world.plan(PLAN_BUDGET)) !== false);
-    clearTimeout(slow);
-    if (session.over) return undefined;
-    const answered = await askTrainer(session);
-    if (session.over) return undefined;
-    if (answered) continue;
-    world.drawFrom(state.settings.seed, session.steps);
-    const step = recorded?.shift();
-    if (recorded && !step) return endWalk();
-    const decided = attempt(() => parsed(world.act(step?.action)));
-    if (!decided) return stopSession(), render();
-    session.decided = decided;
-    session.feedback = null;
-    session.given = false;
-    refresh();
-    state.phase = 'waiting';
-    lookAhead(session);
-    session.since = performance.now();
-    const auto = session.intended !== null || session.looking;
-    const delay = waitOf(session, auto);
-    session.delay = delay;
-    render();
-    if (delay > 300) announce(t('told.did', { did: acted(decided.action), speech: speech().join(' ') }));
-    if (step || (session.intended !== null && !session.looking)) {
-      if (delay > 0) await pause(session, delay * 0.55);
-      if (session.over) return undefined;
-      if (step) session.feedback = step.feedback;
-      else if (!session.given) session.feedback = world.simulatedFeedback(session.intended);
-      render();
-      if (delay > 0 && step?.feedback !== 'neutral') await pause(session, delay * 0.45);
-      else if (session.steps % 8 === 0) await nextFrame();
-    } else {
-      if (delay > 0) await pause(session, delay);
-      else await nextFrame();
-    }
-    if (session.over) return undefined;
-    while (session.paused && !session.stepping) {
-      state.phase = 'paused';
-      render();
-      await pause(session, Infinity);
-      if (session.over) return undefined;
-    }
-    session.stepping = false;
-    if (session.undone) {
-      session.undone = false;
-      continue;
-    }
-    commit(session);
-    if (await ended(session)) return undefined;
-  }
-  return undefined;
-}
-
-// The probability that a meaning is picked by mistake.
-const PICKED_WRONG = 0.05;
-
-// The trainer has picked a meaning: between two steps, as in a log, that is an answer.
-function takePick(session) {
-  const { picked } = session;
-  session.picked = '';
-  const others = Math.max(1, Math.min(state.belief.tasks.length - 1, 255));
-  if (!picked || attempt(() => (world.answerAs(picked, true, PICKED_WRONG, others, ''), true)) !== true) return;
-  session.answers += 1;
-  noteAnswer(session);
-  state.belief = beliefNow();
-  keepSession(session);
-}
-
-/** Whether a meaning can be picked now. */
-const mayPick = () => {
-  const { session } = state;
-  return Boolean(session?.decided && !session.looking && !session.question && session.intended === null && (state.phase === 'waiting' || state.phase === 'paused'));
-};
-
-/** The trainer picks the meaning among the robot's tasks.
- * @param {string} name */
-export function pick(name) {
-  const { session } = state;
-  if (!session || !mayPick() || !name) return;
-  session.picked = name;
-  session.stepping = session.paused;
-  wake(session);
-}
-
-// At its goal the robot waits for the trainer; otherwise as long as the speed says.
-function waitOf(session, auto) {
-  const { action, confidence } = session.decided;
-  const speed = SPEEDS[state.settings.speed];
-  if (state.tour.watching) return state.settings.speed === 'once' ? 0 : WATCH_DELAY;
-  if (session.looking && state.mode === 'tour') return Math.min(speed.delay(confidence), TEST_DELAY);
-  if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(speed.delay(confidence), 2600);
-  if (action === 'noop') return Infinity;
-  return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
-}
-
-// The core takes in the feedback to the last action. A robot that is only watched takes in nothing: silence would be evidence, and might
-// send it to and fro.
-function commit(session) {
-  const evidence = session.looking && !session.recorded ? world.unjudged() : attempt(() => parsed(world.judge(session.feedback || 'neutral')));
-  if (evidence) state.evidence.push(evidence);
-  else if (!session.looking) return;
-  session.committed = session.decided;
-  session.times.push(timeOfStep(session));
-  session.steps += 1;
-  session.rests = session.decided.action === 'noop' ? session.rests + 1 : 0;
-  session.given = false;
-  state.belief = beliefNow();
-  keepSession(session);
-}
-
-// Whether a session that runs by itself is over.
-async function ended(session) {
-  if (session.recorded || (session.intended === null && !session.looking)) return false;
-  const plan = session.decided.plans[session.looking ? session.decided.task : session.intended];
-  const there = plan === 'goal' && session.rests >= (session.looking ? 1 : RESTS);
-  if (!there && plan !== 'dead end' && session.steps < MOST_STEPS) return false;
-  if (session.looking) endWalk();
-  else await finishSession();
-  return true;
-}
-
-/** Ends the walk of a robot that is only watched: it has arrived, or the user skips it. */
-export function endWalk() {
-  const { session } = state;
-  stopSession();
-  render();
-  session?.onEnd?.();
-}
-
-// The trainer's feedback to the last action. The last word before the next action counts.
-export function giveFeedback(feedback) {
-  const session = state.session;
-  if (!session) tell(t('judge.nothing'));
-  if (!session || session.looking || !session.decided || session.question || state.phase === 'planning' || state.phase === 'learning') return;
-  // The same word once more takes it back; a double tap does not.
-  if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
-    takeBack();
-    return;
-  }
-  if (!session.given || session.feedback !== feedback) session.said = performance.now();
-  session.feedback = feedback;
-  session.given = true;
-  keepSession(session);
-  announce(t('judge.given', { word: t(feedback === 'reward' ? 'train.good' : 'train.bad'), did: acted(session.decided.action) }));
-  render();
-  const waits = session.decided.action === 'noop' || state.settings.speed === 'step';
-  if (waits && !session.paused && session.intended === null && !session.looking) {
-    clearTimeout(session.soon);
-    session.soon = window.setTimeout(() => wake(session), 450);
-  }
-}
-
-/** Withdraws the feedback to the last step. */
-export function takeBack() {
-  const session = state.session;
-  if (!session || !session.given || session.question || state.phase === 'learning') return;
-  clearTimeout(session.soon);
-  session.feedback = null;
-  session.given = false;
-  keepSession(session);
-  announce(t('judge.back'));
-  render();
-}
-
-/** Takes back the feedback to the last step, or else that step, and waits. */
-export function takeStepBack() {
-  const session = state.session;
-  if (session?.given) takeBack();
-  if (!session?.decided && !session?.undone || session.looking || session.question || state.phase === 'planning') return;
-  const pending = !session.undone;
-  if (!attempt(() => world.takeBack())) return;
-  if (!pending) {
-    session.steps -= 1;
-    state.evidence.pop();
-    // One for each line of the session's log, without its first and its last.
-    session.times.length = world.log().trimEnd().split('\n').length - 2;
-  }
-  Object.assign(session, { undone: true, decided: null, paused: true, rests: 0 });
-  refresh();
-  keepSession(session);
-  announce(t('judge.back'));
-  wake(session);
-}
-
-/** The robot has reached the meant goal: that is good, and the session is over. */
-export async function thatWasIt() {
-  const session = state.session;
-  if (!session || !session.decided || session.looking || session.question) return;
-  Object.assign(session, { feedback: 'reward', given: true, said: performance.now(), affirmed: true });
-  await finishSession();
-}
-
-export function togglePause() {
-  const session = state.session;
-  if (!session || session.question) return;
-  session.paused = !session.paused;
-  if (session.paused) state.phase = 'paused';
-  else {
-    state.phase = 'waiting';
-    wake(session);
-  }
-  announce(t(session.paused ? 'judge.paused' : 'judge.goingOn'));
-  render();
-}
-
-export function stepOnce() {
-  const session = state.session;
-  if (!session || !session.decided || session.question) return;
-  session.stepping = true;
-  if (state.settings.speed !== 'step') session.paused = true;
-  wake(session);
-}
-
-// Finish and learn.
-export async function finishSession() {
-  const session = state.session;
-  if (!session || session.looking || state.phase === 'learning') return;
-  if (session.decided && state.evidence.length === session.steps && session.feedback && session.given) commit(session);
-  session.over = true;
-  clearTimeout(session.soon);
-  wake(session);
-  const heat = heatNow();
-  session.took = ranked()[0] || null;
-  // How sure it was, when it heard the command, of the task that is the most likely in the end.
-  const sure = session.heard.find(task => task.index === session.took?.index)?.probability ?? null;
-  const own = attempt(() => logNow(session).replace('"learn":false', '"learn":true'));
-  if (own === undefined) {
-    stopSession();
-    render();
-    return;
-  }
-  const teaches = world.teaches();
-  state.phase = 'learning';
-  state.route = null;
-  render();
-  if (session.onLearn) session.onLearn();
-  try {
-    // A negated command, and "again", have no words to learn.
-    if (!teaches) {
-      world.finish();
-      await inParts(() => world.learn(LEARN_BUDGET));
-    } else await change(quoted(session.command), async stale => {
-      // Another tab has taught this robot meanwhile: this session is learned on top of that.
-      if (stale) {
-        const home = world.environment();
-        await learnFrom(own.trimEnd().split('\n'));
-        world.setEnvironment(home);
-      } else {
-        world.finish();
-        await inParts(() => world.learn(LEARN_BUDGET));
-      }
-      const { robot } = state;
-      robot.scores = Object.assign([...(robot.scores || [])], { [world.sessions() - 1]: sure });
-      robot.seeds = Object.assign([...(robot.seeds || [])], { [world.sessions() - 1]: state.settings.seed });
-      return own;
-    });
-  } catch (error) {
-    tell(t('session.failed', { why: error.message }), true);
-  }
-  underWay.put(null);
-  state.heat = { now: heatNow(), before: heat };
-  const learned = teaches ? lessonLearned(session.heardNew) : '';
-  state.said = [t('say.thanks'), learned];
-  state.session = null;
-  state.phase = 'none';
-  $('command').value = session.command;
-  if (!tellRest()) render();
-  if (session.onEnd) session.onEnd();
-  else if (learned) tell(t('learned.told', { text: learned }));
-}
-
-export function finishWithoutLearning() {
-  if (!state.session || state.tour.watching) return;
-  $('command').value = state.session.command;
-  stopSession();
-  render();
-  tell(t('session.dropped'));
-}
-
-/** Undoes the last change, or redoes it.
- * @param {'past' | 'future'} from */
-export async function undo(from) {
-  if (state.session || state.phase === 'learning') return;
-  state.phase = 'learning';
-  let what;
-  try {
-    what = await travel(from);
-  } catch (error) {
-    tell(t('undo.cannot', { why: error.message }), true);
-    return;
-  } finally {
-    state.phase = 'none';
-    render();
-  }
-  if (what === undefined) return;
-  state.heat = { now: heatNow(), before: null };
-  state.evidence = [];
-  [state.said, state.verdict] = [null, ''];
-  refresh();
-  if (state.mode === 'tour') enterStop(state.tour.at);
-  render();
-  tell(t(from === 'past' ? 'undo.done' : 'redo.done', { what, sessions: sessionsWord() }));
-}
-
-export const heatNow = () => parsed(world.heat());

@@ -1,200 +1,37 @@
-// Settings, shortcuts, and saving and sharing.
-import { answer } from './asking.js';
-import { CHOICES, expectTrainer, expectedNow } from './believes.js';
-import { download } from './files.js';
-import { world } from './core.js';
-import { names, speakLanguage, t, writePage } from './language.js';
-import { homeLink, isSetting, robotLink } from './link.js';
-import { loadLog } from './logs.js';
-import { toMicrobit } from './microbit.js';
-import { writeHomes } from './play.js';
-import { render } from './render.js';
-import { keepGuest, endGuest, loadModel, newRobot } from './roster.js';
-import { shareSecret } from './secret.js';
-import { setUpSerial } from './serial.js';
-import { LEARN_BUDGET, RULES, SPEEDS, finishSession, giveFeedback, heatNow, leaveSession, refresh, stepOnce, takeBack, thatWasIt, togglePause, wake } from './session.js';
-import { setUpShare, share } from './share.js';
+// The settings: their values, and how they are kept.
+import { names } from './language.js';
 import * as shelf from './shelf.js';
-import { $, all, attempt, inParts, make, state, tell } from './state.js';
-import { change, giveStarter, logOf } from './store.js';
-import { enterHome, enterStop } from './tour.js';
-import { isThere } from './words.js';
+import { state } from './state.js';
 
-const SWITCHES = ['presenter', 'questions', 'voice', 'shortcuts', 'ghost', 'names', 'pull'];
+export const SPEEDS = {
+  step: { delay: () => Infinity },
+  slow: { delay: () => 2600 },
+  normal: { delay: () => 1400 },
+  fast: { delay: () => 380 },
+  once: { delay: () => 0 },
+  confidence: { delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
+};
 
-export function renderSettings() {
-  const { settings } = state;
-  $('speed').value = settings.speed;
-  $('rule').value = settings.rule;
-  $('rule-field').hidden = settings.speed !== 'confidence';
-  for (const name of SWITCHES) $('set-' + name).checked = settings[name];
-  if (state.phase !== 'learning') [$('set-ways').checked, $('set-starter').checked] = [world.ways(), state.robot.starter === document.documentElement.lang];
-  $('theme').value = settings.theme;
-  renderBelieves();
-  if (document.activeElement !== $('seed')) $('seed').value = settings.seed;
-  $('language').value = document.documentElement.lang;
-  document.documentElement.dataset.theme = settings.theme;
-  document.body.classList.toggle('no-shortcuts', !settings.shortcuts);
+// How long the robot waits, from 0 to 1: the less sure it is of its next action, the longer (the authors' three rules).
+export const RULES = {
+  linear: { wait: sure => 1 - sure },
+  sigmoid: { wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
+  threshold: { wait: sure => (sure < 0.7 ? 1 : 0) },
+};
+
+export const LOOKS = ['auto', 'light', 'dark'];
+
+/** Whether a setting may have this value.
+ * @param {string} name */
+export function isSetting(name, value) {
+  if (name === 'speed') return Object.hasOwn(SPEEDS, value);
+  if (name === 'rule') return Object.hasOwn(RULES, value);
+  if (name === 'theme') return LOOKS.includes(value);
+  if (name === 'language') return names().some(([code]) => code === value);
+  if (name === 'seed') return Number.isInteger(value) && value >= 0 && value < 2 ** 32;
+  if (name === 'style' && typeof value === 'string') return true;
+  return typeof value === 'boolean';
 }
-
-let typing = false;
-
-function renderBelieves() {
-  const { style } = state.settings;
-  const own = typing || !CHOICES.includes(style);
-  $('believes').value = own ? 'own' : style;
-  $('believes-field').hidden = !own;
-  if (document.activeElement !== $('strategies')) $('strategies').value = style;
-}
-
-// Changes the trainer strategies that the robot expects; a session under way must be left first.
-async function believe(text) {
-  typing = false;
-  if (text !== state.settings.style && await leaveSession()) {
-    try {
-      await change(t('undo.style'), async () => {
-        expectTrainer(text);
-        return '';
-      });
-    } catch (error) {
-      tell(error.message, true);
-    }
-    state.settings.style = expectedNow();
-    keepSetting('style');
-    refresh();
-  }
-  render();
-}
-
-const LOOKS = ['auto', 'light', 'dark'];
-
-// Writes the options of the lists, in words.
-function writeOptions() {
-  for (const [id, prefix, options] of /** @type {[string, string, string[]][]} */ ([['speed', 'speed.', Object.keys(SPEEDS)], ['rule', 'rule.', Object.keys(RULES)], ['theme', 'look.', LOOKS], ['believes', 'believes.', CHOICES]])) {
-    $(id).replaceChildren(...options.map(value => make('option', { value }, t(/** @type {import('./language.js').Key} */ (prefix + value)))));
-  }
-  $('language').replaceChildren(...names().map(([value, name]) => make('option', { value, lang: value }, name)));
-}
-
-export function setUpSettings() {
-  writeOptions();
-  for (const id of ['speed', 'rule']) {
-    $(id).addEventListener('change', () => {
-      state.settings[id] = $(id).value;
-      keepSetting(id);
-      if (state.session && state.session.wake && state.phase === 'waiting' && $(id).value !== 'step') wake(state.session);
-      render();
-    });
-  }
-  for (const name of SWITCHES) {
-    $('set-' + name).addEventListener('change', async () => {
-      const value = $('set-' + name).checked;
-      if (name === 'pull' && !await leaveSession()) return render();
-      state.settings[name] = value;
-      if (name === 'pull') enterHome(world.environment());
-      keepSetting(name);
-      return render();
-    });
-  }
-  $('believes').addEventListener('change', () => {
-    typing = $('believes').value === 'own';
-    if (!typing) return believe($('believes').value);
-    render();
-    return $('strategies').select();
-  });
-  $('strategies').addEventListener('change', () => believe($('strategies').value));
-  $('set-ways').addEventListener('change', async () => {
-    const value = $('set-ways').checked;
-    if (await leaveSession()) await considerWays(value);
-    render();
-  });
-  $('set-starter').addEventListener('change', async () => {
-    const starter = $('set-starter').checked ? document.documentElement.lang : '';
-    if (await leaveSession()) await relearn(t('undo.starter'), () => giveStarter(starter));
-    render();
-  });
-  $('theme').addEventListener('change', () => {
-    state.settings.theme = $('theme').value;
-    keepSetting('theme');
-    render();
-  });
-  $('seed').addEventListener('change', () => {
-    if (isSetting('seed', $('seed').valueAsNumber)) {
-      state.settings.seed = $('seed').valueAsNumber;
-      keepSetting('seed');
-    }
-    $('seed').value = state.settings.seed;
-  });
-  $('end-presenter').addEventListener('click', () => {
-    state.settings.presenter = false;
-    keepSetting('presenter');
-    render();
-  });
-  $('language').addEventListener('change', () => {
-    state.settings.language = $('language').value;
-    keepSetting('language');
-    speakLanguage(state.settings.language);
-    writePage();
-    writeOptions();
-    writeHomes();
-    [state.said, state.verdict] = [null, ''];
-    refresh();
-    if (state.mode === 'tour' && !state.session && state.phase === 'none') enterStop(state.tour.at);
-    render();
-  });
-  $('save-model').addEventListener('click', () => {
-    const bytes = attempt(() => world.save());
-    if (bytes) download(fileName() + '.goodbot', bytes, 'application/octet-stream');
-  });
-  $('load-model').addEventListener('change', () => loadModel($('load-model')));
-  $('to-microbit').addEventListener('change', () => toMicrobit($('to-microbit'), fileName()));
-  setUpSerial();
-  for (const label of all('label.button')) {
-    // A file can be dropped there too.
-    label.addEventListener('dragover', event => event.preventDefault());
-    label.addEventListener('drop', event => {
-      event.preventDefault();
-      if (!event.dataTransfer.files.length) return;
-      label.control.files = event.dataTransfer.files;
-      label.control.dispatchEvent(new Event('change'));
-    });
-  }
-  $('load-log').addEventListener('change', () => loadLog($('load-log')));
-  $('save-log').addEventListener('click', () => {
-    const log = logOf(state.robot);
-    if (log) download(fileName() + '.jsonl', log, 'application/jsonl');
-    else tell(t('settings.noLog'));
-  });
-  $('share').addEventListener('click', () => share(homeLink(), t('settings.link'), t('link.home')));
-  $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
-  $('meet-secret').addEventListener('click', shareSecret);
-  setUpShare();
-  $('new-robot').addEventListener('click', async () => {
-    if (await leaveSession()) await newRobot();
-  });
-  $('keep-guest').addEventListener('click', keepGuest);
-  $('end-guest').addEventListener('click', endGuest);
-}
-
-/** Sets whether commands to this robot may say how. */
-export const considerWays = value => relearn(t('undo.ways'), () => world.setWays(value));
-
-// Changes the robot so that it learns its training data anew.
-async function relearn(what, work) {
-  state.phase = 'learning';
-  render();
-  await change(what, async () => {
-    attempt(work);
-    await inParts(() => world.learn(LEARN_BUDGET));
-    return '';
-  });
-  state.phase = 'none';
-  refresh();
-  state.heat = { now: heatNow(), before: null };
-}
-
-// The robot's name, made fit for a file's name.
-const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
 
 // Keeps one setting alone: another tab may have changed others.
 export function keepSetting(name) {
@@ -207,25 +44,4 @@ export function restoreSettings() {
   for (const [name, value] of Object.entries(shelf.read('settings', {}))) {
     if (name in state.settings && isSetting(name, value)) state.settings[name] = value;
   }
-}
-
-// Single keys, while no field has the focus.
-const KEYS_PRESSED = {
-  g: () => giveFeedback('reward'), ArrowRight: () => giveFeedback('reward'), b: () => giveFeedback('punish'), ArrowLeft: () => giveFeedback('punish'),
-  p: togglePause, n: stepOnce, f: () => (isThere() ? thatWasIt() : finishSession()), Backspace: takeBack,
-};
-
-// Keys for the answers to a question.
-const ANSWERS = { y: 'yes', n: 'no', 1: '1', 2: '2', 3: '3' };
-
-export function setUpShortcuts() {
-  document.addEventListener('keydown', event => {
-    if (!state.settings.shortcuts || event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || !state.session) return;
-    if (/** @type {Element} */ (event.target).closest('input:not([type=checkbox]), select, textarea, [role=slider], .scroll, dialog')) return;
-    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    const action = state.session.question && key in ANSWERS ? () => answer(ANSWERS[key]) : KEYS_PRESSED[key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  });
 }

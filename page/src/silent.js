@@ -1,8 +1,7 @@
 // The worth of the trainer's feedback: a second robot hears the same lessons without any.
-import { Goodbot, parsed } from './core.js';
-import { LEARN_BUDGET } from './session.js';
+import { Goodbot, LEARN_BUDGET, parsed } from './core.js';
 import { state } from './state.js';
-import { inOwnWords } from './tour.js';
+import { inOwnWords } from './stops.js';
 import { askedIn, sceneOf, taskWords } from './words.js';
 
 /** @typedef {{ home: string, intended: string, test: boolean }} Stop */

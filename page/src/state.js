@@ -1,5 +1,4 @@
 // The page's state, in one place, and small tools to make elements.
-import { t } from './language.js';
 
 /**
  * @typedef {import('goodbot-wasm').Scene} Scene
@@ -9,7 +8,6 @@ import { t } from './language.js';
  * @typedef {import('goodbot-wasm').Evidence} Evidence
  * @typedef {import('goodbot-wasm').Support} Support
  * @typedef {import('goodbot-wasm').Heat} Heat
- * @typedef {import('goodbot-wasm').Route} Route
  * @typedef {Task & { index: number }} Ranked
  */
 
@@ -59,7 +57,6 @@ export const state = {
   // none, planning, asking, waiting, paused or learning
   phase: 'none',
   session: /** @type {Session | null} */ (null),
-  route: /** @type {Route | null} */ (null),
   evidence: /** @type {Evidence[]} */ ([]),
   // The robot of this tab, as it is kept.
   robot: /** @type {import('./store.js').Robot} */ (/** @type {unknown} */ (null)),
@@ -92,6 +89,11 @@ export const state = {
   }),
 };
 
+/** Draws the page anew. Whatever changes the state calls it, and the views are drawn from the state alone. */
+export let render = () => {};
+/** @param {() => void} views draws all views */
+export const drawBy = views => { render = views; };
+
 /** @type {(id: string) => any} */
 export const $ = id => document.getElementById(id);
 /** @type {(selector: string) => Iterable<any>} */
@@ -115,8 +117,6 @@ function fill(element, attributes, children) {
   return element;
 }
 
-export const percent = p => t('percent', { n: p > 0 && p < 0.005 ? '< 1' : p < 1 && p > 0.995 ? '> 99' : Math.round(p * 100) });
-
 // Tells screen readers a text, and shows it for a moment.
 let toastTimer = 0;
 export function tell(text, wrong = false) {
@@ -131,17 +131,6 @@ export function tell(text, wrong = false) {
 
 export function announce(text) {
   $('live').textContent = text;
-}
-
-// Runs a call that the core may refuse; a refusal is told, and the result is then undefined.
-export function attempt(action) {
-  try {
-    return action();
-  } catch (error) {
-    // The core names the limit by its name in Rust.
-    tell(/::(WORDS_PER_COMMAND|NAME_BYTES) /.test(error.message) ? t('talk.tooLong') : error.message, true);
-    return undefined;
-  }
 }
 
 // Does long work in parts: calls `part` until it returns something, with a frame now and then so that the page never freezes.

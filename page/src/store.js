@@ -2,11 +2,10 @@
 // the lessons of the others, and a session that ends in one is learned on top of those that another learned meanwhile.
 import { fromBase64, toBase64 } from './base64.js';
 import { expectedNow } from './believes.js';
-import { world } from './core.js';
+import { heatNow, learn, world } from './core.js';
 import { t } from './language.js';
-import { LEARN_BUDGET, heatNow } from './session.js';
 import * as shelf from './shelf.js';
-import { inParts, state, tell } from './state.js';
+import { state, tell } from './state.js';
 
 const VERSION = 2;
 const MOST_STEPS_BACK = 30;
@@ -109,7 +108,7 @@ export async function enterMode(mode) {
   if (world.starter() === sentencesNow(state.robot.starter)) return;
   world.setStarter(sentencesNow(state.robot.starter));
   state.phase = 'learning';
-  await inParts(() => world.learn(LEARN_BUDGET));
+  await learn();
   state.phase = 'none';
   state.heat = { now: heatNow(), before: null };
 }
@@ -120,10 +119,10 @@ export async function enterMode(mode) {
  * @param {string} starter */
 export async function takeModel(bytes, ways = world.ways(), starter = '') {
   world.setWays(ways);
-  await inParts(() => world.learn(LEARN_BUDGET));
+  await learn();
   world.restore(bytes);
   world.setStarter(sentencesNow(starter));
-  await inParts(() => world.learn(LEARN_BUDGET));
+  await learn();
   state.sessions = world.sessions();
   state.settings.style = expectedNow();
 }

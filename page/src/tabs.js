@@ -1,7 +1,6 @@
 // One panel beside the stage, with tabs. Which tabs there are depends on the mode, and on whether the robot knows anything.
 import { knowsWords } from './learned.js';
-import { render } from './render.js';
-import { $, all, state } from './state.js';
+import { $, all, render, state } from './state.js';
 
 /** @typedef {'thoughts' | 'words' | 'steps' | 'challenges' | 'robots' | 'editor' | 'settings'} Tab */
 

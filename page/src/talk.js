@@ -1,19 +1,17 @@
 // What people write in the one field: commands, and words to a robot on its way. The core tells which is which.
 import { answer } from './asking.js';
-import { parsed, world } from './core.js';
+import { attempt, world } from './core.js';
 import { t } from './language.js';
-import { WORD, spaced } from './learned.js';
-import { render } from './render.js';
-import { begin, finishWithoutLearning, giveFeedback, keepSession, leaveSession, noteAnswer, startSession, stopSession, takeStepBack, thatWasIt, togglePause, undo, wake } from './session.js';
-import { $, announce, attempt, state, tell } from './state.js';
-import { beliefNow, taskWords } from './words.js';
+import { WORD } from './learned.js';
+import { undo } from './roster.js';
+import { noteAnswer, wake } from './session.js';
+import { $, announce, state } from './state.js';
+import { finishWithoutLearning, giveFeedback, lastCommand, leaveSession, remark, startSession, takeStepBack, tellRobot, thatWasIt, togglePause } from './training.js';
+import { spaced } from './words.js';
 
 /** The answers while no session is under way.
  * @type {Record<string, import('./language.js').Key>} */
 const IDLE = { unjudged: 'judge.nothing', undo: 'undo.nothing', unchanged: 'talk.unchanged' };
-
-// The last command.
-let last = '';
 
 /** Says something, in or between sessions.
  * @param {string} written */
@@ -31,8 +29,8 @@ export async function say(written) {
   const said = attempt(() => world.said(words));
   if (said === undefined) return;
   const { session } = state;
-  if (said === 'command' || (said === 'again' && last)) {
-    if (await leaveSession()) tellRobot(said === 'again' ? last : words);
+  if (said === 'command' || (said === 'again' && lastCommand)) {
+    if (await leaveSession()) tellRobot(said === 'again' ? lastCommand : words);
   } else if (session) toTheRobot(session, said, words);
   else if (said === 'undo' && state.robot.past.length) undo('past');
   // It may still be a command, in a secret language.
@@ -67,52 +65,7 @@ export function judge(feedback) {
 // Corrects the robot by words. If it asks or waits, it goes on.
 function correct(session, words) {
   if (session.looking || attempt(() => (world.correct(words), true)) !== true) return;
-  session.answers += 1;
   noteAnswer(session);
   session.stepping = session.paused;
-  state.belief = beliefNow();
-  keepSession(session);
   wake(session);
-}
-
-/** Tells the robot a command. If there is nothing to do, it says why, and waits.
- * @param {string} words
- * @param {boolean} insists whether it is a command, whatever the robot takes it for */
-export function tellRobot(words, insists = false) {
-  stopSession();
-  last = words;
-  state.already = '';
-  const heard = attempt(() => parsed(world.listen(words, insists)));
-  if (heard) follow(heard, words);
-  else render();
-}
-
-/** After a session: goes on with the rest of the utterance. Returns whether there was one. */
-export function tellRest() {
-  const heard = world.isMore() ? attempt(() => parsed(world.listenOn())) : null;
-  if (heard) follow(heard, '');
-  return Boolean(heard);
-}
-
-/** @param {import('goodbot-wasm').Reaction} heard */
-function follow(heard, words) {
-  if (heard.begun) begin(heard.command, {});
-  else if (heard.negated) remark(t('talk.not'), '');
-  else if (heard.verdict === 'done') remark(t('say.done', { task: taskWords(heard.task) }), words);
-  else remark(t(heard.verdict === 'none' ? 'talk.none' : 'talk.unsure'), words);
-}
-
-// The robot says something between sessions. `words` may still be a command. In a session the text is a short message instead, because
-// the robot's bubble says what it does.
-function remark(text, words) {
-  if (state.session) {
-    $('command').value = '';
-    tell(text);
-    return;
-  }
-  state.said = [text, ''];
-  state.already = words;
-  announce(text);
-  render();
-  if (words) $('else').focus();
 }

@@ -1,9 +1,9 @@
 // The robot's thoughts: the tasks' probabilities, the evidence, the words, the dictionary, the trainer's style.
 import { renderCharts } from './charts.js';
 import { world } from './core.js';
-import { t } from './language.js';
+import { percent, t } from './language.js';
 import { asWritten, ideaWords } from './learned.js';
-import { $, all, make, percent, state } from './state.js';
+import { $, all, make, state } from './state.js';
 import { isShown } from './tabs.js';
 import { acted, ranked, wordShown } from './words.js';
 
@@ -110,7 +110,6 @@ export function renderHeat() {
     make('tbody', {}, ...heat.tokens.map((token, row) => make('tr', {}, make('th', { scope: 'row' }, ideaWords(token)),
       ...heat.words.map((_, column) => cell(heat.cells[row * heat.words.length + column], 0, strongest, t('heat.cell', { word: words[column], idea: ideaWords(token) })))))));
 }
-
 
 function renderStyle() {
   const { learned, good, bad, mistakes, late } = state.belief.trainer;

@@ -1,35 +1,15 @@
-// The guided tour: the paper's seven lessons and five tests, with a score.
+// The guided tour: its lessons and tests one after the other, with a score.
 import { course, world } from './core.js';
 import { renderFinale } from './finale.js';
-import { named, t } from './language.js';
-import { spaced, unspaced } from './learned.js';
-import { heardWords, render } from './render.js';
-import { beginGuest, endGuest, newRobot } from './roster.js';
-import { endWalk, leaveSession, refresh, startSession, stopSession } from './session.js';
-import * as shelf from './shelf.js';
-import { considerWays } from './settings.js';
-import { $, all, announce, attempt, make, percent, state } from './state.js';
-import { APPENDIX } from './storeys.js';
-import { keepTour, logOf } from './store.js';
-import { taskWords, understands } from './words.js';
-
-// The course's commands are the current language's words for their tasks.
-export const homeNamed = name => JSON.stringify(course.homes.find(([other]) => other === name)?.[1]);
-const ofCourse = (stop, test) => ({ home: homeNamed(stop.home), intended: stop.intended, test, appendix: false });
-// The appendix is for robots to which commands may say how.
-const stops = () => [
-  ...course.lessons.map(stop => ofCourse(stop, false)), ...course.tests.map(stop => ofCourse(stop, true)),
-  ...(world.ways() ? APPENDIX.map(stop => ({ ...stop, home: JSON.stringify(stop.home), appendix: true })) : []),
-];
-const lengthOfCourse = () => course.lessons.length + course.tests.length;
-
-const stopAt = () => stops()[state.tour.at];
-// The home must be that of the lesson or test.
-const commandOf = stop => taskWords(stop.intended);
-
-/** A command of the tour in the user's own words, if there are any.
- * @param {string} command */
-export const inOwnWords = command => state.tour.said[command] || command;
+import { named, percent, t } from './language.js';
+import { heardWords } from './learned.js';
+import { beginGuest, considerWays, endGuest, newRobot } from './roster.js';
+import { refresh, stopSession } from './session.js';
+import { $, all, announce, make, render, state } from './state.js';
+import { commandOf, enterStop, inOwnWords, lengthOfCourse, stopAt, stops } from './stops.js';
+import { logOf } from './store.js';
+import { endWalk, leaveSession, startSession } from './training.js';
+import { spaced, understands, unspaced } from './words.js';
 
 // A test's hint about its command: three of the paper's tests repeat a lesson's command, in another home. Only a log with all of a
 // robot's sessions shows what it has heard.
@@ -39,36 +19,11 @@ function aboutTest(stop) {
   return t(log.includes(JSON.stringify({ command: spaced(inOwnWords(commandOf(stop))) }).slice(1, -1)) ? 'tour.hint.testTaught' : 'tour.hint.testNew');
 }
 
-export function enterStop(at) {
-  stopSession();
-  [state.said, state.verdict, state.astray, state.guess] = [null, '', false, ''];
-  $('own-words').value = '';
-  state.tour.at = Math.max(0, Math.min(at, stops().length));
-  const stop = stopAt();
-  // After the last test the robot stays where the tests were.
-  enterHome(stop ? stop.home : homeNamed('Test'));
-  keepTour();
-  $('command').value = stop ? commandOf(stop) : '';
-  render();
-}
-
 /** Goes to a lesson or test, if a session under way may be left. */
 async function jumpTo(at) {
   if (state.tour.watching || !await leaveSession()) return;
   enterStop(at);
   $('lesson').focus();
-}
-
-export function enterHome(json) {
-  stopSession();
-  // In the tour the robot pushes only, as the paper's does.
-  if (attempt(() => (world.setEnvironment(json), world.setPulls(state.settings.pull && state.mode !== 'tour'), true)) !== true) return false;
-  refresh();
-  state.evidence = [];
-  state.support = null;
-  [state.said, state.already] = [null, ''];
-  if (state.mode !== 'tour') shelf.put('home', json);
-  return true;
 }
 
 // Begins the current lesson or test of the tour.
@@ -182,9 +137,6 @@ export function setUpTour() {
     });
   }
 }
-
-/** Whether the tour has come to its end, and nothing else is going on. */
-export const isOver = () => state.mode === 'tour' && !state.session && !stopAt();
 
 export function renderTour() {
   const { at, done, watching } = state.tour;

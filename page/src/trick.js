@@ -1,16 +1,15 @@
 // The game of tricking the robot: its lessons always showed two ideas together, so that it takes one for the other. One of several
 // further lessons repairs that. Each answer is the core's own.
-import { world } from './core.js';
-import { listed, t } from './language.js';
-import { spaced } from './learned.js';
+import { learn, world } from './core.js';
+import { listed, percent, t } from './language.js';
 import { nameHome } from './play.js';
-import { render } from './render.js';
 import { beginGuest, endGuest } from './roster.js';
-import { LEARN_BUDGET, heatNow, leaveSession, startSession } from './session.js';
-import { $, announce, inParts, make, percent, state } from './state.js';
+import { takeStock } from './session.js';
+import { $, announce, make, render, state } from './state.js';
+import { enterHome } from './stops.js';
 import { change, travel } from './store.js';
-import { enterHome } from './tour.js';
-import { beliefNow, quoted, taskWords, understands } from './words.js';
+import { leaveSession, startSession } from './training.js';
+import { beliefNow, quoted, spaced, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: string, intended: string, command: string }} Lesson */
 
@@ -71,7 +70,7 @@ async function teach({ home, intended, command }) {
     world.hear(spaced(command));
     world.answerAs(intended, true, 0.05, beliefNow().tasks.length - 1, '');
     const lines = world.finish();
-    await inParts(() => world.learn(LEARN_BUDGET));
+    await learn();
     return lines;
   });
 }
@@ -100,7 +99,7 @@ async function beginLevel(level) {
 function enter({ home }) {
   enterHome(home);
   nameHome();
-  state.heat = { now: heatNow(), before: null };
+  takeStock();
 }
 
 // The robot shows how it understands the command.

@@ -1,10 +1,7 @@
-// The page in words: for screen readers, and for the status line.
-import { questionWords } from './asking.js';
+// Commands, tasks and things in words.
 import { parsed, world } from './core.js';
 import { listed, named, t } from './language.js';
-import { asWritten, knowsWords, unknownWords, unspaced } from './learned.js';
-import { percent, state } from './state.js';
-import { isOver } from './tour.js';
+import { state } from './state.js';
 
 /** @typedef {import('./language.js').Key} Key */
 
@@ -62,6 +59,21 @@ export function taskWords(name, scene = state.scene) {
   if (!clause) return task;
   const room = listed(parts(places, ' or ').map(([, , , room]) => object(room)), 'or');
   return t(clause === 'through' ? 'task.through' : 'task.avoiding', { task, room });
+}
+
+/** @type {Record<string, Key>} */
+const WAYS = { any: 'ask.way.any', through: 'ask.way.through', either: 'ask.way.either', avoiding: 'ask.way.avoiding' };
+
+/** A question of the robot as a person hears it.
+ * @param {import('goodbot-wasm').Question} question */
+export function questionWords({ about, way, objects, choices }) {
+  if (about === 'object') return t('ask.object', { thing: objectWords(objects[0]) });
+  if (about === 'carrying' || about === 'moving') {
+    const question = t(about === 'carrying' ? 'ask.carrying' : 'ask.moving');
+    return way ? t('ask.howWay', { question, way: t(WAYS[way]) }) : question;
+  }
+  if (about === 'task') return t('ask.task', { task: state.belief.tasks[choices[0]].words });
+  return t('ask.which');
 }
 
 /** The rooms and blocks of a home given as JSON.
@@ -123,47 +135,19 @@ export const wordShown = (word, letters) => (letters && [...word].length >= lett
 
 export const quoted = word => t('say.quoted', { 0: unspaced(word) });
 
-// The robot's words at its goal: its room, or else the done task.
-const hereWords = (name, task) => {
-  const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
-  return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });
-};
-
-/** What the robot says about itself: the main sentence, and the rest.
- * @returns {[string, string]} */
-export function speech() {
-  const session = state.session;
-  if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
-  if (!session) {
-    if (isOver()) return [t('say.iAm', state.robot), ''];
-    if (state.said) return /** @type {[string, string]} */ (state.said);
-    if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), t('say.helloMore')];
-    return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
-  }
-  const best = ranked()[0];
-  if (!best) return ['…', ''];
-  const unknown = unknownWords();
-  const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(word => quoted(asWritten(word)))) }) : '';
-  if (session.question) return [questionWords(session.question), strange.trim()];
-  if (state.secret === 'open') return [t('secret.going'), ''];
-  const task = best.words;
-  if (session.decided && session.decided.action === 'noop') {
-    const plan = session.decided.plans[session.decided.task];
-    // In a test nobody can answer.
-    const asked = key => (session.looking ? '' : t(key));
-    if (plan === 'goal' && session.steps === 0) return [t('say.done', { task }), asked('say.doneMore') + strange];
-    if (plan === 'goal') return [hereWords(best.name, task), asked('say.hereMore') + strange];
-    if (plan === 'dead end') return [t('say.stuck'), t('say.stuckMore', { task })];
-    return [t('say.lost'), t('say.lostMore')];
-  }
-  const said = best.probability > 0.8 ? 'say.sure' : best.probability > 0.45 ? 'say.think' : 'say.perhaps';
-  return [t(said, { task }), t('say.howSure', { sure: percent(best.probability) }) + strange];
-}
-
-/** Whether the robot rests at the goal of the task that it follows. */
-export function isThere() {
-  const decided = state.session?.decided;
-  return Boolean(decided && !state.session?.question && decided.action === 'noop' && decided.plans[decided.task] === 'goal');
-}
-
 export const sessionsWord = (n = state.sessions) => t('sessions', { n });
+
+// Scripts that are written without spaces between the words.
+const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;
+
+/** A command in composed letters, with spaces between its words, in any script.
+ * @param {string} written */
+export function spaced(written) {
+  const command = written.normalize('NFKC').replace(/[‘’ʼ]/g, "'");
+  if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
+  return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
+}
+
+/** A command as people write it: `spaced` undone.
+ * @param {string} command */
+export const unspaced = command => (UNSPACED.test(command) ? command.replaceAll(' ', '') : command);

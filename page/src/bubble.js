@@ -1,0 +1,43 @@
+// The robot's bubble: what it says about itself.
+import { listed, percent, t } from './language.js';
+import { asWritten, knowsWords, unknownWords } from './learned.js';
+import { state } from './state.js';
+import { isOver } from './stops.js';
+import { objectWords, questionWords, quoted, ranked, sessionsWord } from './words.js';
+
+// The robot's words at its goal: its room, or else the done task.
+const hereWords = (name, task) => {
+  const [, room] = name.match(/^agentInRoom\(\w+,(\w+)\)$/) || [];
+  return room ? t('say.here', { room: objectWords(room, 2) }) : t('say.carriedOut', { task });
+};
+
+/** What the robot says about itself: the main sentence, and the rest.
+ * @returns {[string, string]} */
+export function speech() {
+  const session = state.session;
+  if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
+  if (!session) {
+    if (isOver()) return [t('say.iAm', state.robot), ''];
+    if (state.said) return /** @type {[string, string]} */ (state.said);
+    if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), t('say.helloMore')];
+    return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
+  }
+  const best = ranked()[0];
+  if (!best) return ['…', ''];
+  const unknown = unknownWords();
+  const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(word => quoted(asWritten(word)))) }) : '';
+  if (session.question) return [questionWords(session.question), strange.trim()];
+  if (state.secret === 'open') return [t('secret.going'), ''];
+  const task = best.words;
+  if (session.decided && session.decided.action === 'noop') {
+    const plan = session.decided.plans[session.decided.task];
+    // In a test nobody can answer.
+    const asked = key => (session.looking ? '' : t(key));
+    if (plan === 'goal' && session.steps === 0) return [t('say.done', { task }), asked('say.doneMore') + strange];
+    if (plan === 'goal') return [hereWords(best.name, task), asked('say.hereMore') + strange];
+    if (plan === 'dead end') return [t('say.stuck'), t('say.stuckMore', { task })];
+    return [t('say.lost'), t('say.lostMore')];
+  }
+  const said = best.probability > 0.8 ? 'say.sure' : best.probability > 0.45 ? 'say.think' : 'say.perhaps';
+  return [t(said, { task }), t('say.howSure', { sure: percent(best.probability) }) + strange];
+}
