@@ -8,12 +8,11 @@ import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { rename } from './roster.js';
 import { sureness } from './silent.js';
-import { $, announce, make, state, tell } from './state.js';
+import { $, announce, isDrawn, make, state, tell } from './state.js';
 import { logOf } from './store.js';
 import { quoted } from './words.js';
 
 const FILE = 'my-robot.png';
-let shown = '';
 /** @type {Promise<{ link: string, file: File }> | null} */
 let card = null;
 
@@ -65,9 +64,7 @@ export function renderFinale(over, score, stops) {
   $('card').hidden = !over;
   // With ways, there are more tasks in the tests' home than a robot has room for.
   $('worth').hidden = !over || world.ways();
-  const key = over ? JSON.stringify([state.robot.id, state.robot.name, state.robot.model, score, world.ways(), document.documentElement.lang]) : '';
-  if (key === shown) return;
-  shown = key;
+  if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways()])) return;
   card = null;
   if (!over) return;
   card = makeCard(score);

@@ -3,7 +3,7 @@ import { attempt, course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { nameHome } from './play.js';
 import * as shelf from './shelf.js';
-import { $, render, state } from './state.js';
+import { $, isDrawn, render, state } from './state.js';
 import { enterHome } from './stops.js';
 import { logOf } from './store.js';
 import { leaveSession, startSession } from './training.js';
@@ -45,19 +45,19 @@ function next() {
   return why ? { lesson: lessons[why.lesson], why } : null;
 }
 
-let shown = { key: '', lesson: /** @type {Lesson | null} */ (null) };
+/** @type {Lesson | null} */
+let lesson = null;
 
 export function renderNext() {
   const hidden = state.mode !== 'play' || Boolean(state.session) || state.phase !== 'none' || state.sessions === 0;
   $('next-card').hidden = hidden;
   if (hidden) return;
-  const key = JSON.stringify([state.robot.id, state.robot.changed, state.sessions, $('wanted').value, document.documentElement.lang]);
-  if (key === shown.key) return;
+  if (isDrawn('next', state.robot.id, state.robot.changed, state.sessions, $('wanted').value)) return;
   const found = next();
   const well = found?.why.known;
-  shown = { key, lesson: found && !well ? found.lesson : null };
-  $('next-lesson').hidden = $('teach-next').hidden = !shown.lesson;
-  $('next-lesson').textContent = shown.lesson ? t('next.lesson', { command: unspaced(shown.lesson.command) }) : '';
+  lesson = found && !well ? found.lesson : null;
+  $('next-lesson').hidden = $('teach-next').hidden = !lesson;
+  $('next-lesson').textContent = lesson ? t('next.lesson', { command: unspaced(lesson.command) }) : '';
   const { word, needed, heard } = found?.why || { word: '', needed: 0, heard: 0 };
   $('next-why').textContent = !found ? t('next.none') : well ? t('next.well') : t(heard ? 'next.heard' : 'next.new', { word, needed, heard: sessionsWord(heard) });
 }
@@ -69,11 +69,12 @@ export function setUpNext() {
     renderNext();
   });
   $('teach-next').addEventListener('click', async () => {
-    const { lesson } = shown;
-    if (!lesson || !await leaveSession()) return;
-    if (lesson.home) enterHome(lesson.home);
+    if (!lesson) return;
+    const { command, home } = lesson;
+    if (!await leaveSession()) return;
+    if (home) enterHome(home);
     nameHome();
-    $('command').value = lesson.command;
-    if (!startSession(lesson.command)) render();
+    $('command').value = command;
+    if (!startSession(command)) render();
   });
 }

@@ -3,7 +3,7 @@
 import { attempt, parsed, world } from './core.js';
 import { download, readFile } from './files.js';
 import { percent, t } from './language.js';
-import { $, inParts, make, render, state, tell } from './state.js';
+import { $, inParts, isDrawn, make, render, state, tell } from './state.js';
 import { patch } from './store.js';
 import { isShown } from './tabs.js';
 import { askedIn, likeliest, sceneOf, spaced, taskWords, understands } from './words.js';
@@ -43,14 +43,10 @@ async function run() {
   tell($('tests-score').textContent);
 }
 
-let offered = '';
-
 // Offers all tasks that a command may mean in the home that is shown.
 function offer() {
   const home = parsed(world.environment());
-  const key = JSON.stringify([home, world.ways(), document.documentElement.lang]);
-  if (offered === key) return;
-  offered = key;
+  if (isDrawn('meanings', home, world.ways())) return;
   const tasks = attempt(() => askedIn(home, '?a')) || [];
   $('test-meant').replaceChildren(make('option', { value: '' }, '…'), ...tasks.map(({ name }) => make('option', { value: name }, taskWords(name, sceneOf(home)))));
 }

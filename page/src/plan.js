@@ -2,7 +2,7 @@
 import { parsed, world } from './core.js';
 import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
-import { $, draw, inParts, make, state } from './state.js';
+import { $, draw, inParts, isDrawn, make, state } from './state.js';
 import { isOver } from './stops.js';
 import { describeScene, formsOf, labelWords } from './words.js';
 
@@ -159,14 +159,12 @@ export function thingDrawing(frame, thing, isRobot) {
 
 // The plan in the page. It is built anew for another home; otherwise things only move.
 /** @type {any} */
-const plan = { frame: null, key: '', things: new Map(), ahead: null, asked: null, decided: null, route: null };
+const plan = { frame: null, things: new Map(), ahead: null, asked: null, decided: null, route: null };
 
 export function renderPlan() {
   const scene = state.scene;
-  const key = JSON.stringify([scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names, document.documentElement.lang]);
   const root = $('plan');
-  if (key !== plan.key) {
-    plan.key = key;
+  if (!isDrawn('plan', scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names)) {
     plan.frame = new Frame(scene.bounds);
     root.replaceChildren(houseDrawing(plan.frame, scene));
     root.setAttribute('viewBox', '0 0 ' + plan.frame.width + ' ' + plan.frame.height);

@@ -5,7 +5,7 @@ import { t } from './language.js';
 import { ideas } from './learned.js';
 import { refresh } from './session.js';
 import * as shelf from './shelf.js';
-import { $, make, render, state } from './state.js';
+import { $, isDrawn, make, render, state } from './state.js';
 import { enterHome, enterStop, homeNamed } from './stops.js';
 import { enterMode } from './store.js';
 import { say } from './talk.js';
@@ -15,9 +15,7 @@ import { leaveSession, tellRobot } from './training.js';
 export function renderIdeas() {
   $('ideas').hidden = Boolean(state.session) || state.secret === 'open';
   if (state.session || state.phase !== 'none' || state.mode !== 'play' || state.secret === 'open') return;
-  const key = JSON.stringify([state.scene, world.pulls(), document.documentElement.lang]);
-  if ($('ideas').dataset.key === key) return;
-  $('ideas').dataset.key = key;
+  if (isDrawn('ideas', state.scene, world.pulls())) return;
   $('ideas').replaceChildren(...ideas().map(idea => make('button', { type: 'button', class: 'idea', onclick: () => { $('command').value = idea; say(idea); } }, idea)));
 }
 

@@ -6,7 +6,7 @@ import { clearWords, ideaWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { share } from './share.js';
-import { $, announce, make, render, state, tell } from './state.js';
+import { $, announce, isDrawn, make, render, state, tell } from './state.js';
 import { leaveSession, startSession } from './training.js';
 
 const MOST_WORDS = 12;
@@ -44,14 +44,10 @@ function reveal() {
   announce($('secret-say').textContent);
 }
 
-let shown = '';
-
 export function renderSecret() {
   document.documentElement.toggleAttribute('data-secret', state.secret === 'open');
   $('secret').hidden = !state.secret;
-  const key = [state.secret, state.robot.id, document.documentElement.lang].join();
-  if (!state.secret || key === shown) return;
-  shown = key;
+  if (!state.secret || isDrawn('secret', state.secret, state.robot.id)) return;
   const all = words();
   const told = state.secret === 'told';
   $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length });

@@ -3,20 +3,15 @@ import { names } from './language.js';
 import * as shelf from './shelf.js';
 import { state } from './state.js';
 
+// How many milliseconds the robot waits after a step.
+/** @type {Record<string, (sure: number) => number>} */
 export const SPEEDS = {
-  step: { delay: () => Infinity },
-  slow: { delay: () => 2600 },
-  normal: { delay: () => 1400 },
-  fast: { delay: () => 380 },
-  once: { delay: () => 0 },
-  confidence: { delay: sure => 350 + 2900 * RULES[state.settings.rule].wait(sure) },
+  step: () => Infinity, slow: () => 2600, normal: () => 1400, fast: () => 380, once: () => 0, confidence: sure => 350 + 2900 * RULES[state.settings.rule](sure),
 };
 
 // How long the robot waits, from 0 to 1: the less sure it is of its next action, the longer (the authors' three rules).
 export const RULES = {
-  linear: { wait: sure => 1 - sure },
-  sigmoid: { wait: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))) },
-  threshold: { wait: sure => (sure < 0.7 ? 1 : 0) },
+  linear: sure => 1 - sure, sigmoid: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))), threshold: sure => (sure < 0.7 ? 1 : 0),
 };
 
 export const LOOKS = ['auto', 'light', 'dark'];

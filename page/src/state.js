@@ -94,6 +94,16 @@ export let render = () => {};
 /** @param {() => void} views draws all views */
 export const drawBy = views => { render = views; };
 
+/** @type {Record<string, string>} */
+const drawn = {};
+/** Whether a part of the page was last drawn from the same values, in the same language.
+ * @param {string} part */
+export function isDrawn(part, ...values) {
+  const before = drawn[part];
+  drawn[part] = JSON.stringify([values, document.documentElement.lang]);
+  return drawn[part] === before;
+}
+
 /** @type {(id: string) => any} */
 export const $ = id => document.getElementById(id);
 /** @type {(selector: string) => Iterable<any>} */

@@ -3,7 +3,7 @@ import { renderCharts } from './charts.js';
 import { world } from './core.js';
 import { percent, t } from './language.js';
 import { asWritten, ideaWords } from './learned.js';
-import { $, all, make, state } from './state.js';
+import { $, all, isDrawn, make, state } from './state.js';
 import { isShown } from './tabs.js';
 import { acted, ranked, wordShown } from './words.js';
 
@@ -49,15 +49,11 @@ function renderBars() {
   $('rest').textContent = rest > 0 ? t('thoughts.rest', { n: rest, sure: percent(tasks.slice(SHOWN_TASKS).reduce((sum, task) => sum + task.probability, 0)) }) : '';
 }
 
-let offered = { session: /** @type {import('./state.js').Session | null} */ (null), language: '' };
-
 // The list of all tasks that the command may mean, to pick from.
 function renderPick() {
   const { session } = state;
   $('pick').closest('.field').hidden = !session || session.looking || session.intended !== null || (state.mode === 'tour' && !world.ways());
-  const language = document.documentElement.lang;
-  if (offered.session === session && offered.language === language) return;
-  offered = { session, language };
+  if (isDrawn('pick', session?.began)) return;
   $('pick').replaceChildren(make('option', { value: '' }, '…'), ...state.belief.tasks.map(({ name, words }) => make('option', { value: name }, words)));
 }
 

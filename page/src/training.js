@@ -278,12 +278,12 @@ export function pick(name) {
 // At its goal the robot waits for the trainer; otherwise as long as the speed says.
 function waitOf(session, auto) {
   const { action, confidence } = session.decided;
-  const speed = SPEEDS[state.settings.speed];
+  const delay = SPEEDS[state.settings.speed](confidence);
   if (state.tour.watching) return state.settings.speed === 'once' ? 0 : WATCH_DELAY;
-  if (session.looking && state.mode === 'tour') return Math.min(speed.delay(confidence), TEST_DELAY);
-  if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(speed.delay(confidence), 2600);
+  if (session.looking && state.mode === 'tour') return Math.min(delay, TEST_DELAY);
+  if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(delay, 2600);
   if (action === 'noop') return Infinity;
-  return state.settings.speed === 'once' ? 120 : speed.delay(confidence);
+  return state.settings.speed === 'once' ? 120 : delay;
 }
 
 // The core takes in the feedback to the last action. A robot that is only watched takes in nothing: silence would be evidence, and might

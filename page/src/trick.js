@@ -5,7 +5,7 @@ import { listed, percent, t } from './language.js';
 import { nameHome } from './play.js';
 import { beginGuest, endGuest } from './roster.js';
 import { takeStock } from './session.js';
-import { $, announce, make, render, state } from './state.js';
+import { $, announce, isDrawn, make, render, state } from './state.js';
 import { enterHome } from './stops.js';
 import { change, travel } from './store.js';
 import { leaveSession, startSession } from './training.js';
@@ -140,9 +140,7 @@ export function renderTrick() {
   $('trick').hidden = Boolean(state.secret);
   const says = game ? game.says : [t('trick.about')];
   const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), () => beginLevel(0)]]);
-  const key = JSON.stringify([says, choices.map(([words]) => words)]);
-  if ($('trick').dataset.key === key) return;
-  $('trick').dataset.key = key;
+  if (isDrawn('trick', says, choices.map(([words]) => words))) return;
   $('trick-say').replaceChildren(...says.filter(Boolean).flatMap((line, at) => (at ? [make('br'), line] : [line])));
   $('trick-choices').replaceChildren(...choices.map(([words, then]) => make('button', { type: 'button', class: 'small', onclick: then }, words)));
 }
