@@ -3,8 +3,8 @@
 export function fromLetters(text) {
   const bytes = new Uint8Array(text.length);
   let [held, bits, at] = [0, 0, 0];
-  for (const letter of text) {
-    const code = letter.charCodeAt(0);
+  for (let place = 0; place < text.length; place += 1) {
+    const code = text.charCodeAt(place);
     const number = code - (code > 60 ? 34 : 33);
     const isSix = number < 35;
     held = isSix ? held << 6 | number : held << 7 | number + 35;

@@ -1,15 +1,11 @@
 //! Assembles one HTML file from its parts.
 
-use std::io::Write;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use lzma_rust2::{EncodeMode, LzmaOptions, LzmaWriter, MfType};
 
 use crate::letters::letters;
-
-/// How many bits of the previous byte predict a byte, as in `page/src/begin.js`.
-const LC: u32 = 5;
+use crate::pack::packed;
 
 /// The page, and two of its parts.
 pub struct Page {
@@ -64,14 +60,6 @@ fn without_comments(script: &str) -> String {
 /// A script that the HTML parser does not end too soon.
 fn escaped(script: &str) -> String {
     script.replace("</script", "<\\/script").replace("<!--", "<\\!--")
-}
-
-/// Packs bytes for `page/src/lzma.js`.
-fn packed(bytes: &[u8]) -> Result<Vec<u8>> {
-    let options = LzmaOptions::new(1 << 20, LC, 0, 0, EncodeMode::Normal, 273, MfType::Bt4, 10_000);
-    let mut packer = LzmaWriter::new_no_header(Vec::new(), &options, false)?;
-    packer.write_all(bytes)?;
-    Ok(packer.finish()?)
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod budget;
 mod languages;
 mod letters;
 mod order;
+mod pack;
 mod scripts;
 
 use std::path::{Path, PathBuf};
