@@ -57,8 +57,7 @@ async function believe(text) {
     } catch (error) {
       tell(error.message, true);
     }
-    state.settings.style = expectedNow();
-    keepSetting('style');
+    keepSetting('style', expectedNow());
     refresh();
   }
   render();
@@ -76,8 +75,7 @@ export function setUpSettings() {
   writeOptions();
   for (const id of ['speed', 'rule']) {
     $(id).addEventListener('change', () => {
-      state.settings[id] = $(id).value;
-      keepSetting(id);
+      keepSetting(id, $(id).value);
       if (state.session && state.session.wake && state.phase === 'waiting' && $(id).value !== 'step') wake(state.session);
       render();
     });
@@ -86,9 +84,8 @@ export function setUpSettings() {
     $('set-' + name).addEventListener('change', async () => {
       const value = $('set-' + name).checked;
       if (name === 'pull' && !await leaveSession()) return render();
-      state.settings[name] = value;
+      keepSetting(name, value);
       if (name === 'pull') enterHome(world.environment());
-      keepSetting(name);
       return render();
     });
   }
@@ -110,25 +107,19 @@ export function setUpSettings() {
     render();
   });
   $('theme').addEventListener('change', () => {
-    state.settings.theme = $('theme').value;
-    keepSetting('theme');
+    keepSetting('theme', $('theme').value);
     render();
   });
   $('seed').addEventListener('change', () => {
-    if (isSetting('seed', $('seed').valueAsNumber)) {
-      state.settings.seed = $('seed').valueAsNumber;
-      keepSetting('seed');
-    }
+    if (isSetting('seed', $('seed').valueAsNumber)) keepSetting('seed', $('seed').valueAsNumber);
     $('seed').value = state.settings.seed;
   });
   $('end-presenter').addEventListener('click', () => {
-    state.settings.presenter = false;
-    keepSetting('presenter');
+    keepSetting('presenter', false);
     render();
   });
   $('language').addEventListener('change', () => {
-    state.settings.language = $('language').value;
-    keepSetting('language');
+    keepSetting('language', $('language').value);
     speakLanguage(state.settings.language);
     writePage();
     writeOptions();

@@ -171,8 +171,7 @@ export async function joinStudy() {
     tell(t('link.damaged'), true);
     return true;
   }
-  Object.assign(state.settings, settings);
-  for (const name of Object.keys(settings)) keepSetting(name);
+  for (const [name, value] of Object.entries(settings)) keepSetting(name, value);
   state.mode = 'tour';
   await newRobot();
   await patch(state.robot, { study: { id, consent: new Date().toISOString() } });

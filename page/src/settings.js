@@ -28,10 +28,11 @@ export function isSetting(name, value) {
   return typeof value === 'boolean';
 }
 
-// Keeps one setting alone: another tab may have changed others.
-export function keepSetting(name) {
-  const kept = shelf.read('settings', {});
-  shelf.put('settings', JSON.stringify({ ...kept, [name]: state.settings[name] }));
+/** Sets and keeps one setting alone: another tab may have changed others.
+ * @param {string} name */
+export function keepSetting(name, value) {
+  state.settings[name] = value;
+  shelf.put('settings', JSON.stringify({ ...shelf.read('settings', {}), [name]: value }));
 }
 
 /** Restores the kept settings, as far as this version knows them. */

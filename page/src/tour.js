@@ -64,11 +64,10 @@ const hasStar = session => session.intended !== null || state.evidence.some(evid
 // Whether a lesson has taught another meaning than the tour's: the trainer said yes in the wrong place, or let the robot believe it.
 const wentAstray = (stop, { intended, took, affirmed }) => !stop.test && intended === null && took.name !== stop.intended && (affirmed || took.probability > 0.5);
 
-/** Lets the tour go on when this session ends. Returns whether the command was understood at once: its task is the most likely, and above one half. */
+/** Lets the tour go on when this session ends. */
 export function attend(session) {
   const understood = understands(session.heard[0], stopAt()?.intended);
   session.onEnd = () => passStop(understood, session);
-  return understood;
 }
 
 // After a lesson or test: on to the next. The verdict stays until that begins.
