@@ -216,7 +216,7 @@ impl<'t> LanguageRef<'t> {
         weights: &mut [Scaled],
     ) {
         if let Some(layer) = self.layer.filter(|_| self.settings.has_layer()) {
-            layer.weigh(self.tables, sentence, same, description, weights);
+            layer.weigh(self.tables, sentence, &same, &description, weights);
         }
     }
 

@@ -11,13 +11,24 @@ use goodbot::oomdp::{Action, Domain};
 use goodbot::random::below;
 use goodbot::session::Weights;
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, Capacities, Options};
+use goodbot::{Agent, Capacities, HeapMemory, Options};
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg32;
 
-goodbot::memory! { struct Small = Capacities::SMALL; }
-goodbot::memory! { struct Tiny = Capacities { states: 40, words: 6, tokens: 9, sessions: 3, pairs: 20, goal_entries: 30, ..Capacities::SMALL }; }
-goodbot::memory! { struct Hashing = Capacities { states: 300, hashed_states: 200, word_bytes: 20, candidates: 300, candidate_tokens: 4_000, tasks: 40, beliefs: 120, ground_propositions: 40, cells: 200, objects: 32, ..Capacities::SMALL }; }
+const TINY: Capacities = Capacities { states: 40, words: 6, tokens: 9, sessions: 3, pairs: 20, goal_entries: 30, ..Capacities::SMALL };
+const HASHING: Capacities = Capacities {
+    states: 300,
+    hashed_states: 200,
+    word_bytes: 20,
+    candidates: 300,
+    candidate_tokens: 4_000,
+    tasks: 40,
+    beliefs: 120,
+    ground_propositions: 40,
+    cells: 200,
+    objects: 32,
+    ..Capacities::SMALL
+};
 
 fn pick<'a, T>(random: &mut Pcg32, of: &'a [T]) -> &'a T {
     &of[below(of.len(), random)]
@@ -139,43 +150,39 @@ fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, Hom
     }
 }
 
-macro_rules! walk {
-    ($Memory:ident, $seed:expr) => {{
-        let (seed, random) = ($seed, &mut Pcg32::seed_from_u64($seed));
-        let (mut memory, mut first, mut second) = ($Memory::new(), $Memory::new(), $Memory::new());
-        let homes: Vec<_> = [any_home(&mut first.home, random), any_home(&mut second.home, random)].into_iter().flatten().collect();
-        if !homes.is_empty() {
-            let lifted: Vec<_> =
-                ["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)", "agentInRoom(?a, ?r) & blockInRoom(?o, ?s)", "blockInDoor(?b, ?d)"]
-                    .iter()
-                    .take(1 + below(4, random))
-                    .map(|text| LiftedTask::parse(text, &goodbot::home::SCHEMA).unwrap())
-                    .collect();
-            let language = Settings {
-                length: below(3, random) == 0,
-                smoothing: *pick(random, &[0.1, 0.0]),
-                rounds: below(4, random) as u32,
-                alignment_prior: *pick(random, &[0.0, 1.0]),
-                ..Settings::PAPER
-            };
-            let weights = *pick(random, &[Weights::Paper, Weights::Belief]);
-            let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]), ..Options::DEFAULT };
-            let mut agent = Agent::new(&mut memory.agent, &lifted, options).unwrap();
-            let mut at = (0, homes[0].1);
-            for _ in 0..120 {
-                act(&mut agent, &homes, &mut at, random);
-                check(&agent, seed);
-            }
+fn walk(capacities: &Capacities, seed: u64) {
+    let random = &mut Pcg32::seed_from_u64(seed);
+    let [mut memory, mut first, mut second] = [(); 3].map(|()| HeapMemory::new(capacities));
+    let homes: Vec<_> = [any_home(&mut first.home, random), any_home(&mut second.home, random)].into_iter().flatten().collect();
+    if !homes.is_empty() {
+        let lifted: Vec<_> =
+            ["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)", "agentInRoom(?a, ?r) & blockInRoom(?o, ?s)", "blockInDoor(?b, ?d)"]
+                .iter()
+                .take(1 + below(4, random))
+                .map(|text| LiftedTask::parse(text, &goodbot::home::SCHEMA).unwrap())
+                .collect();
+        let language = Settings {
+            length: below(3, random) == 0,
+            smoothing: *pick(random, &[0.1, 0.0]),
+            rounds: below(4, random) as u32,
+            alignment_prior: *pick(random, &[0.0, 1.0]),
+            ..Settings::PAPER
+        };
+        let weights = *pick(random, &[Weights::Paper, Weights::Belief]);
+        let options = Options { language, weights, least_weight: *pick(random, &[5e-5, 0.5, 0.0]), ..Options::DEFAULT };
+        let mut agent = Agent::new(&mut memory.agent, &lifted, options).unwrap();
+        let mut at = (0, homes[0].1);
+        for _ in 0..120 {
+            act(&mut agent, &homes, &mut at, random);
+            check(&agent, seed);
         }
-    }};
+    }
 }
 
 #[test]
 fn calls_in_any_order_neither_panic_nor_give_what_is_no_probability() {
     let seeds = std::env::var("GOODBOT_SEEDS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
     for seed in 0..seeds {
-        walk!(Small, seed);
-        walk!(Tiny, seed);
-        walk!(Hashing, seed);
+        [&Capacities::SMALL, &TINY, &HASHING].iter().for_each(|capacities| walk(capacities, seed));
     }
 }

@@ -5,19 +5,18 @@ use crate::rooms;
 use goodbot::asking::{Answer, Asking, Considered, Subject};
 use goodbot::feedback::{Ending, Feedback, Hazard, Judged, LAGS, Strategy, population};
 use goodbot::home::{self, Cell, Home, HomeState};
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory, HomeHeap};
 use goodbot::oomdp::Action;
 use goodbot::session::{Evidence, Phase};
 use goodbot::task::TaskSet;
-use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 use rooms::rooms;
 
-goodbot::memory! { struct Memory = Capacities { strategies: 16, beliefs: 192, ..Capacities::SMALL }; }
+fn memory() -> HeapMemory {
+    HeapMemory::new(&Capacities { strategies: 16, beliefs: 192, ..Capacities::SMALL })
+}
 
-fn heard(
-    memory: &mut Memory,
-    options: Options,
-) -> (Agent<&mut goodbot::memory::AgentArrays<Memory>>, Home<&mut goodbot::memory::HomeArrays<Memory>>, HomeState) {
+fn heard(memory: &mut HeapMemory, options: Options) -> (Agent<&mut AgentHeap>, Home<&mut HomeHeap>, HomeState) {
     let (home, start) = rooms(&mut memory.home, Some(Cell::new(4, 2)));
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), options).unwrap();
     agent.hear(&home, &start, "go").unwrap();
@@ -33,7 +32,7 @@ const CHEAP: Asking = Asking { kappa: 1.0, ..Asking::DEFAULT };
 
 #[test]
 fn a_robot_that_knows_no_word_asks_and_understands_within_a_few_answers() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     for intended in 0..agent.tasks().len() {
         agent.hear(&home, &start, "go").unwrap();
@@ -59,7 +58,7 @@ fn a_robot_that_knows_no_word_asks_and_understands_within_a_few_answers() {
 
 #[test]
 fn it_never_asks_where_a_question_costs_everything_and_where_it_is_sure() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     assert_eq!(agent.question(&home, &start, &Asking::NEVER), Ok(None));
     let sure = Asking { sure: 0.1, ..CHEAP };
@@ -70,7 +69,7 @@ fn it_never_asks_where_a_question_costs_everything_and_where_it_is_sure() {
 
 #[test]
 fn the_plan_and_the_belief_are_the_same_after_a_question_in_parts_as_before_it() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     let patient = |kappa| Asking { kappa, patience: 1_000.0, ..Asking::DEFAULT };
     let mut most_calls = 0;
@@ -102,7 +101,7 @@ fn the_plan_and_the_belief_are_the_same_after_a_question_in_parts_as_before_it()
 
 #[test]
 fn an_answer_to_what_was_not_asked_is_refused_and_changes_nothing() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     let before = probabilities(&agent);
     assert_eq!(agent.answer(Answer::Yes), Err(AgentError::NotAsked));
@@ -125,7 +124,7 @@ fn an_answer_to_what_was_not_asked_is_refused_and_changes_nothing() {
 
 #[test]
 fn a_word_that_is_corrected_after_an_answer_leaves_the_answer_as_it_was() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::DEFAULT);
     let answer = |agent: &mut Agent<_>| assert_eq!(agent.answered(TaskSet::of(1), true, 0.1, 1), Ok(Evidence::Used));
     agent.acted(&home, &start, Action::new(0)).unwrap();
@@ -143,7 +142,7 @@ fn a_word_that_is_corrected_after_an_answer_leaves_the_answer_as_it_was() {
 
 #[test]
 fn a_late_word_counts_for_the_action_before_the_last_one() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options::PAPER);
     // All words are one step late.
     let late = Strategy::BALANCED.with_lags([0.0, 1.0, 0.0]).unwrap();
@@ -165,7 +164,7 @@ fn a_late_word_counts_for_the_action_before_the_last_one() {
 
 #[test]
 fn the_end_of_a_session_speaks_for_what_is_done_there() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let ending = Ending { at_goal: Hazard::of(0.2), elsewhere: Hazard::of(0.02) };
     let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
     assert_eq!(agent.trainer_ended(&home, &start), Err(AgentError::NothingDone));
@@ -187,7 +186,7 @@ fn the_end_of_a_session_speaks_for_what_is_done_there() {
 fn the_end_says_more_after_praise_and_after_a_rest_where_trainers_have_it_so() {
     let after = |said: Feedback, rests: usize| {
         let at_goal = Hazard { moved: 0.1, rested: 0.2, resting: 0.4, praised: 2.0, scolded: 0.5 };
-        let mut memory = Memory::new();
+        let mut memory = memory();
         let ending = Ending { at_goal, elsewhere: Hazard::of(0.05) };
         let (mut agent, home, start) = heard(&mut memory, Options { ending, ..Options::PAPER });
         // This trainer's words are uninformative.
@@ -226,7 +225,7 @@ fn the_end_says_more_after_praise_and_after_a_rest_where_trainers_have_it_so() {
 fn a_move_inside_the_goal_is_wrong_for_the_papers_trainer_and_a_rest_for_a_patient_one() {
     let patient = Strategy::BALANCED.with_rests([0.2, 0.9, 0.05, 1.0]).unwrap();
     for (strategy, word) in [(Strategy::BALANCED, Strategy::BALANCED.probability(Feedback::Reward, false)), (patient, 0.95 * 0.8)] {
-        let mut memory = Memory::new();
+        let mut memory = memory();
         let (mut agent, home, start) = heard(&mut memory, Options::PAPER);
         agent.set_strategies(&[(strategy, 1.0)]).unwrap();
         agent.hear(&home, &start, "go").unwrap();
@@ -248,7 +247,7 @@ fn a_move_inside_the_goal_is_wrong_for_the_papers_trainer_and_a_rest_for_a_patie
 
 #[test]
 fn what_is_believed_of_a_trainer_drifts_back_to_what_was_expected() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options { drift: 0.25, ..Options::PAPER });
     agent.set_strategies(&[(Strategy::REWARD_ONLY, 0.5), (Strategy::PUNISH_ONLY, 0.5)]).unwrap();
     agent.hear(&home, &start, "go").unwrap();
@@ -272,7 +271,7 @@ fn what_is_believed_of_a_trainer_drifts_back_to_what_was_expected() {
 
 #[test]
 fn the_population_is_of_strategies_that_can_be() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, ..) = heard(&mut memory, Options::DEFAULT.for_people());
     agent.set_strategies(&population::STRATEGIES).unwrap();
     for (strategy, share) in population::STRATEGIES {
@@ -285,7 +284,7 @@ fn the_population_is_of_strategies_that_can_be() {
 
 #[test]
 fn with_the_same_generator_it_takes_other_actions_where_they_tell_more() {
-    let (mut telling, mut any) = (Memory::new(), Memory::new());
+    let (mut telling, mut any) = (memory(), memory());
     let (mut telling, home, start) = heard(&mut telling, Options { telling: true, ..Options::PAPER });
     let (mut any, ..) = heard(&mut any, Options::PAPER);
     let chosen = |agent: &mut Agent<_>| -> Vec<Action> {
@@ -298,7 +297,7 @@ fn with_the_same_generator_it_takes_other_actions_where_they_tell_more() {
 
 #[test]
 fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options { telling: true, ..Options::PAPER });
     let decision = agent.decide(&home, &start).unwrap();
     let told = |action: Action| {
@@ -312,7 +311,7 @@ fn of_equally_short_ways_it_takes_the_one_that_tells_more() {
 
 #[test]
 fn it_goes_on_straight_while_that_leads_on() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (mut agent, home, start) = heard(&mut memory, Options { telling: true, ..Options::PAPER });
     let mut state = start;
     let (mut last, mut straight) = (None, 0);
@@ -332,7 +331,7 @@ fn it_goes_on_straight_while_that_leads_on() {
 
 #[test]
 fn commands_without_a_word_leave_what_is_believed_of_the_trainer_to_the_last_bit() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let (home, start) = rooms(&mut memory.home, Some(Cell::new(4, 2)));
     let mut agent = Agent::new(&mut memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     agent.set_strategies(&population::STRATEGIES).unwrap();

@@ -1,11 +1,11 @@
 //! Invalid homes are refused without a panic, and the error names the object at fault.
 
+use crate::rooms::Memory;
+
 use goodbot::Capacities;
 use goodbot::capacity::{Capacity, CapacityError};
 use goodbot::home::{Area, Cell, HomeBuilder, HomeError, Moves, Problem};
 use goodbot::memory::HomeArrays;
-
-goodbot::memory! { struct Memory = Capacities::SMALL; }
 
 const ROOM: Area = Area::new(0, 0, 8, 4);
 
@@ -101,11 +101,12 @@ fn a_room_beyond_all_measure_is_refused() {
 }
 
 /// A home with more states than a u64 can number: two hundred cells and eight blocks.
+#[cfg(feature = "alloc")]
 #[test]
 fn a_home_with_more_states_than_can_be_numbered_is_refused() {
-    goodbot::memory! { struct Large = Capacities { cells: 200, ..Capacities::SMALL }; }
+    let capacities = Capacities { cells: 200, ..Capacities::SMALL };
     let build = |blocks: i32| {
-        let mut memory = Large::new();
+        let mut memory = goodbot::HeapMemory::new(&capacities);
         let mut builder = HomeBuilder::new(&mut memory.home);
         builder.room("room0", Area::new(0, 0, 21, 11), "red").unwrap();
         builder.agent("agent0", Cell::new(1, 1)).unwrap();

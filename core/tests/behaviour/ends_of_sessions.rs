@@ -226,11 +226,13 @@ fn what_an_observer_asks_while_a_session_ends_changes_nothing_that_is_learned() 
     assert_eq!(learned(true), learned(false));
 }
 
+#[cfg(feature = "alloc")]
 #[test]
 fn no_other_session_is_unlearned_where_one_is_about_to_give_way() {
-    goodbot::memory! { struct FewWords = Capacities { words: 20, ..Capacities::SMALL }; }
+    let capacities = Capacities { words: 20, ..Capacities::SMALL };
     for learned in 2..8 {
-        let (home, start, mut agent) = robot(FewWords::new().agent, None, Options::DEFAULT);
+        let mut memory = goodbot::HeapMemory::new(&capacities);
+        let (home, start, mut agent) = robot(&mut memory.agent, None, Options::DEFAULT);
         for number in 0..=learned {
             let words: Vec<String> = (b'a'..=b'e').map(|letter| format!("{}{number}", char::from(letter).to_string().repeat(3))).collect();
             agent.hear(&home, &start, &words.join(" ")).unwrap();

@@ -3,21 +3,18 @@
 use crate::rooms;
 
 use goodbot::home::{self, Home, HomeState};
-use goodbot::memory::AgentArrays;
+use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::session::{Hypothesis, Phase};
-use goodbot::{Agent, AgentError, Capacities, Options};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 use rooms::rooms;
 
-goodbot::memory! { struct Memory = Capacities { words: 64, word_bytes: 512, translations: 2_000, alignments: 4_000, ..Capacities::SMALL }; }
+const CAPACITIES: Capacities = Capacities { words: 64, word_bytes: 512, translations: 2_000, alignments: 4_000, ..Capacities::SMALL };
 
-type Robot<'m> = Agent<&'m mut AgentArrays<Memory>>;
+type Robot<'m> = Agent<&'m mut AgentHeap>;
 
 /// Runs with a robot that has learned what "red room" and "green room" mean, and with one that has learned nothing.
-fn with_robots(
-    options: Options,
-    run: impl Fn(&mut Robot<'_>, &mut Robot<'_>, &Home<&mut goodbot::memory::HomeArrays<Memory>>, &HomeState),
-) {
-    let (mut taught, mut new, mut rooms_memory) = (Memory::new(), Memory::new(), Memory::new());
+fn with_robots(options: Options, run: impl Fn(&mut Robot<'_>, &mut Robot<'_>, &Home<&mut HomeHeap>, &HomeState)) {
+    let [mut taught, mut new, mut rooms_memory] = [(); 3].map(|()| HeapMemory::new(&CAPACITIES));
     let (home, start) = rooms(&mut rooms_memory.home, None);
     let tasks = home::paper_tasks().unwrap();
     let [mut taught, mut new] = [&mut taught.agent, &mut new.agent].map(|memory| Agent::new(memory, &tasks, options).unwrap());

@@ -1,5 +1,7 @@
 //! The caller owns the tables and lends them: homes and agents come and go in the same memory, and every refusal gives its reason.
 
+use crate::rooms::Memory;
+
 use goodbot::capacity::Capacity;
 use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves, Problem};
@@ -8,8 +10,6 @@ use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
 use goodbot::{Agent, AgentError, Capacities, Options};
-
-goodbot::memory! { struct Memory = Capacities::SMALL; }
 
 fn rooms<M: HomeMemory>(memory: M, color: &str) -> (Home<M>, HomeState) {
     let mut builder = HomeBuilder::new(memory);

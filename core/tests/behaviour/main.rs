@@ -2,13 +2,15 @@
 
 mod rooms;
 
+#[cfg(feature = "alloc")]
 mod any_order;
-#[cfg(feature = "asking")]
+#[cfg(all(feature = "alloc", feature = "asking"))]
 mod asking;
 mod bad_homes;
 mod ends_of_sessions;
 #[cfg(feature = "alloc")]
 mod honest_evidence;
+#[cfg(feature = "alloc")]
 mod hypotheses;
 #[cfg(feature = "layer")]
 mod layer;
@@ -19,5 +21,6 @@ mod on_a_host;
 mod role_model;
 mod sessions;
 mod settings;
+#[cfg(feature = "alloc")]
 mod training_data;
 mod ways;

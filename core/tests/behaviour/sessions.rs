@@ -98,11 +98,12 @@ fn planning_and_learning_in_small_parts_give_the_same_as_in_one_go() {
     assert_eq!(run(true), run(false));
 }
 
+#[cfg(feature = "alloc")]
 #[test]
 fn a_plan_region_by_region_is_the_same_whatever_the_budget() {
-    goodbot::memory! { struct Tight = Capacities { states: 1280, hashed_states: 0, ..Capacities::SMALL }; }
+    let capacities = Capacities { states: 1280, hashed_states: 0, ..Capacities::SMALL };
     let plans = |budget: u32| {
-        let (mut memory, mut rooms_memory) = (Tight::new(), Memory::new());
+        let (mut memory, mut rooms_memory) = (goodbot::HeapMemory::new(&capacities), Memory::new());
         let mut builder = rooms::begun(&mut rooms_memory.home);
         builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
         builder.block("block1", Cell::new(6, 2), "pink", "bag").unwrap();
@@ -138,10 +139,12 @@ fn a_block_in_a_corner_is_a_dead_end_and_stays_one() {
     assert_eq!(agent.planned().distance(stuck), None);
 }
 
+#[cfg(feature = "alloc")]
 #[test]
 fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence() {
-    goodbot::memory! { struct Tight = Capacities { states: 0, ..Capacities::SMALL }; }
-    let (home, start, mut agent) = robot(Tight::new().agent, Some(Cell::new(4, 2)), Options::PAPER);
+    let capacities = Capacities { states: 0, ..Capacities::SMALL };
+    let mut memory = goodbot::HeapMemory::new(&capacities);
+    let (home, start, mut agent) = robot(&mut memory.agent, Some(Cell::new(4, 2)), Options::PAPER);
     agent.hear(&home, &start, "go").unwrap();
     agent.plan_fully(&home, &start).unwrap();
     assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
@@ -151,11 +154,13 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
 
+#[cfg(feature = "alloc")]
 #[test]
 fn a_home_too_large_for_the_memory_is_planned_for_as_far_as_it_goes_and_says_so() {
-    goodbot::memory! { struct Tight = Capacities { states: 320, ..Capacities::SMALL }; }
+    let capacities = Capacities { states: 320, ..Capacities::SMALL };
     let (home, start, mut exact) = begun(Some(Cell::new(4, 2)));
-    let (_, _, mut bounded) = robot(Tight::new().agent, None, Options::PAPER);
+    let mut memory = goodbot::HeapMemory::new(&capacities);
+    let (_, _, mut bounded) = robot(&mut memory.agent, None, Options::PAPER);
     bounded.hear(&home, &start, "go").unwrap();
     bounded.plan_fully(&home, &start).unwrap();
     exact.hear(&home, &start, "go").unwrap();

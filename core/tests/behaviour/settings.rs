@@ -1,13 +1,11 @@
 //! Invalid options are refused with the name of the field.
 
+use crate::rooms::Memory;
+
 use goodbot::feedback::{Ending, Hazard};
 use goodbot::home::paper_tasks;
 use goodbot::language::{LanguageModel, SettingError, Settings};
-use goodbot::{Agent, AgentError, Capacities, Options};
-
-goodbot::memory! {
-    struct Memory = Capacities::SMALL;
-}
+use goodbot::{Agent, AgentError, Options};
 
 fn refused(options: Options) -> Option<AgentError> {
     Agent::new(Memory::new().agent, &paper_tasks().unwrap(), options).err()

@@ -1,16 +1,18 @@
 //! The training data that the language model accepts, and its refusals.
 
-use goodbot::Capacities;
 use goodbot::capacity::{Capacity, TOKENS_PER_COMMAND};
 use goodbot::language::{LanguageModel, Settings};
-use goodbot::memory::AgentArrays;
+use goodbot::memory::AgentHeap;
 use goodbot::planning::Progress;
 use goodbot::symbols::Symbol;
+use goodbot::{Capacities, HeapMemory};
 
-goodbot::memory! { struct Memory = Capacities { words: 8, word_bytes: 8, ..Capacities::SMALL }; }
+fn memory() -> HeapMemory {
+    HeapMemory::new(&Capacities { words: 8, word_bytes: 8, ..Capacities::SMALL })
+}
 
 /// A model with one learned command, whose meaning was one machine token.
-fn taught(memory: &mut Memory) -> LanguageModel<&mut AgentArrays<Memory>> {
+fn taught(memory: &mut HeapMemory) -> LanguageModel<&mut AgentHeap> {
     let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).unwrap();
     let go = model.tokens_mut().intern("agentInRoom").unwrap();
     let sentence = model.hear("go red").unwrap();
@@ -20,9 +22,9 @@ fn taught(memory: &mut Memory) -> LanguageModel<&mut AgentArrays<Memory>> {
 
 #[test]
 fn training_that_begins_anew_forgets_what_it_had_counted() {
-    let (mut once, mut twice) = (Memory::new(), Memory::new());
+    let (mut once, mut twice) = (memory(), memory());
     let (mut once, mut twice) = (taught(&mut once), taught(&mut twice));
-    let teach_more = |model: &mut LanguageModel<&mut AgentArrays<Memory>>| {
+    let teach_more = |model: &mut LanguageModel<&mut AgentHeap>| {
         let room = model.tokens_mut().intern("room").unwrap();
         let sentence = model.hear("red").unwrap();
         model.add_session(&sentence, [([room].as_slice(), 1.0)].into_iter()).unwrap();
@@ -42,7 +44,7 @@ fn training_that_begins_anew_forgets_what_it_had_counted() {
 
 #[test]
 fn a_machine_command_too_long_is_refused_and_what_was_learned_stays() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let mut model = taught(&mut memory);
     let sentence = model.hear("go").unwrap();
     let long = [Symbol::new(0); TOKENS_PER_COMMAND + 1];
@@ -53,7 +55,7 @@ fn a_machine_command_too_long_is_refused_and_what_was_learned_stays() {
 
 #[test]
 fn a_word_that_finds_no_room_is_refused_by_the_name_of_what_is_full() {
-    let mut memory = Memory::new();
+    let mut memory = memory();
     let mut model = taught(&mut memory);
     // Two words of eight are known, but five of eight bytes are taken.
     let sentence = model.hear("go yellow").unwrap();

@@ -4,8 +4,6 @@
 mod arm;
 #[path = "../../../firmware/src/commands.rs"]
 mod commands;
-#[path = "../../../firmware/drill/src/digest.rs"]
-mod digest;
 #[path = "../../../core/examples/lamps/domain.rs"]
 mod lamps;
 #[path = "../../../firmware/src/lessons.rs"]
@@ -16,6 +14,8 @@ mod lift;
 mod teach;
 #[path = "../../../core/examples/turning_robot/domain.rs"]
 mod turning_robot;
+
+use goodbot_drill::digest;
 
 mod bit_flips;
 mod bounds;

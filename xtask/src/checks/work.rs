@@ -111,8 +111,9 @@ pub fn docs() -> Result<()> {
 /// standard library of Windows takes minutes, so that is done only if no other step was chosen.
 pub fn portable(run: &Run) -> Result<()> {
     let sh = shell()?;
-    let check = toolchain::cargo(&sh, CORTEX_M4F, "check")?.args(["--locked", "--profile", CONTROLLER]);
-    check.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
+    // Built, because the steps for C build the same standard library; to check it alone would take as long once more.
+    let build = toolchain::cargo(&sh, CORTEX_M4F, "build")?.args(["--locked", "--profile", CONTROLLER]);
+    build.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
     if toolchain::has_windows()? || run.chosen == [Step::Portable] {
         let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
         check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?;
@@ -146,17 +147,17 @@ pub fn tests(run: &mut Run) -> Result<()> {
     Ok(())
 }
 
-/// The path of the command line, built with the tests of the workspace. Alone it would be built again, with other features.
-fn command_line(sh: &Shell) -> Result<PathBuf> {
-    cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page").run()?;
-    Ok(target_dir().join("debug/goodbot"))
+/// The path of the command line or the drill, built with the tests of the workspace. Alone it would be built again, with other features.
+fn built(sh: &Shell, program: &str) -> Result<PathBuf> {
+    cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page --test this_machine").run()?;
+    Ok(target_dir().join("debug").join(program))
 }
 
 /// Builds a wheel with the profile of the Rust tests, which takes seconds instead of minutes, and tests it.
 pub fn python(run: &mut Run) -> Result<()> {
     let (sh, target) = (shell()?, target_dir());
     let programs = python_with("--requirement=python/tests/requirements.txt", "python")?;
-    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
+    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
     sh.change_dir("python");
     let (wheels, cache) = (target.join("python/wheels"), target.join("python/mypy"));
     sh.remove_path(&wheels)?;
@@ -188,7 +189,7 @@ pub fn page(run: &mut Run) -> Result<()> {
     let folder = target_dir().join("page-export");
     sh.remove_path(&folder)?;
     sh.set_var("GOODBOT_PAGE_EXPORT", sh.create_dir(&folder)?);
-    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
+    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
     // Twice the processors, because a page waits half of the time: for frames, and for a robot that takes its time.
     let files = (2 * std::thread::available_parallelism()?.get()).to_string();
     let at_tests = sh.push_dir("page/tests");
@@ -260,18 +261,19 @@ pub fn microbit(run: &mut Run) -> Result<()> {
         // The tests of this version then report that they are ignored.
         Err(error) => eprintln!("the file is not tried on a micro:bit V2: {error:#}"),
     }
-    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
+    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     nothing_panics(&[for_cortex_m0("microbit")?])
 }
 
 /// Checks that the same drill has equal digests everywhere.
 pub fn same_bits() -> Result<()> {
-    let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
-    let drill = ["--quiet", "--release", "--locked", "--package", "goodbot-drill", "--manifest-path", "firmware/Cargo.toml"];
-    let host = Report(cmd!(sh, "cargo run {drill...} --target-dir {folder}").read()?).number("digest")?;
-    toolchain::cargo(&sh, WASM, "rustc")?.args(drill).args(["--lib", "--crate-type", "cdylib"]).run()?;
-    let module = toolchain::artifacts(WASM, "release").join("goodbot_drill.wasm");
+    let (sh, node) = (shell()?, NODE.path()?);
+    let program = built(&sh, "drill")?;
+    let host = Report(cmd!(sh, "{program}").read()?).number("digest")?;
+    let (module, _) = toolchain::module(&sh)?;
+    module.args(["--package", "goodbot-drill", "--lib"]).run()?;
+    let module = toolchain::artifacts(WASM, "page").join("goodbot_drill.wasm");
     let script = "const bytes = require('fs').readFileSync(process.argv[1]); \
                   WebAssembly.instantiate(bytes, {}).then(({ instance }) => console.log(instance.exports.goodbot_drill_digest() >>> 0));";
     let wasm = cmd!(sh, "{node} --eval {script} {module}").read()?;

@@ -19,8 +19,8 @@ impl LayerRef<'_> {
         self,
         tables: TablesRef<'_>,
         sentence: &[Option<Symbol>],
-        same: impl Fn(usize) -> usize,
-        description: impl Fn(usize) -> &'d [Symbol],
+        same: &dyn Fn(usize) -> usize,
+        description: &dyn Fn(usize) -> &'d [Symbol],
         weights: &mut [Scaled],
     ) {
         let whole = total(weights.iter().copied());
@@ -46,10 +46,10 @@ impl LayerRef<'_> {
         }
         let firsts: Vec<usize> = groups().map(|(first, _)| first).collect();
         let of_position = |position| firsts.get(position).map_or(&[][..], |&first| description(first));
-        unmet::weigh_ways(tables, self.possible, sentence, of_position, &mut tasks);
-        unmet::weigh_impossible(tables, self.learned.new_words, sentence, of_position, &mut tasks);
+        unmet::weigh_ways(tables, self.possible, sentence, &of_position, &mut tasks);
+        unmet::weigh_impossible(tables, self.learned.new_words, sentence, &of_position, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
-        unmet::share_ways(of_position, &mut tasks);
+        unmet::share_ways(&of_position, &mut tasks);
         for (task, (_, group)) in tasks.iter().zip(groups()) {
             let (before, after) = (before(weights, group), Scaled::new(task.believed));
             for &(_, task) in group {

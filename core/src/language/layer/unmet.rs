@@ -64,7 +64,7 @@ pub(super) fn weigh_ways<'d>(
     tables: TablesRef<'_>,
     possible: BitextRef<'_>,
     sentence: &[Option<Symbol>],
-    description: impl Fn(usize) -> &'d [Symbol],
+    description: &dyn Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
     let is_met = |task: &Weighed| task.group == Group::Met;
@@ -141,7 +141,7 @@ pub(super) fn weigh_impossible<'d>(
     tables: TablesRef<'_>,
     new_words: f32,
     sentence: &[Option<Symbol>],
-    description: impl Fn(usize) -> &'d [Symbol],
+    description: &dyn Fn(usize) -> &'d [Symbol],
     tasks: &mut [Weighed],
 ) {
     let is_impossible = |task: &Weighed| task.group == Group::Impossible;
@@ -169,7 +169,7 @@ pub(super) fn weigh_impossible<'d>(
 }
 
 /// Divides the probability of the ways of kinds that no session could mean as it is divided among the same ways of kinds that were meant.
-pub(super) fn share_ways<'d>(description: impl Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
+pub(super) fn share_ways<'d>(description: &dyn Fn(usize) -> &'d [Symbol], tasks: &mut [Weighed]) {
     let mut ways: BTreeMap<Vec<Role>, [f32; 2]> = BTreeMap::new();
     let way = |position: usize| way(description(position)).collect::<Vec<Role>>();
     for (position, task) in tasks.iter().enumerate().filter(|(position, _)| has_way(description(*position))) {

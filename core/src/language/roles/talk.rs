@@ -91,6 +91,8 @@ pub(crate) struct Senses<'t> {
     bitext: BitextRef<'t>,
     /// Whether a word belongs to no task, whatever the lessons say.
     is_plain: &'t dyn Fn(Symbol) -> bool,
+    /// For each word, whether that is so, once it was asked.
+    plain: Vec<Option<bool>, MOST_WORDS>,
     known: Vec<Option<Sense>, MOST_WORDS>,
     /// The sort of derived facts, which nobody needs to name.
     facts: u8,
@@ -108,9 +110,16 @@ struct Sense {
 
 impl<'t> Senses<'t> {
     pub fn new(tables: TablesRef<'t>, bitext: BitextRef<'t>, is_plain: &'t dyn Fn(Symbol) -> bool, facts: u8) -> Self {
-        let mut known = Vec::new();
-        while known.len() < tables.words() && known.push(None).is_ok() {}
-        Self { tables, bitext, is_plain, known, facts }
+        let (mut plain, mut known) = (Vec::new(), Vec::new());
+        let words = tables.words().min(MOST_WORDS);
+        let _ = (plain.resize(words, None), known.resize(words, None));
+        Self { tables, bitext, is_plain, plain, known, facts }
+    }
+
+    /// Whether a word belongs to no task. The table of closed words is a text, so each word is looked up once.
+    fn is_plain(&mut self, word: Symbol) -> bool {
+        let Some(slot) = self.plain.get_mut(word.index()) else { return (self.is_plain)(word) };
+        *slot.get_or_insert_with(|| (self.is_plain)(word))
     }
 
     fn of(&mut self, word: Symbol) -> Sense {
@@ -118,7 +127,7 @@ impl<'t> Senses<'t> {
             return sense;
         }
         let value = value_of(self.tables, word);
-        let acts = if value.is_some() || (self.is_plain)(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
+        let acts = if value.is_some() || self.is_plain(word) { 0 } else { sign_of(self.tables.layout(), self.bitext, word) };
         let sense = Sense { value, acts };
         if let Some(slot) = self.known.get_mut(word.index()) {
             *slot = Some(sense);
@@ -142,8 +151,7 @@ impl Senses<'_> {
         let names = next.is_some_and(|next| self.of(next).value.is_some());
         let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
         for session in 0..bitext.sessions() as u16 {
-            let is_plain = self.is_plain;
-            let second = bitext.sentence(session).iter().copied().skip_while(|&word| is_plain(word)).nth(1);
+            let second = bitext.sentence(session).iter().copied().skip_while(|&word| self.is_plain(word)).nth(1);
             let follows = second.is_some_and(|word| {
                 Some(word) == next || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
             });
