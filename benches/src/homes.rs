@@ -86,6 +86,23 @@ impl Scene {
         Self { home, start, lifted, tasks: grounded, planner }
     }
 
+    /// The first scene of a size in the command line's memory: distances in homes that do not fit are bounded.
+    pub fn bounded(size: Size) -> Self {
+        let mut scene = Self::seeded(1, size, Tasks::Paper);
+        scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
+        scene
+    }
+
+    /// Ten of its tasks, evenly spaced.
+    pub fn ten(&self) -> TaskSet {
+        (0..self.tasks.len()).step_by((self.tasks.len() / 10).max(1)).take(10).collect()
+    }
+
+    /// Plans for all tasks from the start, of which these are likely.
+    pub fn plan_expecting(&mut self, likely: TaskSet) -> Plan<'_> {
+        self.planner.plan_expecting(&self.home, &self.start, likely)
+    }
+
     /// Plans for all tasks from the start.
     pub fn plan(&mut self) -> Plan<'_> {
         let all = self.planner.all();

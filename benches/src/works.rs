@@ -44,6 +44,9 @@ pub fn all() -> Vec<Work> {
     for (rooms, blocks) in [(3, 0), (3, 1), (6, 1), (12, 1), (3, 2), (6, 2), (3, 3), (6, 4), (12, 3)] {
         works.push(work(format!("plan, {}", named(rooms, blocks)), move || plan(rooms, blocks)));
     }
+    for blocks in [10, 20] {
+        works.push(work(format!("plan, {}, ten likely tasks", named(10, blocks)), move || plan_expecting(10, blocks)));
+    }
     works.push(work("plan, three storeys with ways", || {
         let mut scene = ThreeStoreys::new();
         Box::new(move || {
@@ -114,6 +117,14 @@ fn plan(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
     let mut scene = Scene::roomy(size(rooms, blocks), Tasks::Paper);
     Box::new(move || {
         std::hint::black_box(scene.plan());
+    })
+}
+
+fn plan_expecting(rooms: i32, blocks: i32) -> Box<dyn FnMut()> {
+    let mut scene = Scene::bounded(size(rooms, blocks));
+    let ten = scene.ten();
+    Box::new(move || {
+        black_box(scene.plan_expecting(ten));
     })
 }
 

@@ -2,11 +2,9 @@
 
 use std::process::ExitCode;
 
-use goodbot::Capacities;
 use goodbot::oomdp::Domain;
 use goodbot_benches::homes::{Scene, Tasks, named, size};
 use goodbot_benches::timing::{ROUNDS, median, time};
-use goodbot_tests::own_planner::OwnPlanner;
 use plotters::prelude::*;
 
 /// Points: x, y, and a label.
@@ -78,13 +76,10 @@ fn by_tasks() -> (Points, Points) {
 fn by_size(homes: &[(i32, i32)], axis: fn(&(i32, i32)) -> i32) -> (Points, Points) {
     let (mut alike, mut likely) = (Vec::new(), Vec::new());
     for home @ &(rooms, blocks) in homes {
-        let mut scene = Scene::seeded(1, size(rooms, blocks), Tasks::Paper);
-        // In the command line's memory: distances in homes that do not fit are bounded.
-        scene.planner = OwnPlanner::new(&Capacities::STANDARD, &scene.home, &scene.lifted, &scene.tasks);
-        let ten = (0..scene.tasks.len()).step_by((scene.tasks.len() / 10).max(1)).take(10).collect();
-        for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, ten)] {
+        let mut scene = Scene::bounded(size(rooms, blocks));
+        for (points, likely) in [(&mut alike, scene.planner.all()), (&mut likely, scene.ten())] {
             let time = milliseconds(&mut || {
-                std::hint::black_box(scene.planner.plan_expecting(&scene.home, &scene.start, likely));
+                std::hint::black_box(scene.plan_expecting(likely));
             });
             points.push((f64::from(axis(home)), time, String::new()));
         }

@@ -274,7 +274,8 @@ impl<'t> Belief<'t> {
         if !possible {
             return false;
         }
-        self.memory.joint.iter_mut().zip(self.memory.settled.iter()).for_each(|(joint, settled)| *joint = *settled);
+        let used = self.count.tasks.saturating_mul(self.count.strategies);
+        self.memory.joint.iter_mut().zip(self.memory.settled.iter()).take(used).for_each(|(joint, settled)| *joint = *settled);
         for column in 0..self.count.strategies {
             let (mut known, mut explained) = (Scaled::ZERO, Scaled::ZERO);
             for task in 0..self.count.tasks {

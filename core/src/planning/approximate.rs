@@ -86,8 +86,7 @@ impl Approximation {
         }
         *left = left.saturating_sub(grid.floor().cells.len() as u32);
         let own = goals.pieces_of(first);
-        let alike = |&task: &usize| goals.pieces_of(task) == own;
-        let group = self.waiting.iter().filter(alike).fold(TaskSet::EMPTY, TaskSet::with);
+        let group = self.waiting.common(goals.decided_by(own));
         self.waiting = self.waiting.without(group);
         let extra = if self.pass == 0 { 0 } else { Piece(self.pass as u8).bit() };
         let Some(own) = own.filter(|own| own & extra == 0) else { return Some(None) };

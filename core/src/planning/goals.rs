@@ -188,6 +188,18 @@ impl Goals<'_> {
         parts.try_fold(0, |pieces, part| Some(pieces | part.piece?.bit()))
     }
 
+    /// The tasks that are decided by the cells of exactly these pieces; with `None`, those that no single pieces decide.
+    #[cfg(feature = "approximate")]
+    pub(super) fn decided_by(&self, pieces: Option<u32>) -> TaskSet {
+        let with = |is_it: &dyn Fn(Option<Piece>) -> bool| {
+            self.parts().filter(|part| is_it(part.piece)).fold(TaskSet::EMPTY, |tasks, part| tasks.union(part.tasks))
+        };
+        let Some(pieces) = pieces else { return with(&|piece| piece.is_none()) };
+        let has = |piece: Piece| pieces & piece.bit() != 0;
+        let of_all = (0..32).map(Piece).filter(|&piece| has(piece)).map(|own| with(&|piece| piece == Some(own)));
+        of_all.fold(self.table.all, TaskSet::common).without(with(&|piece| !piece.is_some_and(has)))
+    }
+
     /// The tasks that a piece on this cell does not rule out.
     #[inline]
     pub(super) fn allowed<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {

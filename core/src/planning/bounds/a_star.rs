@@ -74,27 +74,47 @@ pub(super) struct AStar {
     reached: Reached,
     /// The pieces on the floor besides the task's own, one bit each.
     present: u32,
-    /// Whether there are arrangements.
-    arranged: bool,
+    /// The arrangement that was added last, or 0.
+    arranged: u16,
 }
 
 /// A state being expanded, with the cells of the pieces present.
 struct Here {
     key: u64,
     reached: Reached,
-    cells: [CellId; 32],
+    cells: Cells,
 }
 
-impl Here {
-    /// The piece on a cell, except for the robot and the task's own.
-    fn at(&self, cell: CellId) -> Option<Piece> {
-        // A look at all at once: no two are on one cell.
-        let number = self
-            .cells
-            .iter()
-            .enumerate()
-            .fold(0, |at, (other, &there)| at | if there == cell { (other as u16).wrapping_add(1) } else { 0 });
-        number.checked_sub(1).map(|other| Piece(other as u8))
+/// The cells of some pieces; never of the robot and the task's own.
+#[derive(Clone, Copy)]
+struct Cells {
+    of: [CellId; 32],
+    /// A bit for each cell, by the last digits of its number; of earlier cells too.
+    taken: u64,
+}
+
+impl Cells {
+    const NONE: Self = Self { of: [CellId::NONE; 32], taken: 0 };
+
+    /// Puts a piece on a cell; `None` if there is no such piece.
+    #[inline]
+    fn put(&mut self, piece: Piece, cell: CellId) -> Option<()> {
+        *self.of.get_mut(piece.index())? = cell;
+        self.taken |= 1_u64.wrapping_shl(u32::from(cell.0));
+        Some(())
+    }
+
+    /// The pieces on a cell, one bit each.
+    #[inline]
+    fn at(&self, cell: CellId) -> u32 {
+        if self.taken >> (cell.0 % 64) & 1 == 0 {
+            return 0;
+        }
+        // A look at sixteen pieces at once.
+        let at = |half: &[CellId; 16]| {
+            half.iter().enumerate().fold(0, |at, (piece, &there)| at | if there == cell { 1_u16.wrapping_shl(piece as u32) } else { 0 })
+        };
+        self.of.as_chunks().0.iter().rev().fold(0, |all, half| all << 16 | u32::from(at(half)))
     }
 }
 
@@ -171,14 +191,26 @@ const fn key(arrangement: u16, robot: CellId, piece: CellId) -> u64 {
     (arrangement as u64) << 48 | (robot.0 as u64) << 32 | (piece.0 as u64) << 16
 }
 
+/// The bits of an arrangement that hold its piece, the piece's cell, and the arrangement of the pieces before.
+const CHAIN: u64 = 0xffff_ffff_ffff;
+
 /// The bits of a key that hold the distance.
 const DISTANCE: u64 = 0xffff;
 
 /// The possible places of a key in a table of this size.
+#[inline]
 fn places(key: u64, size: usize) -> impl Iterator<Item = usize> {
     let spread = (key ^ key >> 32).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let first = ((spread >> 32).wrapping_mul(size as u64) >> 32) as usize;
-    (first..size).chain(0..first).take(PROBES)
+    // After the last place comes the first.
+    (first..first.wrapping_add(size.min(PROBES))).map(move |place| if place < size { place } else { place.wrapping_sub(size) })
+}
+
+/// The place of the state with this number, counted from the first one met.
+#[inline]
+fn slot(number: usize, room: usize) -> Option<usize> {
+    // Most searches need no division.
+    if number < room { Some(number) } else { number.checked_rem(room) }
 }
 
 /// The pieces in a bit set.
@@ -201,8 +233,8 @@ impl AStar {
     ) -> Option<Self> {
         // If pieces can be pulled, another piece behind one may be needed.
         let swaps = scene.grid.swaps();
-        let is_asked = |other: &Piece| swaps || scene.goals.pieces_of(task).is_some_and(|asked| asked & other.bit() != 0);
-        let present = others(scene.grid, piece).filter(is_asked).fold(0, |present, other| present | other.bit());
+        let asked = if swaps { u32::MAX } else { scene.goals.pieces_of(task).unwrap_or(0) };
+        let present = asked & others(scene.grid, piece).fold(0, |all, other| all | other.bit());
         let mut it = Self {
             task,
             piece,
@@ -221,7 +253,7 @@ impl AStar {
             distance: u32::MAX,
             reached: Reached::NOT,
             present,
-            arranged: false,
+            arranged: 0,
         };
         it.lay_out(scene.relaxation.words(), words);
         (it.room > 0).then_some(it)
@@ -241,9 +273,9 @@ impl AStar {
         self.sharper.map_or(0, |bound| bound.lasting())
     }
 
-    /// Whether it takes long, and its lower bound could know more of the pieces in the way.
-    fn is_to_sharpen(&self) -> bool {
-        self.left < self.long && self.known() < MOST_LASTING.min(self.present.count_ones() as usize)
+    /// The remaining expansions below which its lower bound is to know more of the pieces in the way.
+    fn sharpens_below(&self) -> u32 {
+        if self.known() < MOST_LASTING.min(self.present.count_ones() as usize) { self.long } else { 0 }
     }
 
     /// Begins anew with a lower bound that knows more of the pieces in the way, if there is memory for it. Each of them doubles its words.
@@ -256,7 +288,7 @@ impl AStar {
             return;
         }
         self.clear(marks);
-        (self.met, self.arranged) = (0, false);
+        (self.met, self.arranged) = (0, 0);
         let first = pieces(self.present).take(fits).fold(0, |first, piece| first | piece.bit());
         let rest = marks.get_mut(from..).unwrap_or(&mut []);
         self.sharper = Relaxation::begin(rest, scene.grid, scene.goals, scene.start, self.task, first);
@@ -296,8 +328,9 @@ impl AStar {
             met.iter().enumerate().for_each(|(at, state)| self.forget(index, at, state[0]));
         }
         met.fill([0; 2]);
-        if self.arranged {
-            arrangements.fill(0);
+        let mut arranged = self.arranged;
+        while let Some(entry) = usize::from(arranged).checked_sub(1).and_then(|at| arrangements.get_mut(at)) {
+            (arranged, *entry) = ((*entry >> 48) as u16, 0);
         }
     }
 
@@ -323,7 +356,7 @@ impl AStar {
         left: &mut u32,
     ) -> Outcome {
         while *left > 0 {
-            if self.is_to_sharpen() {
+            if self.left < self.sharpens_below() {
                 self.sharpen(marks, scene);
             }
             let rest = marks.get_mut(self.bound_at..).unwrap_or(&mut []);
@@ -352,30 +385,34 @@ impl AStar {
     fn go_on<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, left: &mut u32) -> Outcome {
         let Some(mut parts) = self.parts(marks) else { return Outcome::GivenUp };
         parts.bounds = scene.relaxation.distances(parts.relaxed);
-        let (mut outcome, mut cells) = (Outcome::Working, self.cells(scene));
-        while outcome == Outcome::Working && *left > 0 && self.left > 0 && !self.is_to_sharpen() {
+        let (mut outcome, mut cells, mut least) = (Outcome::Working, self.cells_at_start(scene), self.sharpens_below().max(1));
+        while outcome == Outcome::Working && *left > 0 && self.left >= least {
             if let Some(state) = self.take(&parts) {
                 *left = left.saturating_sub(1);
                 self.left = self.left.saturating_sub(1);
-                outcome = self.expand(&mut parts, scene, cells, state).map_or(Outcome::GivenUp, |()| Outcome::Working);
+                outcome = self.expand(&mut parts, scene, &cells, state).map_or(Outcome::GivenUp, |()| Outcome::Working);
             } else {
                 outcome = self.next_round(&mut parts, scene);
-                cells = self.cells(scene);
+                (cells, least) = (self.cells_at_start(scene), self.sharpens_below().max(1));
             }
         }
         outcome
     }
 
-    /// The planned state's cells of the pieces present.
-    fn cells<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>) -> [CellId; 32] {
-        let is_present = |piece: usize| self.present >> piece & 1 == 1;
-        core::array::from_fn(|piece| if is_present(piece) { scene.grid.cell(scene.start, Piece(piece as u8)) } else { CellId::NONE })
+    /// The planned state's cells of the pieces present, and of those removed.
+    fn cells_at_start<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>) -> [Cells; 2] {
+        let (mut present, mut removed) = (Cells::NONE, Cells::NONE);
+        for piece in others(scene.grid, self.piece) {
+            let cells = if self.present & piece.bit() == 0 { &mut removed } else { &mut present };
+            cells.put(piece, scene.grid.cell(scene.start, piece));
+        }
+        [present, removed]
     }
 
     /// Takes the next state, unless the nearest goals are found.
     #[inline]
     fn take(&mut self, parts: &Parts<'_>) -> Option<[u64; 2]> {
-        let at = self.expanded.checked_rem(self.room).filter(|_| self.expanded < self.met)?;
+        let at = slot(self.expanded, self.room).filter(|_| self.expanded < self.met)?;
         let state = *parts.states.get(at)?;
         if (state[0] & DISTANCE) as u32 >= self.distance {
             return None;
@@ -388,7 +425,7 @@ impl AStar {
     fn next_round<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>) -> Outcome {
         if self.met > 0 {
             self.clear_states(parts);
-            self.arranged = false;
+            self.arranged = 0;
             if self.distance != u32::MAX {
                 if self.reached.first == self.reached.sure {
                     return Outcome::Met;
@@ -407,7 +444,9 @@ impl AStar {
             if !scene.relaxation.is_whole() {
                 return Outcome::GivenUp;
             }
-            let Some(bound) = scene.relaxation.distance(parts.bounds, 0, robot, piece) else { return Outcome::Unreachable };
+            let Some(bound) = Relaxation::distance(parts.bounds, scene.relaxation.number(0, robot, piece)) else {
+                return Outcome::Unreachable;
+            };
             (self.lower, self.threshold) = (self.lower.max(bound), self.threshold.max(bound));
         }
         (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
@@ -424,68 +463,93 @@ impl AStar {
     }
 
     /// Opens the successors of a state; `None` if there is no room for one.
+    #[inline(never)]
     fn expand<G: PushGrid + ?Sized>(
         &mut self,
         parts: &mut Parts<'_>,
         scene: &Scene<'_, G>,
-        mut cells: [CellId; 32],
+        [present, removed]: &[Cells; 2],
         [key, word]: [u64; 2],
     ) -> Option<()> {
-        let Scene { grid, relaxation, start, .. } = *scene;
+        let Scene { grid, relaxation, .. } = *scene;
         let (arrangement, robot, piece) = ((key >> 48) as u16, CellId((key >> 32) as u16), CellId((key >> 16) as u16));
-        let mut link = usize::from(arrangement);
-        while let Some(&moved) = link.checked_sub(1).and_then(|at| parts.arrangements.get(at)) {
-            *cells.get_mut((moved >> 16 & 0x1f) as usize)? = CellId(moved as u16);
-            link = (moved >> 32) as usize;
+        let mut from = Here { key, reached: Reached::of(word), cells: *present };
+        let mut link = arrangement;
+        while let Some(&moved) = usize::from(link).checked_sub(1).and_then(|at| parts.arrangements.get(at)) {
+            from.cells.put(Piece((moved >> 16 & 0x1f) as u8), CellId(moved as u16))?;
+            link = (moved >> 32) as u16;
         }
-        let from = Here { key, reached: Reached::of(word), cells };
+        let lasting = relaxation.lasting_cells(&from.cells.of);
+        let moved = relaxation.moved(&lasting, CellId::NONE, CellId::NONE);
+        let row = relaxation.number(moved, CellId(0), piece);
         let distance = ((key & DISTANCE) as u32).saturating_add(1);
         let floor = grid.floor();
-        for (direction, &action) in floor.directions.iter().enumerate() {
-            // Most actions are ruled out without a look at the other pieces.
+        for direction in 0..4 {
             let ahead = floor.neighbour(robot, direction);
-            let beyond = floor.neighbour(ahead, direction);
-            let pushed = if ahead == piece { beyond } else { piece };
-            if ahead == CellId::NONE || ahead == piece && pushed == CellId::NONE {
+            if ahead == CellId::NONE {
                 continue;
             }
-            let moved = relaxation.moved(&from.cells, ahead, beyond);
-            let bound = relaxation.distance(parts.bounds, moved, ahead, pushed);
-            if !self.is_within(distance, bound) {
-                continue;
-            }
-            let other = from.at(ahead);
-            let is_push = ahead == piece || other.is_some();
-            if is_push
-                && (beyond == CellId::NONE || beyond == piece || from.at(beyond).is_some() || relaxation.is_wall(parts.relaxed, beyond))
-            {
-                continue;
-            }
-            let entered = |cell: CellId| if relaxation.has_piece(parts.relaxed, cell) { self.absent(grid, start, cell) } else { 0 };
-            let hit = entered(ahead) | if is_push { entered(beyond) } else { 0 };
-            let next = Ahead { action, robot: ahead, piece: pushed, moved: other.map(|other| (other, beyond)), bound, hit };
-            self.open(parts, scene, &from, &next)?;
-        }
-        if grid.swaps() {
-            let state = self.state(scene, &from.cells, robot, piece);
-            for action in own_actions(grid).filter(|action| !floor.directions.contains(action)) {
-                let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
-                let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
-                let bound = relaxation.distance(parts.bounds, 0, robot, piece);
-                if self.is_within(distance, bound) {
-                    let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
-                    let moved = moved.into_iter().find(|(other, cell)| from.cells.get(other.index()) != Some(cell));
-                    self.open(parts, scene, &from, &Ahead { action, robot, piece, moved, bound, hit: 0 })?;
+            // Most actions are ruled out without a look at the other pieces.
+            let number = if ahead == piece || lasting.contains(&ahead) {
+                let beyond = floor.neighbour(ahead, direction);
+                if ahead == piece && beyond == CellId::NONE {
+                    continue;
                 }
+                relaxation.number(relaxation.moved(&lasting, ahead, beyond), ahead, if ahead == piece { beyond } else { piece })
+            } else {
+                row.wrapping_add(ahead.index())
+            };
+            let bound = Relaxation::distance(parts.bounds, number);
+            if self.is_within(distance, bound) {
+                self.step(parts, scene, removed, &from, (direction, ahead, bound))?;
+            }
+        }
+        if grid.swaps() { self.swap(parts, scene, &from) } else { Some(()) }
+    }
+
+    /// Opens the state that a direction leads to, if pieces are not in the way; `None` if there is no room for it.
+    #[inline(never)]
+    fn step<G: PushGrid + ?Sized>(
+        &mut self,
+        parts: &mut Parts<'_>,
+        scene: &Scene<'_, G>,
+        removed: &Cells,
+        from: &Here,
+        (direction, ahead, bound): (usize, CellId, Option<u32>),
+    ) -> Option<()> {
+        let (floor, relaxation, piece) = (scene.grid.floor(), scene.relaxation, CellId((from.key >> 16) as u16));
+        let other = pieces(from.cells.at(ahead)).next();
+        let entered = |cell: CellId| if relaxation.has_piece(parts.relaxed, cell) { removed.at(cell) } else { 0 };
+        let mut to = Ahead { action: *floor.directions.get(direction)?, robot: ahead, piece, moved: None, bound, hit: entered(ahead) };
+        if ahead == piece || other.is_some() {
+            let beyond = floor.neighbour(ahead, direction);
+            if beyond == CellId::NONE || beyond == piece || from.cells.at(beyond) != 0 || relaxation.is_wall(parts.relaxed, beyond) {
+                return Some(());
+            }
+            to.hit |= entered(beyond);
+            to.piece = if ahead == piece { beyond } else { piece };
+            to.moved = other.map(|other| (other, beyond));
+        }
+        self.open(parts, scene, from, &to)
+    }
+
+    /// Opens the states that the other actions lead to: swaps of the robot with a piece. `None` if there is no room for one.
+    #[inline(never)]
+    fn swap<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here) -> Option<()> {
+        let (grid, distance) = (scene.grid, ((from.key & DISTANCE) as u32).saturating_add(1));
+        let (robot, piece) = (CellId((from.key >> 32) as u16), CellId((from.key >> 16) as u16));
+        let (state, directions) = (self.state(scene, &from.cells.of, robot, piece), grid.floor().directions);
+        for action in own_actions(grid).filter(|action| !directions.contains(action)) {
+            let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
+            let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
+            let bound = Relaxation::distance(parts.bounds, scene.relaxation.number(0, robot, piece));
+            if self.is_within(distance, bound) {
+                let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
+                let moved = moved.into_iter().find(|(other, cell)| from.cells.of.get(other.index()) != Some(cell));
+                self.open(parts, scene, from, &Ahead { action, robot, piece, moved, bound, hit: 0 })?;
             }
         }
         Some(())
-    }
-
-    /// The removed pieces of a cell, as bits.
-    fn absent<G: PushGrid + ?Sized>(&self, grid: &G, start: &G::State, cell: CellId) -> u32 {
-        let absent = others(grid, self.piece).filter(|other| self.present & other.bit() == 0);
-        absent.filter(|&other| grid.cell(start, other) == cell).fold(0, |bits, other| bits | other.bit())
     }
 
     /// The state with the pieces on these cells, and the removed ones in their own places.
@@ -497,42 +561,35 @@ impl AStar {
     }
 
     /// Opens the state that an action leads to, or records its goal; `None` if there is no room for it.
+    #[inline]
     fn open<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
         let (first, distance) = (ActionSet::of(to.action), (from.key & DISTANCE).wrapping_add(1));
         let reached = if distance == 1 { Reached { first, sure: first, blockers: 0 } } else { from.reached }.through(to.hit);
-        let mut cells = from.cells;
-        if let Some((other, cell)) = to.moved {
-            *cells.get_mut(other.index())? = cell;
-        }
-        if to.bound == Some(0)
-            && !scene.goals.satisfied(scene.grid, &self.state(scene, &cells, to.robot, to.piece), TaskSet::of(self.task)).is_empty()
-        {
-            (self.distance, self.reached) = (distance as u32, self.reached.or(reached));
-            return Some(());
-        }
-        let places = self.places();
-        let Parts { arrangements, states, index, .. } = parts;
         let mut arrangement = (from.key >> 48) as u16;
-        if to.moved.is_some() {
-            arrangement = 0;
-            for other in pieces(self.present) {
-                let cell = *cells.get(other.index())?;
-                if cell != scene.grid.cell(scene.start, other) {
-                    let moved = u64::from(arrangement) << 32 | u64::from(other.0) << 16 | u64::from(cell.0);
-                    let is_it = |&at: &usize| arrangements.get(at).is_some_and(|&entry| entry == 0 || entry == moved);
-                    let at = self::places(moved, arrangements.len()).find(is_it)?;
-                    *arrangements.get_mut(at)? = moved;
-                    self.arranged = true;
-                    arrangement = at.wrapping_add(1) as u16;
-                }
+        if to.moved.is_some() || to.bound == Some(0) {
+            let mut cells = from.cells;
+            if let Some((other, cell)) = to.moved {
+                cells.put(other, cell)?;
+            }
+            let is_goal = || {
+                let state = self.state(scene, &cells.of, to.robot, to.piece);
+                !scene.goals.satisfied(scene.grid, &state, TaskSet::of(self.task)).is_empty()
+            };
+            if to.bound == Some(0) && is_goal() {
+                (self.distance, self.reached) = (distance as u32, self.reached.or(reached));
+                return Some(());
+            }
+            if to.moved.is_some() {
+                arrangement = self.arrange(parts.arrangements, scene, &cells)?;
             }
         }
+        let (places, Parts { states, index, .. }) = (self.places(), parts);
         let key = key(arrangement, to.robot, to.piece);
         for place in self::places(key, places) {
             let number = usize::from(entry(index, place));
             let Some(at) = number.checked_sub(1) else {
                 // If there is no room left, it replaces the state that was expanded first.
-                let at = self.met.checked_rem(self.room).filter(|_| self.met.wrapping_sub(self.expanded) < self.room)?;
+                let at = slot(self.met, self.room).filter(|_| self.met.wrapping_sub(self.expanded) < self.room)?;
                 let state = states.get_mut(at)?;
                 if self.met >= self.room {
                     self.forget(index, at, state[0]);
@@ -552,6 +609,27 @@ impl AStar {
             }
         }
         None
+    }
+
+    /// The arrangement of pieces on these cells, added if it is new; `None` if there is no room for it.
+    fn arrange<G: PushGrid + ?Sized>(&mut self, arrangements: &mut [u64], scene: &Scene<'_, G>, cells: &Cells) -> Option<u16> {
+        let mut arrangement = 0_u16;
+        for other in pieces(self.present) {
+            let cell = *cells.of.get(other.index())?;
+            if cell != scene.grid.cell(scene.start, other) {
+                let moved = u64::from(arrangement) << 32 | u64::from(other.0) << 16 | u64::from(cell.0);
+                let is_it = |&at: &usize| arrangements.get(at).is_some_and(|&entry| entry == 0 || entry & CHAIN == moved);
+                let at = places(moved, arrangements.len()).find(is_it)?;
+                arrangement = at.wrapping_add(1) as u16;
+                let entry = arrangements.get_mut(at)?;
+                if *entry == 0 {
+                    // The first bits have the arrangement added before, so that all can be cleared.
+                    *entry = moved | u64::from(self.arranged) << 48;
+                    self.arranged = arrangement;
+                }
+            }
+        }
+        Some(arrangement)
     }
 
     /// Whether a state at this distance with this lower bound can be on a plan within the threshold. If not, records the sum.

@@ -9,7 +9,7 @@
 //! the distances of all states, for A*. Otherwise the search ends at the planned state.
 
 use crate::oomdp::{ActionSet, CellId, Floor, Piece, PushGrid, own_actions};
-use crate::planning::bits::{entry, entry_words, insert, set_entry, take_from};
+use crate::planning::bits::{entry, entry_words, insert, set_entry};
 use crate::planning::goals::Goals;
 
 /// The robot and one piece on the floor, and the progress of the search.
@@ -126,10 +126,14 @@ impl Met<'_> {
     /// Opens a state at the next distance, unless it is known.
     #[inline]
     fn open(&mut self, number: usize, distance: u16) {
-        if insert(self.closed, number) {
-            insert(self.next, number);
-            set_entry(self.distances, number, distance.saturating_add(1));
+        // Most states are known, so they cost one look.
+        let bit = 1 << (number % 64);
+        let Some(closed) = self.closed.get_mut(number / 64).filter(|closed| **closed & bit == 0) else { return };
+        *closed |= bit;
+        if let Some(next) = self.next.get_mut(number / 64) {
+            *next |= bit;
         }
+        set_entry(self.distances, number, distance.saturating_add(1));
     }
 }
 
@@ -255,7 +259,8 @@ impl Relaxation {
     }
 
     /// The number of the state with the robot and the piece on these cells, and with this set of lasting pieces that have moved.
-    fn number(&self, moved: usize, robot: CellId, piece: CellId) -> usize {
+    #[inline]
+    pub(super) fn number(&self, moved: usize, robot: CellId, piece: CellId) -> usize {
         let row = if self.piece == Piece::ROBOT { 0 } else { piece.index() };
         moved.wrapping_mul(self.rows).wrapping_add(row).wrapping_mul(self.cells).wrapping_add(robot.index())
     }
@@ -277,16 +282,21 @@ impl Relaxation {
         self.lasting.iter().enumerate().any(|(at, &(_, place))| place == cell && moved >> at & 1 == 0)
     }
 
-    /// Which lasting pieces have moved, where `cells` says where each piece is, and after what stands on `ahead` was pushed on to `beyond`.
+    /// The cells of the lasting pieces, where `cells` has the cell of each piece.
     #[inline]
-    pub(super) fn moved(&self, cells: &[CellId; 32], ahead: CellId, beyond: CellId) -> usize {
+    pub(super) fn lasting_cells(&self, cells: &[CellId; 32]) -> [CellId; MOST_LASTING] {
+        self.lasting.map(|(piece, place)| if place == CellId::NONE { place } else { cells.get(piece.index()).copied().unwrap_or(place) })
+    }
+
+    /// Which lasting pieces have moved from these cells, after a push of what is on `ahead` to `beyond`.
+    #[inline]
+    pub(super) fn moved(&self, cells: &[CellId; MOST_LASTING], ahead: CellId, beyond: CellId) -> usize {
         if !self.is_sharp() {
             return 0;
         }
-        let cell = |piece: Piece| cells.get(piece.index()).copied().unwrap_or(CellId::NONE);
-        let after = |piece| if cell(piece) == ahead { beyond } else { cell(piece) };
-        let has_moved = |&(_, &(piece, place)): &(usize, &(Piece, CellId))| place != CellId::NONE && after(piece) != place;
-        self.lasting.iter().enumerate().filter(has_moved).fold(0, |moved, (at, _)| moved | 1 << at)
+        let has_moved = |cell: CellId, place: CellId| usize::from(place != if cell == ahead { beyond } else { cell });
+        let ([a, b, c], [(_, at_a), (_, at_b), (_, at_c)]) = (*cells, self.lasting);
+        has_moved(a, at_a) | has_moved(b, at_b) << 1 | has_moved(c, at_c) << 2
     }
 
     fn parts<'m>(&self, marks: &'m mut [u64]) -> Option<Parts<'m>> {
@@ -308,34 +318,38 @@ impl Relaxation {
 
     /// Continues, with at most `left` expansions. Returns whether it is complete.
     pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
-        let (floor, is_sharp) = (grid.floor(), self.is_sharp());
+        let (floor, is_sharp, size) = (grid.floor(), self.is_sharp(), self.cells);
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
+            let Parts { walls, taken, here, met, .. } = &mut parts;
             // Which lasting pieces have moved, the piece's cell, and the number of the first state of both; numbers only grow.
             let (mut moved, mut row, mut first) = (0_usize, 0_usize, 0_usize);
-            self.take(&mut parts, moved);
-            while let Some(number) = take_from(parts.here, &mut self.cursor) {
-                while number.wrapping_sub(first) >= self.cells {
-                    (row, first) = (row.wrapping_add(1), first.wrapping_add(self.cells));
-                    if row >= self.rows {
-                        (moved, row) = (moved.wrapping_add(1), 0);
-                        self.take(&mut parts, moved);
+            self.take(taken, walls, moved);
+            while let Some(word) = here.get_mut(self.cursor) {
+                while *word != 0 {
+                    let number = self.cursor.wrapping_mul(64).wrapping_add(word.trailing_zeros() as usize);
+                    *word &= word.wrapping_sub(1);
+                    while number.wrapping_sub(first) >= size {
+                        (row, first) = (row.wrapping_add(1), first.wrapping_add(size));
+                        if row >= self.rows {
+                            (moved, row) = (moved.wrapping_add(1), 0);
+                            self.take(taken, walls, moved);
+                        }
+                    }
+                    let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
+                    let robot = CellId(number.wrapping_sub(first) as u16);
+                    let cells = (moved, robot, piece);
+                    if is_sharp {
+                        self.expand::<true>(taken, met, &floor, grid.swaps(), cells, first);
+                    } else {
+                        self.expand::<false>(walls, met, &floor, grid.swaps(), cells, first);
+                    }
+                    *left = left.saturating_sub(1);
+                    if *left == 0 {
+                        return false;
                     }
                 }
-                let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
-                let robot = CellId(number.wrapping_sub(first) as u16);
-                self.expand(
-                    if is_sharp { parts.taken } else { parts.walls },
-                    &mut parts.met,
-                    &floor,
-                    grid.swaps(),
-                    (moved, robot, piece),
-                    first,
-                );
-                *left = left.saturating_sub(1);
-                if *left == 0 {
-                    return false;
-                }
+                self.cursor = self.cursor.wrapping_add(1);
             }
             let is_near = !self.tabled && has(parts.met.closed, self.start);
             // Beyond this distance, far goals cannot be distinguished from unreachable ones: then the bound is unknown.
@@ -349,17 +363,17 @@ impl Relaxation {
     }
 
     /// Marks the occupied cells after these lasting pieces have moved.
-    fn take(&self, parts: &mut Parts<'_>, moved: usize) {
-        parts.taken.iter_mut().zip(parts.walls.iter()).for_each(|(taken, wall)| *taken = *wall);
+    fn take(&self, taken: &mut [u64], walls: &[u64], moved: usize) {
+        taken.iter_mut().zip(walls).for_each(|(taken, wall)| *taken = *wall);
         self.lasting.iter().map(|&(_, place)| place).filter(|&place| self.lasts(moved, place)).for_each(|place| {
-            insert(parts.taken, place.index());
+            insert(taken, place.index());
         });
     }
 
     /// Opens the states from which an action leads to this one. `first` is the number of the first state with the same cell of the piece, and
     /// `taken` are the cells that nothing can be on.
     #[inline]
-    fn expand(
+    fn expand<const IS_SHARP: bool>(
         &self,
         taken: &[u64],
         met: &mut Met<'_>,
@@ -369,31 +383,52 @@ impl Relaxation {
         first: usize,
     ) {
         let distance = self.level.saturating_add(1);
-        let Some(neighbours) = floor.cells.get(robot.index()).map(|cell| cell.neighbours) else { return };
-        // The lasting pieces that had moved before the robot pushed one from this cell.
+        let Some(neighbours) = floor.cells.get(robot.index()).map(|cell| &cell.neighbours) else { return };
+        // Most actions only move the robot.
+        let mut is_beside = false;
+        for &before in neighbours {
+            is_beside |= before == piece;
+            if before != CellId::NONE && before != piece && !has(taken, before.index()) {
+                met.open(first.wrapping_add(before.index()), distance);
+            }
+        }
+        // The lasting piece that the robot may have pushed from this cell.
         let came_from = |&(at, &(_, place)): &(usize, &(Piece, CellId))| place == robot && moved >> at & 1 == 1;
-        let pushed = if self.is_sharp() { self.lasting.iter().enumerate().find(came_from) } else { None };
-        let earlier = pushed.map(|(at, _)| moved & !(1 << at));
+        let pushed = if IS_SHARP && moved != 0 { self.lasting.iter().enumerate().find(came_from) } else { None };
+        if is_beside && piece != CellId::NONE || pushed.is_some() {
+            self.push(taken, met, neighbours, swaps, (moved, robot, piece), pushed.map(|(at, _)| moved & !(1 << at)));
+        }
+    }
+
+    /// Opens the states from which an action that moves a piece leads to this one. `earlier` are the lasting pieces that had moved before the
+    /// robot pushed one from this cell.
+    fn push(
+        &self,
+        taken: &[u64],
+        met: &mut Met<'_>,
+        neighbours: &[CellId; 4],
+        swaps: bool,
+        (moved, robot, piece): (usize, CellId, CellId),
+        earlier: Option<usize>,
+    ) {
+        let distance = self.level.saturating_add(1);
         // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
-        let [north, south, east, west] = neighbours;
+        let [north, south, east, west] = *neighbours;
         for (before, beyond) in [(north, south), (south, north), (east, west), (west, east)] {
             if before == CellId::NONE || has(taken, before.index()) {
                 continue;
             }
-            if before != piece {
-                met.open(first.wrapping_add(before.index()), distance);
-                if piece != CellId::NONE && beyond == piece {
-                    met.open(self.number(moved, before, robot), distance);
+            if before == piece {
+                if swaps && (self.others || beyond == CellId::NONE) {
+                    met.open(self.number(moved, piece, robot), distance);
                 }
-                if let Some(earlier) = earlier
-                    && beyond != CellId::NONE
-                    && beyond != piece
-                    && !has(taken, beyond.index())
-                {
-                    met.open(self.number(earlier, before, piece), distance);
-                }
-            } else if swaps && (self.others || beyond == CellId::NONE) {
-                met.open(self.number(moved, piece, robot), distance);
+            } else if beyond == piece && piece != CellId::NONE {
+                met.open(self.number(moved, before, robot), distance);
+            } else if let Some(earlier) = earlier
+                && beyond != CellId::NONE
+                && !has(taken, beyond.index())
+            {
+                met.open(self.number(earlier, before, piece), distance);
             }
         }
     }
@@ -408,10 +443,10 @@ impl Relaxation {
         marks.get(self.words().wrapping_sub(entry_words(self.states))..).unwrap_or(&[])
     }
 
-    /// The lower bound of the distance from a state, `None` if no goal can be reached.
+    /// The lower bound of the distance from the state with this number, `None` if no goal can be reached.
     #[inline]
-    pub(super) fn distance(&self, distances: &[u64], moved: usize, robot: CellId, piece: CellId) -> Option<u32> {
-        entry(distances, self.number(moved, robot, piece)).checked_sub(1).map(u32::from)
+    pub(super) fn distance(distances: &[u64], number: usize) -> Option<u32> {
+        entry(distances, number).checked_sub(1).map(u32::from)
     }
 
     /// The bound of the distance from the planned state, if the task's piece is this one.
