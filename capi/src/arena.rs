@@ -39,7 +39,8 @@ impl Arena {
     /// The same for all types, so that it is linked once.
     #[inline(never)]
     fn room(&mut self, size: usize, align: usize, count: usize) -> Option<NonNull<u8>> {
-        let skip = self.at.align_offset(align);
+        // `align_offset` could panic if the compiler does not know that it is a power of two.
+        let skip = self.at.addr().wrapping_neg() & align.wrapping_sub(1);
         let bytes = size.checked_mul(count)?.checked_add(skip)?;
         if bytes > self.left {
             return None;
