@@ -33,12 +33,19 @@ impl Arena {
 
     /// Aligned room for `count` values, not written yet.
     pub fn place<T>(&mut self, count: usize) -> Option<NonNull<T>> {
-        let skip = self.at.align_offset(align_of::<T>());
-        let bytes = size_of::<T>().checked_mul(count)?.checked_add(skip)?;
+        self.room(size_of::<T>(), align_of::<T>(), count).map(NonNull::cast)
+    }
+
+    /// The same for all types, so that it is linked once.
+    #[inline(never)]
+    fn room(&mut self, size: usize, align: usize, count: usize) -> Option<NonNull<u8>> {
+        // `align_offset` could panic if the compiler does not know that it is a power of two.
+        let skip = self.at.addr().wrapping_neg() & align.wrapping_sub(1);
+        let bytes = size.checked_mul(count)?.checked_add(skip)?;
         if bytes > self.left {
             return None;
         }
-        let first = self.at.wrapping_add(skip).cast::<T>();
+        let first = self.at.wrapping_add(skip);
         self.at = self.at.wrapping_add(bytes);
         self.left = self.left.wrapping_sub(bytes);
         NonNull::new(first)
@@ -47,8 +54,14 @@ impl Arena {
 
 /// The end of an aligned table of `count` values that begins at `at` at the earliest.
 pub const fn after<T>(at: usize, count: usize) -> usize {
-    match at.checked_next_multiple_of(align_of::<T>()) {
-        Some(first) => first.saturating_add(size_of::<T>().saturating_mul(count)),
+    after_values(at, size_of::<T>(), align_of::<T>(), count)
+}
+
+/// The same for all types, so that it is linked once.
+#[inline(never)]
+const fn after_values(at: usize, size: usize, align: usize, count: usize) -> usize {
+    match at.checked_next_multiple_of(align) {
+        Some(first) => first.saturating_add(size.saturating_mul(count)),
         None => usize::MAX,
     }
 }

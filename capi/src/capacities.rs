@@ -93,11 +93,7 @@ impl From<&Capacities> for GoodbotCapacities {
 
 impl From<&GoodbotCapacities> for Capacities {
     fn from(from: &GoodbotCapacities) -> Self {
-        let mut capacities = Self::NONE;
-        for (capacity, entries) in Capacity::ALL.into_iter().zip(from.entries) {
-            capacities.set(capacity, entries as usize);
-        }
-        capacities
+        Self::of(|capacity| from.entries.get(capacity as usize).map_or(0, |&entries| entries as usize))
     }
 }
 

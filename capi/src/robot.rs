@@ -2,7 +2,7 @@
 
 use crate::arena::{Arena, deal_agent, deal_home};
 use crate::capacities::GoodbotCapacities;
-use crate::status::{At, Failure, GoodbotStatus, Place};
+use crate::status::{At, Failure, Fault, GoodbotStatus, Place};
 use crate::world::World;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
@@ -74,16 +74,16 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     Ok(Plot { at, home, agent, arena })
 }
 
-/// Makes the robot and writes its handle.
+/// Makes the robot and writes its handle. One function for all kinds of worlds.
 ///
 /// # Safety
 /// `robot` is room for a handle.
 pub(crate) unsafe fn settle(
     plot: Plot,
     tasks: &[LiftedTask],
-    world: impl FnOnce(HomeTables<'static>) -> Result<World, Failure>,
+    world: &mut dyn FnMut(HomeTables<'static>) -> Result<World, Fault>,
     robot: *mut *mut Goodbot,
-) -> Result<GoodbotStatus, Failure> {
+) -> Result<GoodbotStatus, Fault> {
     let agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
     let world = world(plot.home)?;
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
@@ -99,20 +99,36 @@ pub(crate) unsafe fn settle(
 /// # Safety
 /// `robot` is null or a handle that an init function gave, and no other call uses it now.
 pub(crate) unsafe fn with(robot: *mut Goodbot, run: impl FnOnce(&mut Goodbot) -> Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    let robot = match unsafe { found(robot) } {
+        Ok(robot) => robot,
+        Err(status) => return status,
+    };
+    let result = run(robot);
+    ended(robot, &result)
+}
+
+/// The robot, if the handle is valid. A function of its own, as the next: every call links them.
+///
+/// # Safety
+/// As [`with`].
+#[inline(never)]
+unsafe fn found<'a>(robot: *mut Goodbot) -> Result<&'a mut Goodbot, GoodbotStatus> {
     if robot.is_null() {
-        return GoodbotStatus::Null;
-    }
-    if robot.align_offset(align_of::<Goodbot>()) != 0 {
-        return GoodbotStatus::BadHandle;
+        return Err(GoodbotStatus::Null);
     }
     // SAFETY: the caller's promise; the first words of a robot are plain numbers.
-    if unsafe { (&raw const (*robot).magic).read() } != MAGIC {
-        return GoodbotStatus::BadHandle;
+    if robot.align_offset(align_of::<Goodbot>()) != 0 || unsafe { (&raw const (*robot).magic).read() } != MAGIC {
+        return Err(GoodbotStatus::BadHandle);
     }
     // SAFETY: as above.
-    let robot = unsafe { &mut *robot };
-    match run(robot) {
-        Ok(status) => status,
+    Ok(unsafe { &mut *robot })
+}
+
+#[inline(never)]
+fn ended(robot: &mut Goodbot, result: &Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+    match result {
+        Ok(status) => *status,
         Err(failure) => {
             robot.full = failure.full.or(robot.full);
             failure.status
@@ -124,7 +140,7 @@ pub(crate) unsafe fn with(robot: *mut Goodbot, run: impl FnOnce(&mut Goodbot) ->
 ///
 /// # Safety
 /// `items` is null or points to `count` items that stay.
-pub(crate) unsafe fn list<T>(items: *const T, count: u32, most: usize, place: Place, counted: Place) -> Result<&'static [T], Failure> {
+pub(crate) unsafe fn list<T>(items: *const T, count: u32, most: usize, place: Place, counted: Place) -> Result<&'static [T], Fault> {
     if count == 0 {
         return Ok(&[]);
     }

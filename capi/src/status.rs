@@ -83,11 +83,17 @@ pub enum GoodbotStatus {
     Unchecked = 33,
 }
 
-/// Why a call failed, with the table that was full, if one was, and the part of a description that is wrong, if it is one.
+/// Why a call failed, with the table that was full, if one was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Failure {
     pub(crate) status: GoodbotStatus,
     pub(crate) full: Option<CapacityError>,
+}
+
+/// Why a description was refused, with the part that is wrong. Most calls have none, so theirs is the smaller [`Failure`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Fault {
+    pub(crate) failure: Failure,
     #[cfg(feature = "explain")]
     pub(crate) place: Option<Place>,
 }
@@ -124,34 +130,39 @@ impl Place {
     }
 }
 
-/// Adds a place to a failure that has none yet.
+/// Adds a place to a fault that has none yet.
 pub(crate) trait At<T> {
-    fn at(self, place: Place) -> Result<T, Failure>;
+    fn at(self, place: Place) -> Result<T, Fault>;
 }
 
-impl<T, E: Into<Failure>> At<T> for Result<T, E> {
+impl<T, E: Into<Fault>> At<T> for Result<T, E> {
     #[cfg(not(feature = "explain"))]
-    fn at(self, _place: Place) -> Result<T, Failure> {
+    fn at(self, _place: Place) -> Result<T, Fault> {
         self.map_err(Into::into)
     }
 
     #[cfg(feature = "explain")]
-    fn at(self, place: Place) -> Result<T, Failure> {
+    fn at(self, place: Place) -> Result<T, Fault> {
         self.map_err(|error| {
-            let failure = error.into();
-            Failure { place: failure.place.or(Some(place)), ..failure }
+            let fault = error.into();
+            Fault { place: fault.place.or(Some(place)), ..fault }
         })
+    }
+}
+
+impl<E: Into<Failure>> From<E> for Fault {
+    fn from(error: E) -> Self {
+        Self {
+            failure: error.into(),
+            #[cfg(feature = "explain")]
+            place: None,
+        }
     }
 }
 
 impl From<GoodbotStatus> for Failure {
     fn from(status: GoodbotStatus) -> Self {
-        Self {
-            status,
-            full: None,
-            #[cfg(feature = "explain")]
-            place: None,
-        }
+        Self { status, full: None }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The kinds of tasks that the caller's robot can be told.
 
 use crate::robot::{list, text};
-use crate::status::{At, Failure, GoodbotStatus, Place};
+use crate::status::{At, Fault, GoodbotStatus, Place};
 #[cfg(feature = "table")]
 use crate::table::description::{GOODBOT_MOST_CONJUNCTS, GOODBOT_MOST_VARIABLES, GoodbotTable};
 use core::ffi::c_char;
@@ -24,7 +24,7 @@ pub(crate) unsafe fn kinds_of_tasks(
     tasks: *const *const c_char,
     count: u32,
     schema: &Schema<'_>,
-) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Fault> {
     let mut kinds = Vec::new();
     // SAFETY: the caller's promise.
     let given = unsafe { list(tasks, count, GOODBOT_MOST_TASKS, Place::of("tasks"), Place::of("task_count")) }?;
@@ -47,7 +47,7 @@ const _: () = assert!(
 /// # Safety
 /// `table.kinds` is null or points to as many as there are tasks.
 #[cfg(feature = "table")]
-pub(crate) unsafe fn written_kinds(table: &GoodbotTable, schema: &Schema<'_>) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+pub(crate) unsafe fn written_kinds(table: &GoodbotTable, schema: &Schema<'_>) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Fault> {
     if table.kinds.is_null() {
         return Err(GoodbotStatus::Unchecked).at(Place::of("kinds"));
     }
@@ -82,7 +82,7 @@ mod tests {
         ],
     };
 
-    fn of(kinds: *const GoodbotKind, task_count: u32) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Failure> {
+    fn of(kinds: *const GoodbotKind, task_count: u32) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Fault> {
         // SAFETY: zero is a value of each of its fields: null, none, or a number.
         let table = GoodbotTable { kinds, task_count, ..unsafe { core::mem::zeroed() } };
         // SAFETY: the kinds are as many.
@@ -100,13 +100,13 @@ mod tests {
         };
         let read = LiftedTask::parse("above(?up, ?down) & liftAtFloor(?lift, ?up)", &SCHEMA).unwrap();
         assert_eq!(of(&kind, 1).unwrap().as_slice(), [read]);
-        assert_eq!(of(&GoodbotKind { class_count: 7, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
-        assert_eq!(of(&GoodbotKind { proposition_count: 5, ..kind }, 1).unwrap_err().status, GoodbotStatus::Number);
+        assert_eq!(of(&GoodbotKind { class_count: 7, ..kind }, 1).unwrap_err().failure.status, GoodbotStatus::Number);
+        assert_eq!(of(&GoodbotKind { proposition_count: 5, ..kind }, 1).unwrap_err().failure.status, GoodbotStatus::Number);
     }
 
     #[test]
     fn a_table_that_was_not_checked_is_refused_without_checks() {
-        assert_eq!(of(core::ptr::null(), 1).unwrap_err().status, GoodbotStatus::Unchecked);
-        assert_eq!(of(core::ptr::null(), 0).unwrap_err().status, GoodbotStatus::Unchecked);
+        assert_eq!(of(core::ptr::null(), 1).unwrap_err().failure.status, GoodbotStatus::Unchecked);
+        assert_eq!(of(core::ptr::null(), 0).unwrap_err().failure.status, GoodbotStatus::Unchecked);
     }
 }

@@ -24,6 +24,7 @@ impl Scaled {
 
     /// Normalises the mantissa. Numbers are compared by their bits, as everywhere here: the bits of non-negative f32s have the same order,
     /// and a processor without floats compares them fast.
+    #[inline(never)]
     fn normalised(self) -> Self {
         let (mut bits, mut exponent) = (self.mantissa.to_bits(), self.exponent);
         // Zero, negative numbers and NaN.
@@ -50,6 +51,7 @@ impl Scaled {
     }
 
     /// The product with a plain factor.
+    #[inline(never)]
     pub fn scaled_by(self, factor: f32) -> Self {
         // If the product stays within the range of an f32, the factor need not be normalised: the bits are the same.
         if (1.0e-30_f32.to_bits()..=1.0e30_f32.to_bits()).contains(&factor.to_bits()) {
@@ -59,6 +61,7 @@ impl Scaled {
     }
 
     /// The sum.
+    #[inline(never)]
     pub fn plus(self, other: Self) -> Self {
         if self.is_zero() {
             return other;
@@ -85,6 +88,7 @@ impl Scaled {
     }
 
     /// The ratio `self / whole` as an f32; 0 if the whole is 0.
+    #[inline(never)]
     pub fn over(self, whole: Self) -> f32 {
         if whole.is_zero() || self.is_zero() {
             return 0.0;

@@ -12,7 +12,7 @@ use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, give, list, plot, settle, text, with};
 #[cfg(feature = "explain")]
 use crate::status::text_of;
-use crate::status::{At, Failure, GoodbotStatus, Place};
+use crate::status::{At, Failure, Fault, GoodbotStatus, Place};
 use crate::tasks::{kinds_of_tasks, written_kinds};
 use crate::world::World;
 use core::ffi::{c_char, c_void};
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn goodbot_init_table(
     // SAFETY: the caller's promise.
     match unsafe { init(memory, bytes, capacities, table, robot) } {
         Ok(status) => status,
-        Err(failure) => failure.status,
+        Err(fault) => fault.failure.status,
     }
 }
 
@@ -83,9 +83,9 @@ pub unsafe extern "C" fn goodbot_explain_table(
     };
     let status = match made {
         Ok(status) => status,
-        Err(failure) => {
-            explain(&mut writer, &failure);
-            failure.status
+        Err(fault) => {
+            explain(&mut writer, &fault);
+            fault.failure.status
         }
     };
     match writer.end() {
@@ -96,8 +96,8 @@ pub unsafe extern "C" fn goodbot_explain_table(
 
 /// Writes the place of a failure, and its kind.
 #[cfg(feature = "explain")]
-fn explain(writer: &mut Writer, failure: &Failure) {
-    if let Some(Place { list, item, field, found, allowed }) = failure.place {
+fn explain(writer: &mut Writer, fault: &Fault) {
+    if let Some(Place { list, item, field, found, allowed }) = fault.place {
         writer.put(list);
         if let Some(item) = item {
             writer.put("[");
@@ -120,7 +120,7 @@ fn explain(writer: &mut Writer, failure: &Failure) {
         }
         writer.put(": ");
     }
-    match failure.full {
+    match fault.failure.full {
         Some(full) => {
             writer.put(full.capacity.name());
             writer.put(" holds ");
@@ -129,7 +129,7 @@ fn explain(writer: &mut Writer, failure: &Failure) {
             writer.number(full.given);
             writer.put(" are needed; raise it");
         }
-        None => writer.put(text_of(failure.status as i32).to_str().unwrap_or("")),
+        None => writer.put(text_of(fault.failure.status as i32).to_str().unwrap_or("")),
     }
 }
 
@@ -141,7 +141,7 @@ unsafe fn init(
     capacities: *const GoodbotCapacities,
     table: *const GoodbotTable,
     robot: *mut *mut Goodbot,
-) -> Result<GoodbotStatus, Failure> {
+) -> Result<GoodbotStatus, Fault> {
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
         let Some(table) = table.as_ref().filter(|_| !robot.is_null()) else { return Err(GoodbotStatus::Null.into()) };
@@ -159,19 +159,19 @@ unsafe fn init(
             return Err(GoodbotStatus::Number).at(Place::of("start").number(table.start, 0, table.state_count.saturating_sub(1)));
         }
         let tasks = if CHECKS { kinds_of_tasks(table.tasks, table.task_count, &schema)? } else { written_kinds(table, &schema)? };
-        let world = |mut memory: HomeTables<'static>| {
+        let mut world = |mut memory: HomeTables<'static>| {
             let objects = objects(table, attributes, &mut memory)?;
             let (holds, derived, context, states) = (table.holds, table.derived, table.context, table.state_count);
             let domain = TableDomain { schema, memory, objects, actions, steps, holds, derived, context, states };
             Ok(World::Here(Either::Other(domain), Either::Other(table.start)))
         };
-        settle(plot, &tasks, world, robot)
+        settle(plot, &tasks, &mut world, robot)
     }
 }
 
 /// # Safety
 /// What the table points to is valid and stays; the same holds for the functions below.
-unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failure> {
+unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Fault> {
     let room = GoodbotStatus::Memory;
     let classes = arena.table(GOODBOT_MOST_CLASSES, Class { name: "" }).ok_or(room)?;
     let mut carriers = arena.table(GOODBOT_MOST_CARRIERS, NO_CARRIER).ok_or(room)?;
@@ -221,13 +221,13 @@ unsafe fn schema(table: &GoodbotTable, arena: &mut Arena) -> Result<Parts, Failu
 }
 
 /// The class of this position.
-fn class(table: &GoodbotTable, position: u8, place: Place) -> Result<ClassId, Failure> {
+fn class(table: &GoodbotTable, position: u8, place: Place) -> Result<ClassId, Fault> {
     let found = u32::from(position);
     let known = if !CHECKS || found < table.class_count { Ok(ClassId::new(position)) } else { Err(GoodbotStatus::Unknown) };
     known.at(place.number(found, 0, table.class_count.saturating_sub(1)))
 }
 
-unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [ActionKind<'static>], Failure> {
+unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [ActionKind<'static>], Fault> {
     let actions = arena.table(GOODBOT_MOST_ACTIONS, ActionKind { name: "", cost: 1 }).ok_or(GoodbotStatus::Memory)?;
     let (place, counted) = (Place::of("actions"), Place::of("action_count"));
     // SAFETY: the caller's promise.
@@ -243,7 +243,7 @@ unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [A
     Ok(actions.get(..table.action_count as usize).unwrap_or(&[]))
 }
 
-unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
+unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Fault> {
     if table.holds.is_none() {
         return Err(GoodbotStatus::Null).at(Place::of("holds"));
     }
@@ -265,7 +265,7 @@ unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Failure> {
 
 /// Checks that every action leads to an existing state. A function is checked in only as many states as one plan can hold: with more
 /// states, no command is heard.
-fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'static>], most: usize) -> Result<(), Failure> {
+fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'static>], most: usize) -> Result<(), Fault> {
     let last = table.state_count.saturating_sub(1);
     match steps {
         Steps::Table(entries) => {
@@ -294,7 +294,7 @@ fn lead_to_states(table: &GoodbotTable, steps: Steps, actions: &[ActionKind<'sta
 const LONGEST_DERIVED: usize = NAME_BYTES - 2;
 
 /// Checks the derived facts of all objects, in as many states as one plan can hold.
-fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Failure> {
+fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Fault> {
     for state in 0..if table.derived.is_some() { table.state_count.min(most as u32) } else { 0 } {
         for object in 0..table.object_count.min(u32::from(u8::MAX)) as u8 {
             for (before, said) in (0..).zip(derived_by(table.derived, table.context, state, object)) {
@@ -314,11 +314,7 @@ fn derive_texts(table: &GoodbotTable, most: usize) -> Result<(), Failure> {
     Ok(())
 }
 
-unsafe fn objects(
-    table: &GoodbotTable,
-    attributes: &[Attribute<'static>],
-    memory: &mut HomeTables<'static>,
-) -> Result<ObjectCount, Failure> {
+unsafe fn objects(table: &GoodbotTable, attributes: &[Attribute<'static>], memory: &mut HomeTables<'static>) -> Result<ObjectCount, Fault> {
     let mut objects = ObjectSet::new(memory.lend().objects);
     // SAFETY: the caller's promise, for all that follows.
     unsafe {
@@ -350,15 +346,27 @@ unsafe fn objects(
 /// # Safety
 /// What the objects point to is valid and stays.
 unsafe fn whole(failure: Failure, objects: &'static [GoodbotObject]) -> Failure {
+    /// The texts of one object: its name and its values.
+    const TEXTS: usize = 1 + GOODBOT_MOST_ATTRIBUTES;
     let Some(full) = failure.full.filter(|_| CHECKS) else { return failure };
-    let names = objects.iter().flat_map(|object| core::iter::once(object.name).chain(object.values)).filter(|name| !name.is_null());
-    // SAFETY: the caller's promise.
-    let names = names.filter_map(|name| unsafe { text(name) }.ok()).filter(|name| !name.is_empty());
-    let different = names.clone().enumerate().filter(|(before, name)| names.clone().take(*before).all(|earlier| earlier != *name));
+    let given = |at: usize| {
+        let object = objects.get(at / TEXTS)?;
+        let value = (at % TEXTS).checked_sub(1);
+        // SAFETY: the caller's promise.
+        unsafe { text(value.map_or(Some(object.name), |value| object.values.get(value).copied())?) }.ok()
+    };
+    let (mut names, mut bytes) = (0, 0);
+    for at in 0..objects.len() * TEXTS {
+        let name = given(at).unwrap_or("");
+        if !name.is_empty() && (0..at).all(|before| given(before) != Some(name)) {
+            names += 1;
+            bytes += name.len();
+        }
+    }
     let needed = match full.capacity {
         Capacity::Objects => objects.len(),
-        Capacity::Names => different.count(),
-        Capacity::NameBytesTogether => different.map(|(_, name)| name.len()).sum(),
+        Capacity::Names => names,
+        Capacity::NameBytesTogether => bytes,
         _ => return failure,
     };
     Failure { full: Some(CapacityError::new(full.capacity, full.limit as usize, needed)), ..failure }

@@ -96,6 +96,11 @@ macro_rules! capacities {
             /// No room at all: a base for capacities with only some tables.
             pub const NONE: Self = Self { $($field: 0,)* };
 
+            /// Tables of the sizes that `entries` gives.
+            pub fn of(entries: impl Fn(Capacity) -> usize) -> Self {
+                Self { $($field: entries(Capacity::$Variant),)* }
+            }
+
             /// The size of one table; 0 for a capacity that is a constant.
             pub const fn get(&self, capacity: Capacity) -> usize {
                 match capacity {

@@ -64,6 +64,7 @@ impl<'t> BeliefRef<'t> {
         self.memory.expected.get(..self.count.strategies).and_then(|expected| expected.get(strategy)).copied().unwrap_or(0.0)
     }
 
+    #[inline(never)]
     fn row(self, task: usize) -> &'t [Scaled] {
         let start = task.saturating_mul(self.count.strategies);
         self.memory.joint.get(start..start.saturating_add(self.count.strategies)).filter(|_| task < self.count.tasks).unwrap_or(&[])

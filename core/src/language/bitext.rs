@@ -424,6 +424,7 @@ impl<'t> Bitext<'t> {
     }
 }
 
+#[inline(never)]
 fn span<'a>(spans: &[Span], pool: &'a [Symbol], position: usize, used: usize) -> &'a [Symbol] {
     let Some(span) = spans.get(position).filter(|_| position < used) else { return &[] };
     pool.get(span.start()..span.end()).unwrap_or(&[])

@@ -82,6 +82,7 @@ impl LanguageState {
     }
 
     /// The model in its tables; `counts` is memory for the expected counts.
+    #[inline(always)]
     pub(crate) fn with<'t>(&'t mut self, tables: LanguageTables<'t>, counts: &'t mut [u64]) -> LanguageMut<'t> {
         LanguageMut {
             settings: &mut self.settings,
@@ -94,6 +95,12 @@ impl LanguageState {
             learned_words: &mut self.learned_words,
             learned_tokens: &mut self.learned_tokens,
         }
+    }
+
+    /// The same by a call, for rare steps: it takes less flash and more time.
+    #[inline(never)]
+    pub(crate) fn called_with<'t>(&'t mut self, tables: LanguageTables<'t>, counts: &'t mut [u64]) -> LanguageMut<'t> {
+        self.with(tables, counts)
     }
 
     /// The model in its tables, read-only; `counts` is the number of words for the expected counts.

@@ -67,7 +67,7 @@ impl Training {
 
     /// Whether the training is complete.
     pub fn is_done(&self) -> bool {
-        self.phase == Phase::Done
+        matches!(self.phase, Phase::Done)
     }
 
     /// The current round, from 0.
@@ -87,7 +87,7 @@ impl Training {
     ) -> Progress {
         let mut left = budget.max(1) as usize;
         let bitext = bitext.without(layer.left_out());
-        if self.phase == Phase::Start {
+        if matches!(self.phase, Phase::Start) {
             self.phase = start(tables, bitext, settings);
             left = left.saturating_sub(tables.trained.words.saturating_mul(tables.trained.tokens));
         }
@@ -105,7 +105,7 @@ impl Training {
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };
                     let (cells, next) = work.advance(part, &mut self.round, settings.rounds, left);
                     let words = layout.words();
-                    let is_done = next == roles::training::Part::Done;
+                    let is_done = matches!(next, roles::training::Part::Done);
                     (cells, if is_done { after_roles(layer, words, bitext, settings) } else { Phase::Roles(next) })
                 }
                 #[cfg(feature = "layer")]

@@ -119,7 +119,7 @@ impl<M: AgentMemory> Agent<M> {
         self.forget_questions();
         self.task_count = 0;
         let tables = self.memory.lend();
-        let mut language = self.language.with(tables.language, tables.workspace);
+        let mut language = self.language.called_with(tables.language, tables.workspace);
         language.forget_unlearned();
         language.hear_into(command, &mut self.sentence)?;
         if self.sentence.is_empty() {

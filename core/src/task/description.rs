@@ -275,7 +275,7 @@ pub fn describe<D: Domain + ?Sized>(
             continue;
         }
         let kind = if spoken.places.contains(class.0) { RoleKind::OtherPlace } else { RoleKind::Other };
-        let others = description.of_class(class).filter(|&object| !with_role.contains(object)).collect();
+        let others = description.chosen(class, &|object| !with_role.contains(object));
         description.write(Role::of_class(kind, class), &others)?;
     }
     Ok(())
@@ -366,6 +366,12 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         self.world.objects.of_class(class)
     }
 
+    /// The objects of a class that are chosen. One function for all choices, because each would compile the loop anew.
+    #[inline(never)]
+    fn chosen(&self, class: ClassId, is_chosen: &dyn Fn(ObjectId) -> bool) -> Chosen {
+        self.of_class(class).filter(|&object| is_chosen(object)).collect()
+    }
+
     fn holds(&self, proposition: PropositionId, arguments: [ObjectId; ARGUMENTS]) -> bool {
         self.domain.holds(&GroundProposition { proposition, arguments }, &self.scene.state)
     }
@@ -391,18 +397,17 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
     /// The task's subjects of a class: the bound objects, or all objects if no words can distinguish them, like the robot.
     fn subjects(&self, class: ClassId) -> Chosen {
         let is_thing = self.spoken.things.contains(class.0);
-        self.of_class(class).filter(|&object| !is_thing || self.bound.contains(object)).collect()
+        self.chosen(class, &|object| !is_thing || self.bound.contains(object))
     }
 
     /// The last arguments with which a proposition holds at the start, if its other arguments are subjects of the task.
     fn starts(&self, proposition: PropositionId) -> Chosen {
         let none = ObjectId(0);
         match *self.world.schema.parameters(proposition) {
-            [class] => self.of_class(class).filter(|&object| self.holds(proposition, [object, none, none])).collect(),
+            [class] => self.chosen(class, &|object| self.holds(proposition, [object, none, none])),
             [first, class] => {
                 let firsts = self.subjects(first);
-                let of = |object| firsts.iter().any(|first| first != object && self.holds(proposition, [first, object, none]));
-                self.of_class(class).filter(|&object| of(object)).collect()
+                self.chosen(class, &|object| firsts.iter().any(|first| first != object && self.holds(proposition, [first, object, none])))
             }
             [first, second, class] => {
                 let (firsts, seconds) = (self.subjects(first), self.subjects(second));
@@ -410,8 +415,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
                     let mut seconds = seconds.iter().filter(|&second| second != first && second != object);
                     seconds.any(|second| self.holds(proposition, [first, second, object]))
                 };
-                let of = |object| firsts.iter().any(|first| first != object && of_two(first, object));
-                self.of_class(class).filter(|&object| of(object)).collect()
+                self.chosen(class, &|object| firsts.iter().any(|first| first != object && of_two(first, object)))
             }
             _ => Chosen::NONE,
         }

@@ -197,7 +197,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     pub fn memory(&self, memory: usize) -> Option<usize> {
         match memory.checked_sub(1) {
             None => Some(0),
-            Some(present) => self.known(present).map(|role| role.saturating_add(1)),
+            Some(present) => self.known(present).map(|role| role + 1),
         }
     }
 
@@ -206,7 +206,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     pub fn memories(&self) -> usize {
-        self.present.len().saturating_add(1)
+        self.present.len() + 1
     }
 
     /// The probability that the command ends after this memory.
@@ -219,7 +219,7 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// The probability of a new word for a token.
     fn novelty(&self, token: Option<Symbol>) -> f32 {
-        match token.map_or(0, |token| token.index().saturating_add(1)) {
+        match token.map_or(0, |token| token.index() + 1) {
             row if row <= self.layout.tokens() => cell(self.alignments, self.layout.novelty(row)),
             _ => 1.0,
         }
@@ -264,7 +264,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let (words, tokens) = (self.layout.words(), self.layout.tokens());
         // The word's column, from the first value's row to the last's. It saves calls of `value` in the common case.
         let first = words.saturating_add(word);
-        let last = if word < words { words.saturating_mul(tokens.saturating_add(1)) } else { 0 };
+        let last = if word < words { words.saturating_mul(tokens + 1) } else { 0 };
         let column = get(self.translations, first..last);
         for group in &self.groups {
             let translations = self.values(group).iter().map(|&value| match column.get(value.index().wrapping_mul(words)) {
@@ -329,7 +329,7 @@ impl<'t, 'd> Reader<'t, 'd> {
             let of_kind = of_kind.filter(|group| self.present.get(group.present()).is_some_and(|it| it.kind().index() == kind));
             let (mut all, mut said) = (0_usize, 0_usize);
             for &value in of_kind.flat_map(|group| self.values(group)) {
-                all = all.saturating_add(1);
+                all += 1;
                 said = said.saturating_add(usize::from(named.contains(&value)));
             }
             if all > 0 {
@@ -379,7 +379,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let [background, task, roles @ ..] = lifts;
         (*background, *task) = (cell(lift, 0), cell(lift, 1));
         for (slot, present) in roles.iter_mut().zip(&self.present) {
-            *slot = cell(lift, present.kind().index().saturating_add(2));
+            *slot = cell(lift, present.kind().index() + 2);
         }
         for &cue in &before.cues {
             let row = get(self.alignments, self.layout.cue(usize::from(cue)));
@@ -452,7 +452,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let count = self.present.len();
         into.iter_mut().take(count).for_each(|slot| *slot = 0.0);
         let mut is_first = true;
-        for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count.saturating_add(1)).enumerate() {
+        for (memory, (slot, &mass)) in after.iter_mut().zip(before).take(count + 1).enumerate() {
             *slot = 0.0;
             if !is_positive(mass) {
                 continue;
@@ -486,7 +486,7 @@ pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind>) -> M
     let (mut count, [background, task, of_roles @ ..]) = (0_usize, &mut prior);
     for (slot, kind) in of_roles.iter_mut().zip(roles) {
         *slot = layout.weight_of(kind);
-        count = count.saturating_add(1);
+        count += 1;
     }
     (*background, *task) = (BACKGROUND, share_among(of_roles.get_mut(..count).unwrap_or(&mut [])));
     prior

@@ -39,7 +39,7 @@ fn shares(layout: &Layout, alignments: &[f32], words: &[Symbol], length: f32) ->
     let (count, constant) = (layout.forms().len(), layout.words());
     for (form, slot) in shares.iter_mut().enumerate().take(count) {
         let row = get(alignments, layout.kind_of_task(form));
-        let of_length = length * cell(row, constant.saturating_add(1));
+        let of_length = length * cell(row, constant + 1);
         *slot = cell(row, constant) + of_length + words.iter().map(|word| cell(row, word.index())).sum::<f32>();
     }
     let most = shares.iter().take(count).fold(f32::MIN, |most, &score| most.max(score));

@@ -150,7 +150,7 @@ impl Layout {
     /// The same layout, with the beginnings of its parts computed.
     const fn settled(mut self) -> Self {
         let (forms, roles) = (self.form_count as usize, self.role_count as usize);
-        let (memories, moves) = (roles.saturating_add(1), roles.saturating_add(2));
+        let (memories, moves) = (roles + 1, roles + 2);
         let cues = row(self.words, self.words, self.kinds()).end;
         let kinds = if self.has_ways() { row(cues, self.words, CUES).start } else { cues };
         let p0 = row(kinds, forms, self.words.saturating_add(BESIDE_WORDS)).start;
@@ -258,7 +258,7 @@ impl Layout {
 
     /// The row of a token in `translations`; the background's is 0.
     pub(super) fn row(&self, token: Option<Symbol>) -> Range<usize> {
-        row(0, token.map_or(0, |token| token.index().saturating_add(1)), self.words)
+        row(0, token.map_or(0, |token| token.index() + 1), self.words)
     }
 
     pub(super) fn common(&self) -> Range<usize> {
@@ -285,7 +285,7 @@ impl Layout {
 
     /// All rows of p0 of a lifted task.
     pub(super) fn all_p0(&self, form: usize) -> Range<usize> {
-        self.p0(form, 0).start..self.p0(form.saturating_add(1), 0).start
+        self.p0(form, 0).start..self.p0(form + 1, 0).start
     }
 
     pub(super) fn end(&self, form: usize) -> Range<usize> {
@@ -314,13 +314,13 @@ impl Layout {
 
     /// The position at which the trellis begins, after all parameters.
     pub(crate) fn trellis_start(&self) -> usize {
-        self.novelty(self.tokens.saturating_add(1))
+        self.novelty(self.tokens + 1)
     }
 
     /// The number of cells of `alignments` in use.
     pub(crate) fn cells(&self) -> usize {
         let rows = usize::from(self.longest).saturating_add(2);
-        if self.words == 0 { 0 } else { self.trellis_start().saturating_add(rows.saturating_mul(self.memories().saturating_add(1))) }
+        if self.words == 0 { 0 } else { self.trellis_start().saturating_add(rows.saturating_mul(self.memories() + 1)) }
     }
 
     /// The weight of a role in the prior, relative to 1 for a goal.
@@ -345,7 +345,8 @@ pub(super) fn get(cells: &[f32], range: Range<usize>) -> &[f32] {
     cells.get(range).unwrap_or(&[])
 }
 
-/// A row of a table, to write to; empty if the table is too short.
+/// A row of a table, to write to; empty if the table is too short. A call takes less flash than the check.
+#[inline(never)]
 pub(super) fn get_mut(cells: &mut [f32], range: Range<usize>) -> &mut [f32] {
     cells.get_mut(range).unwrap_or(&mut [])
 }

@@ -34,7 +34,7 @@ impl<'t> Names<'t> {
             return 0.0;
         }
         // The row holds expected counts over their sum, and its novelty is 1 over that sum.
-        let novelty = cell(self.others, self.layout.novelty(value.index().saturating_add(1)));
+        let novelty = cell(self.others, self.layout.novelty(value.index() + 1));
         let heard = cell(get(self.others, self.layout.common()), word.index()) * self.whole + 0.5;
         if novelty > 0.0 && heard > 0.0 { cell(get(self.rows, row), word.index()) / novelty / heard } else { 0.0 }
     }

@@ -182,15 +182,15 @@ impl Work<'_, '_> {
     pub fn advance(&mut self, part: Part, round: &mut u32, rounds: u32, left: usize) -> (usize, Part) {
         let layout = self.layout;
         let pairs = self.bitext.pairs();
-        let rows = self.tokens.saturating_add(1);
+        let rows = self.tokens + 1;
         match part {
             Part::Count(position) => match pairs.get(position) {
-                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Count(position.saturating_add(1))),
+                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Count(position + 1)),
                 Some(pair) => {
                     let before = position.checked_sub(1).and_then(|before| pairs.get(before));
                     let first = before.is_none_or(|before| before.session != pair.session);
                     start::count(layout, self.bitext, pair, first, &mut self.t, &mut self.a);
-                    (self.cells(pair), Part::Count(position.saturating_add(1)))
+                    (self.cells(pair), Part::Count(position + 1))
                 }
                 None => {
                     start::set_common(layout, self.a.values);
@@ -204,7 +204,7 @@ impl Work<'_, '_> {
                     return (share.weigh(layout, self.bitext, token, left), Part::Begin(row, share));
                 }
                 start::set_row(layout, token, &share, &mut self.t, get(self.a.values, layout.common()));
-                (layout.words().saturating_mul(2), Part::Begin(row.saturating_add(1), start::Share::default()))
+                (layout.words().saturating_mul(2), Part::Begin(row + 1, start::Share::default()))
             }
             Part::Begin(..) => {
                 for row in 0..rows {
@@ -213,10 +213,10 @@ impl Work<'_, '_> {
                 (rows.saturating_mul(layout.words()), if rounds > 0 { Part::Expect(0, Pass::START) } else { Part::Kinds(0, 0) })
             }
             Part::Expect(position, pass) => match pairs.get(position) {
-                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Expect(position.saturating_add(1), Pass::START)),
+                Some(pair) if self.bitext.leaves_out(pair.session) => (1, Part::Expect(position + 1, Pass::START)),
                 Some(pair) => {
                     let (cells, next) = self.expect(pair, pass, left);
-                    let after = Part::Expect(position.saturating_add(1), Pass::START);
+                    let after = Part::Expect(position + 1, Pass::START);
                     (cells, next.map_or(after, |next| Part::Expect(position, next)))
                 }
                 None => {
@@ -226,12 +226,12 @@ impl Work<'_, '_> {
             },
             Part::Seen(token, mut seen) if token < self.tokens => {
                 self.see(Symbol(token as u16), &mut seen);
-                (layout.words(), Part::Seen(token.saturating_add(1), seen))
+                (layout.words(), Part::Seen(token + 1, seen))
             }
             Part::Seen(_, seen) => (0, Part::Rows(0, seen)),
             Part::Rows(row, seen) if row < rows => {
                 self.set_row(row, seen);
-                (layout.words(), Part::Rows(row.saturating_add(1), seen))
+                (layout.words(), Part::Rows(row + 1, seen))
             }
             Part::Rows(..) => {
                 for is_form in [false, true] {
@@ -244,7 +244,7 @@ impl Work<'_, '_> {
                 if layout.has_ways() && word < layout.words() {
                     self.set_cue(word);
                 }
-                (layout.kinds(), Part::Lifts(word.saturating_add(1), shares))
+                (layout.kinds(), Part::Lifts(word + 1, shares))
             }
             Part::Lifts(..) => (0, Part::Moves(0, 0)),
             Part::Moves(form, step) if form < layout.forms().len() => {
@@ -252,7 +252,7 @@ impl Work<'_, '_> {
                     None => self.pool_moves(form),
                     Some(memory) => self.set_moves(form, memory),
                 }
-                let next = if step < layout.memories() { (form, step.saturating_add(1)) } else { (form.saturating_add(1), 0) };
+                let next = if step < layout.memories() { (form, step + 1) } else { (form + 1, 0) };
                 (layout.moves(), Part::Moves(next.0, next.1))
             }
             Part::Moves(..) => (0, Part::Lambdas),
@@ -273,17 +273,17 @@ impl Work<'_, '_> {
             }
             Part::Kinds(batch, _) if batch >= self.batches() || layout.forms().len() < 2 => (0, Part::Done),
             Part::Kinds(batch, session) if session < self.bitext.sessions() && self.bitext.leaves_out(session as u16) => {
-                (1, Part::Kinds(batch, session.saturating_add(1)))
+                (1, Part::Kinds(batch, session + 1))
             }
             Part::Kinds(batch, session) if session < self.bitext.sessions() => {
                 kind::count(layout, self.bitext, session as u16, &mut self.t, &mut self.a);
                 let words = self.bitext.sentence(session as u16).len();
-                (words.saturating_mul(layout.forms().len()).saturating_mul(2), Part::Kinds(batch, session.saturating_add(1)))
+                (words.saturating_mul(layout.forms().len()).saturating_mul(2), Part::Kinds(batch, session + 1))
             }
             Part::Kinds(batch, _) => (0, Part::Steps(batch, 0)),
             Part::Steps(batch, form) if form < layout.forms().len() => {
                 kind::step(layout, form, &mut self.t, &mut self.a);
-                (layout.words().saturating_mul(2), Part::Steps(batch, form.saturating_add(1)))
+                (layout.words().saturating_mul(2), Part::Steps(batch, form + 1))
             }
             Part::Steps(batch, _) => (0, Part::Kinds(batch.saturating_add(1), 0)),
             Part::Done => (0, Part::Done),
@@ -565,14 +565,14 @@ impl Counts<'_, '_> {
                 add(moves, 1, weight * task);
                 for (present, &share) in (0..reader.present.len()).zip(roles) {
                     if let Some(role) = reader.known(present) {
-                        add(moves, role.saturating_add(2), weight * share);
+                        add(moves, role + 2, weight * share);
                     }
                 }
                 let lift = get_mut(self.a, layout.lift(previous));
                 add(lift, 0, weight * background);
                 add(lift, 1, weight * task);
                 for (present, &share) in reader.present.iter().zip(roles) {
-                    add(lift, present.kind().index().saturating_add(2), weight * share);
+                    add(lift, present.kind().index() + 2, weight * share);
                 }
             }
             Event::Values { position, emissions, roles } => {
@@ -600,7 +600,7 @@ impl Counts<'_, '_> {
 
 /// One row of a trellis.
 fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
-    let width = reader.memories().saturating_add(1);
+    let width = reader.memories() + 1;
     let start = position.saturating_mul(width);
     start..start.saturating_add(width)
 }
@@ -623,7 +623,7 @@ fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, t
     if sum <= 0.0 {
         return None;
     }
-    let (last, masses) = get_mut(trellis, row_of(reader, position.saturating_add(1))).split_last_mut()?;
+    let (last, masses) = get_mut(trellis, row_of(reader, position + 1)).split_last_mut()?;
     masses.iter_mut().zip(&after).for_each(|(slot, mass)| *slot = kept(mass / sum));
     *last = 1.0;
     Some(())
@@ -688,7 +688,7 @@ fn backward_word(
         if done >= most {
             return (done, memory);
         }
-        done = done.saturating_add(1);
+        done += 1;
         let mut moves: Moves = [0.0; MOST_ROLES + 2];
         let scale = reader.step(memory, &lifts, &mut moves) / sum;
         let here = cell(after, memory);

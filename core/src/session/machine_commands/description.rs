@@ -157,7 +157,7 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     pub(super) fn weigh_kinds_of_descriptions<D: Domain + ?Sized>(&mut self, domain: &D) {
         let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
+        let mut language = self.language.called_with(language, workspace);
         let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
         for lifted in &self.lifted {
             // The tokens of this session's tasks are interned already. A kind of task that is impossible here does not need its token.

@@ -60,7 +60,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn intern_own_tokens<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), CapacityError> {
         let (model, schema) = (self.model(), &domain.world().schema);
         let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
+        let mut language = self.language.called_with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
         for (position, lifted) in self.lifted.iter().enumerate() {
             if tasks.iter().any(|task| usize::from(task.lifted) == position) {
