@@ -24,6 +24,8 @@ const TURNS: f32 = 0.01;
 const SPOKEN_TO: usize = 2;
 /// The factor of a word of direction ("to") other than the lessons' own.
 const OTHER_WAY: f32 = 0.3;
+/// The least bytes of a new verb before a pronoun.
+const LEAST_VERB: usize = 3;
 /// A negation within this many words after "if" belongs to the condition.
 const NEGATES_A_CONDITION: usize = 3;
 
@@ -50,6 +52,10 @@ pub(super) struct Heard {
     pub is_article: bool,
     /// Whether it leaves a thing in its place, such as "leave".
     pub leaves: bool,
+    /// Whether its command is done first, such as "first", and "after" between two commands.
+    pub comes_first: bool,
+    /// Whether it is "have" before a participle.
+    pub is_perfect: bool,
     /// Whether it tells a place by the thing named next, such as "where" and "beside".
     pub is_beside: bool,
     /// Whether it is a single sign of a script without spaces.
@@ -187,6 +193,8 @@ impl Heard {
         let is_article = classes.contains(Class::Clitic);
         let leaves = classes.contains(Class::Out) && classes.contains(Class::Act);
         let is_beside = classes.is_beside();
+        let is_perfect = classes.contains(Class::Act) && classes.contains(Class::Asking);
+        let comes_first = classes.contains(Class::Act) && classes.contains(Class::Polite) && !is_perfect;
         let classes = classes.about_commands();
         let (polite, common) = (classes.contains(Class::Polite), common(language.tables(), symbol));
         let share = |known: Option<f32>, new: f32| known.map_or(new, |share| (1.0 - new) * share);
@@ -225,6 +233,8 @@ impl Heard {
             is_forgetting,
             is_article,
             leaves,
+            comes_first,
+            is_perfect,
             is_beside,
             is_sign: false,
             piece: 0,
@@ -362,6 +372,10 @@ impl<M: AgentMemory> Agent<M> {
             let is_sign = signs.get(position).is_some_and(Option::is_some);
             let has_room = words.len().saturating_add(left) < WORDS_PER_COMMAND;
             let parted = verb_before_clitic(language, closed, piece).filter(|_| heard.is_new && has_room);
+            // In "y súbela", a new verb.
+            let ends_in_it = |piece| has_room && closed.ends(Class::Clitic, piece).any(|verb| verb.len() >= LEAST_VERB);
+            let is_joined_verb =
+                heard.is_new && words.last().is_some_and(|word| word.classes.contains(Class::Connective)) && ends_in_it(piece);
             let mut add = |word: Heard| {
                 let _ = words.push(Heard { piece: position as u8, phrase: phrase(utterance, position), is_sign, ..word });
             };
@@ -376,6 +390,9 @@ impl<M: AgentMemory> Agent<M> {
                 if has_it {
                     add(Heard::joined(language));
                 }
+            } else if is_joined_verb {
+                add(heard);
+                add(Heard::joined(language));
             } else {
                 add(if is_cue { Heard::new(language, symbol, closed.of_slip(piece)) } else { heard });
             }
@@ -413,20 +430,30 @@ fn usual_way(language: LanguageRef<'_>, closed: ClosedWords<'_>) -> Option<Symbo
     learned.filter(|(_, word)| leads(word)).map(|(symbol, _)| symbol).max_by_key(|&symbol| count(language.bitext(), symbol))
 }
 
-/// Whether words begin with a command that is done first: "after you have been to the red room, go to the green room".
-fn begins_with_after(words: &[Heard]) -> bool {
-    let Some(first) = words.first() else { return false };
-    let names = |is_first: bool| words.iter().any(|word| word.is_name && (word.phrase == first.phrase) == is_first);
-    first.classes.contains(Class::Connective) && first.classes.contains(Class::Polite) && names(true) && names(false)
+/// Excuses the words that put a command into the past: "after you have", "when you've", and the participle.
+fn excuse_past(words: &mut [Heard], phrase: u8) {
+    let is_perfect = |at: usize| words.get(at).is_some_and(|word| word.is_perfect && word.phrase == phrase);
+    let past = (0..words.len()).find(|&at| is_perfect(at));
+    let is_participle = |at: usize| past.is_some_and(|past| at.abs_diff(past) == 1);
+    for at in 0..words.len() {
+        let is_near = is_participle(at);
+        if let Some(word) = words.get_mut(at).filter(|word| word.phrase == phrase)
+            && (word.classes.contains_any(&[Class::Connective, Class::If, Class::Asking, Class::You]) || is_near && !word.is_of_task)
+        {
+            word.excuse();
+        }
+    }
 }
 
 /// Excuses words that negate, except or split nothing in their context, and marks words for the present place.
 fn excuse(words: &mut [Heard]) {
-    if begins_with_after(words) {
-        let first = words.first().map_or(0, |word| word.phrase);
-        let is_of_past =
-            |word: &&mut Heard| word.phrase == first && word.classes.contains_any(&[Class::Connective, Class::Asking, Class::You]);
-        words.iter_mut().filter(is_of_past).for_each(Heard::excuse);
+    // "After you have been to the red room, go to the green room", "when you have put the bag in the red room, go ...".
+    let phrase = words.first().map_or(0, |word| word.phrase);
+    let in_phrase = |is: &dyn Fn(&Heard) -> bool| words.iter().any(|word| word.phrase == phrase && is(word));
+    let begins = words.first().is_some_and(|word| word.classes.contains(Class::Connective) && word.classes.contains(Class::Polite))
+        || in_phrase(&|word| word.is_perfect) && in_phrase(&|word| word.classes.contains(Class::If));
+    if begins && in_phrase(&|word| word.is_name) && words.iter().any(|word| word.is_name && word.phrase != phrase) {
+        excuse_past(words, phrase);
     }
     // In "be so kind and go", no command comes before "and".
     let polite = [Class::Polite, Class::Greeting, Class::Connective];
@@ -437,7 +464,7 @@ fn excuse(words: &mut [Heard]) {
         word.make_polite();
     }
     let mut spoken_to = 0;
-    let (mut is_from, mut is_polite, mut is_out, mut is_named) = (false, false, false, false);
+    let (mut is_from, mut is_past, mut is_out, mut is_named) = (false, false, false, false);
     for at in (0..words.len()).rev() {
         let Some(word) = words.get_mut(at) else { continue };
         let is_of = |class| word.classes.contains(class);
@@ -446,12 +473,19 @@ fn excuse(words: &mut [Heard]) {
         let is_away = is_of(Class::Out) && is_of(Class::Polite) && !is_from;
         let is_sorry = is_of(Class::But) && !is_of(Class::All) && at < spoken_to && spoken_to <= at.saturating_add(SPOKEN_TO);
         // "After that" introduces the next command, "after taking" an earlier one.
-        let is_after = is_of(Class::Connective) && is_of(Class::Polite) && !is_polite;
-        (is_from, is_polite) = (is_of(Class::From), is_of(Class::Polite) && !is_of(Class::You));
+        let is_after = is_of(Class::Connective) && is_of(Class::Polite) && is_past;
+        is_from = is_of(Class::From);
+        is_past = is_from || is_of(Class::You) || word.is_perfect || word.is_new;
         is_out |= is_of(Class::Out) && !is_away && !word.leaves;
         is_named |= word.is_name;
         if is_away || is_sorry || is_after {
             word.excuse();
+        }
+        if is_after && is_named && words.iter().take(at).any(|word| word.is_name) {
+            let behind = words.iter_mut().skip(at);
+            behind.enumerate().for_each(|(at, word)| (word.phrase, word.comes_first) = (word.phrase.saturating_add(1), at == 0));
+            let phrase = words.get(at).map_or(0, |word| word.phrase);
+            excuse_past(words, phrase);
         }
     }
     let (mut case, mut reach, mut stays, mut is_where, mut is_forgetting, mut is_not) = (0, 0, false, false, false, false);

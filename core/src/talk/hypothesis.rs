@@ -5,7 +5,7 @@ use super::explained::{Explained, FOREIGN};
 use super::heard::{Heard, Words, learned};
 use super::place::Place;
 use super::readings::{Parting, SEVERAL, all, may_turn, negated};
-use super::syntax::new_names;
+use super::syntax::{is_past, new_names};
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -92,7 +92,7 @@ impl<M: AgentMemory> Agent<M> {
             add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
         }
         // The names of two things belong to two commands.
-        let is_of_two = parting.is_some() && explained.own.is_empty() && new_names(words) == 0;
+        let is_of_two = parting.is_some() && (is_past(words) || explained.own.is_empty() && new_names(words) == 0);
         // If all things of a place are taken to another, the name of the place names no thing.
         let of_all = all(words);
         let is_of_all = of_all.as_ref().is_some_and(|rest| !rest.from.is_empty());

@@ -37,6 +37,7 @@ pub(super) fn mend(
                 && let Some((symbol, slip)) = slip_for(language, piece, rate)
                 && (rate == SLIP || slips > 1)
                 && !(at == first && is_name(language.tables(), Some(symbol)))
+                && !closed.of(piece).contains(Class::Act)
             {
                 slips = slips.saturating_add(usize::from(rate == SLIP));
                 *slot = word.mended(language, symbol, slip);

@@ -120,19 +120,33 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     // "Do not leave" is a double negation, and so is "not anywhere but"; "anywhere but not" is none. "Why don't you go" is no command. "If
     // it's not too much trouble" is none either. "Anywhere" is no question word: "n'importe où".
     let is_told = words.get(0).is_some_and(|word| word.classes.contains(Class::You));
-    let is_question = !words.has(Class::But) && !is_told && is_question(words);
-    let is_not_but = words.at(Class::But).zip(words.at(Class::Negation)).is_some_and(|(but, not)| not < but);
+    let not = words.at(Class::Negation);
+    let at = not.map_or(usize::MAX, |not| not.saturating_add(1));
+    let last = words.iter().enumerate().filter_map(|(at, word)| word.classes.contains(Class::Negation).then_some(at)).last();
+    // "You are not allowed" forbids, "you don't have to" does not, and "don't you like it?" asks.
+    let asked = if is_told { words.part(last.unwrap_or(0), words.len()) } else { words };
+    let asks_you = words.is_asked && words.get(at).is_some_and(|word| word.classes.contains(Class::You));
+    let is_question = !words.has(Class::But) && (is_question(asked) || asks_you);
+    // "Ne" alone negates nothing: "ne va que dans la salle rouge".
+    let negates = |word: &Heard| word.is_new || word.classes.contains(Class::Negation) && !word.classes.contains(Class::Or);
+    let is_half = is_not && !words.iter().any(negates);
+    let is_not_but = words.at(Class::But).zip(not).is_some_and(|(but, not)| not < but);
     // In "go to the red room ... no", nothing that could be negated follows.
     let is_before_name = |not: usize| words.iter().skip(not).any(|word| word.is_name);
-    let turns = !is_not || is_out || words.has(Class::You) || words.at(Class::Negation).is_some_and(is_before_name);
+    let turns = !is_not || is_out || words.has(Class::You) || not.is_some_and(is_before_name);
     let is_act = is_out || words.has(Class::But) || begins_with_way(rest) || rest.iter().any(Heard::may_act);
     // "Leave the chair in the red room" says that it stays; "right away go into the red room" asks for the room. The "to" of "has to come
     // out" is another one.
     let stays = is_out && rest.iter().zip(rest.iter().skip(1)).any(|(way, word)| way.is_toward && !word.may_act());
     let is_there = stays && rest.iter().any(|word| word.is_of_task && !word.is_toward);
     // "Don't move the bag, it has to stay here" says the same thing twice.
-    let is_clear =
-        !(is_question || words.has(Class::If) || is_not_but || is_there || is_not && stays_by_name(words) && !denies_stay(words)) && turns;
+    let is_clear = !(is_question
+        || is_half
+        || words.has(Class::If)
+        || is_not_but
+        || is_there
+        || is_not && stays_by_name(words) && !denies_stay(words))
+        && turns;
     let is_act_for_things = is_act && (is_not || words.has(Class::From));
     let is_double = is_not && is_out;
     Some(WithoutCues {
@@ -232,7 +246,8 @@ pub(super) fn from_place(words: Words<'_>, sign: usize, is_one: bool) -> (Words<
     let start = if is_one && words.part(end, begin).iter().any(is_relative) { end } else { begin };
     let symbol = |words: Words<'_>| words.get(0).and_then(|word| word.said.symbol);
     let is_from = is_one && (start < begin || from.get(0).is_some_and(|word| word.classes.contains(Class::From)));
-    let is_other = !is_one || is_from || symbol(from) != symbol(goal);
+    let of = |words: Words<'_>| words.get(0).map(|word| word.phrase);
+    let is_other = !is_one || is_from || symbol(from) != symbol(goal) && of(from) == of(goal);
     if has(&|word| word.is_name) && is_other && (is_from || has(&is_same)) {
         (words.part(0, start).with(goal), from.part(1, from.len()))
     } else {

@@ -2,7 +2,7 @@
 
 use super::classes::{Class, Classes};
 use super::heard::{Heard, Words};
-use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, stays_by_name};
+use super::syntax::{begins_with_way, is_past, is_verbless, names_thing_and_way, stays_by_name};
 
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
@@ -136,14 +136,27 @@ pub(super) fn told(words: Words<'_>) -> Option<Words<'_>> {
     let is_other =
         |word: &Heard| word.is_name || acts(word) || !word.classes.contains(Class::Pronoun) && word.classes.contains_any(&OF_SENTENCES);
     let is_tag = |phrase: u8| phrase > first && of(phrase).any(|word| word.classes.contains(Class::You)) && !of(phrase).any(is_other);
-    // "..., we're painting" gives a reason, and "my friend, ..." calls somebody.
-    let last = words.iter().filter(|word| word.is_name).last()?.phrase;
+    // "I have to mop, ..." and "... while the baby sleeps" give a reason, and "my friend, ..." calls somebody.
+    let (end, last) = words.iter().enumerate().filter_map(|(at, word)| word.is_name.then_some((at, word.phrase))).last()?;
     let denies = |word: &Heard| word.is_name || acts(word) || word.classes.contains_any(&OF_REQUESTS);
-    let is_spoken = |phrase: u8| of(phrase).next().is_some_and(|word| word.classes.contains(Class::Speaker)) && !of(phrase).any(denies);
-    let is_called = |phrase: u8| phrase < first && of(phrase).count() <= MOST_CALLED;
-    let is_aside = |phrase: u8| is_spoken(phrase) && (phrase > last || is_called(phrase)) && !words.has(Class::If);
+    let speaks = |word: &Heard| word.classes.contains(Class::Speaker);
+    let is_spoken = |phrase: u8| phrase < first && of(phrase).next().is_some_and(speaks) && !of(phrase).any(denies);
+    let reason = words.iter().enumerate().skip(end).find_map(|(at, word)| speaks(word).then_some(at)).unwrap_or(words.len());
+    let reason = if words.iter().skip(reason).count() < 2 || words.iter().skip(reason).any(denies) { words.len() } else { reason };
+    // "..., don't touch it".
+    let is_it = |word: &Heard| word.is_article || word.classes.contains(Class::It);
+    let has = |phrase: u8, is: &dyn Fn(&Heard) -> bool| of(phrase).any(is);
+    let is_care = |phrase: u8| {
+        phrase > last
+            && has(phrase, &|word| word.classes.contains(Class::Negation))
+            && has(phrase, &is_it)
+            && has(phrase, &|word| word.is_new)
+    };
+    let mut at = 0_usize;
     let mut rest = words.only(|word| {
-        if is_polite(word.phrase) || is_tag(word.phrase) || is_aside(word.phrase) {
+        at = at.saturating_add(1);
+        let is_aside = (at > reason || is_spoken(word.phrase)) && !words.has(Class::If);
+        if is_polite(word.phrase) || is_tag(word.phrase) || is_aside || is_care(word.phrase) {
             return false;
         }
         let is_front = word.phrase < first;
@@ -169,15 +182,18 @@ pub(super) fn curt(words: Words<'_>) -> Option<Words<'_>> {
     let verb = words.iter().position(|word| word.is_of_task).or_else(|| words.iter().position(|word| word.is_new))?;
     let named = |(position, word): (usize, &Heard)| word.is_name.then_some(position);
     let behind = words.iter().enumerate().filter_map(named).last()?;
-    let mut at = 0_usize;
+    let (mut at, mut is_asked, end) = (0_usize, words.is_asked, words.len());
     let mut rest = words.only(|word| {
         at = at.saturating_add(1);
         let is_inside = verb < at && at < behind;
-        let is_polite = word.is_article || word.classes.contains(Class::Polite) && !word.classes.contains_any(&OF_COMMANDS);
-        !(is_inside && is_polite && word.count == 0.0)
+        let is_polite = word.classes.contains(Class::Polite) && !word.comes_first && !word.classes.contains_any(&OF_COMMANDS);
+        // "把包放到房间去".
+        let is_left = is_inside && (word.is_article || is_polite) && word.count == 0.0 || at == end && word.is_sign && word.is_of_task;
+        // Polite words make a request, not a question.
+        is_asked &= !(is_left && is_polite);
+        !is_left
     });
-    // Polite words make a request, not a question.
-    rest.is_asked = false;
+    rest.is_asked = is_asked;
     (rest.len() < words.len()).then_some(rest)
 }
 
@@ -200,9 +216,15 @@ pub(super) fn taken_up(words: Words<'_>) -> Option<Words<'_>> {
     Some(front.only(|word| verb.is_empty() || !word.may_act()).with(verb).with(behind))
 }
 
-/// The words after "go and" and "do me a favour and".
+/// The words after "go and" and "do me a favour and", or before "and wait there".
 pub(super) fn went(words: Words<'_>) -> Option<Words<'_>> {
     let and = words.at(Class::Connective)?;
+    let last = words.iter().enumerate().filter_map(|(at, word)| word.classes.contains(Class::Connective).then_some(at)).last()?;
+    let behind = words.part(last, words.len());
+    let acts = |word: &Heard| word.is_name || word.is_of_task && !word.is_toward || word.classes.contains(Class::Negation);
+    if behind.has(Class::Stop) && !behind.iter().any(acts) {
+        return Some(words.part(0, last));
+    }
     let (front, behind) = (words.part(0, and), words.part(and.saturating_add(1), words.len()));
     let is_polite = front.has(Class::Polite);
     let is_beside = |word: &Heard| {
@@ -226,9 +248,12 @@ pub(super) fn subject(words: Words<'_>) -> Option<Words<'_>> {
         .any(|word| word.may_act() && !word.is_article || word.classes.contains_any(&[Class::Speaker, Class::Asking, Class::If]));
     let others = [Class::Connective, Class::Out, Class::Speaker, Class::If, Class::Or, Class::No];
     let must = middle.iter().any(|word| word.is_of_task || word.classes.contains_any(&[Class::Wish, Class::Polite]));
+    // "The chair used to be", "the chair was once".
+    let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains_any(&[Class::Wish, Class::Polite]);
+    let reports = middle.get(0).is_some_and(|word| word.is_new_word() && !word.is_sign || asks(word));
     let is_other = |word: &Heard| word.classes.contains_any(&others) && !word.classes.contains(Class::Negation);
     let keep = |word: &Heard| word.classes.contains_any(&[Class::Negation, Class::All]);
-    (is_front && must && !middle.iter().any(is_other))
+    (is_front && must && !reports && !is_past(words) && !middle.iter().any(is_other))
         .then(|| words.part(0, end).with(middle.only(keep)).with(words.part(way, words.len())))
 }
 
@@ -243,27 +268,24 @@ pub(super) fn both(words: Words<'_>) -> Option<Words<'_>> {
     (is_between && !words.iter().any(|word| word.is_plural)).then(|| words.only(|word| !word.classes.contains(Class::All)))
 }
 
-/// The same with "but" and "before": "go to the red room, but before that take the bag to the blue room".
-fn after_but(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
-    let but = words.at(Class::But)?;
-    let behind = words.part(but, words.len());
-    let is_before = |(at, word): (usize, &Heard)| word.classes.is_before().then_some(at);
-    let before = behind.iter().take(MOST_BEFORE_FIRST).enumerate().filter_map(is_before).last()?;
-    let (last, first) = (words.part(0, but), behind.part(before.saturating_add(1), behind.len()));
-    let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
-    (names(first) && names(last)).then_some((first, last))
-}
-
 /// The command done first and the one done last, if the last comes first: "before you go to the red room, take the bag to the blue room".
-pub(super) fn reversed(words: Words<'_>) -> Option<(Words<'_>, Words<'_>)> {
-    if let Some(reversed) = after_but(words) {
-        return Some(reversed);
-    }
-    let phrase = words.get(0)?.phrase;
-    let last = words.only(|word| word.phrase == phrase);
-    let first = words.only(|word| word.phrase != phrase);
-    let is_before = |at: usize| last.get(at).is_some_and(|word| word.classes.is_before());
+pub(super) fn reversed<'w>(words: Words<'w>) -> Option<(Words<'w>, Words<'w>)> {
     let names = |words: Words<'_>| words.iter().any(|word| word.is_name);
-    let is_reversed = (is_before(0) || is_before(last.len().saturating_sub(1))) && names(first) && names(last);
-    is_reversed.then(|| (first, last.only(|word| !word.classes.is_before())))
+    let of_both = |part: Words<'w>| part.only(|word| !(word.comes_first || word.classes.is_before() || word.classes.contains(Class::But)));
+    let phrase = words.get(0)?.phrase;
+    let (first, last) = (words.only(|word| word.phrase != phrase), words.only(|word| word.phrase == phrase));
+    let is_before = |at: usize| last.get(at).is_some_and(|word| word.classes.is_before());
+    if (is_before(0) || is_before(last.len().saturating_sub(1))) && names(first) && names(last) {
+        return Some((of_both(first), of_both(last)));
+    }
+    // "Go to the red room, but first take the bag to the blue room", "but before that", "after you have taken".
+    let but = words.at(Class::But);
+    let is_near = |at: usize| but.is_some_and(|but| but < at && at < but.saturating_add(MOST_BEFORE_FIRST));
+    let marks = |(at, word): (usize, &Heard)| (word.comes_first || word.classes.is_before() && is_near(at)).then_some((at, word.phrase));
+    let (mark, phrase) = words.iter().enumerate().filter_map(marks).last()?;
+    let begin = but.filter(|&but| but < mark).or_else(|| words.iter().position(|word| word.phrase == phrase))?;
+    // "But before that".
+    let start = if is_near(mark) && words.get(mark).is_some_and(|word| word.classes.is_before()) { mark } else { begin };
+    let (first, last) = (words.part(start, words.len()), words.part(0, begin));
+    (names(first) && names(last)).then(|| (of_both(first), of_both(last)))
 }

@@ -7,8 +7,6 @@ use super::heard::{Heard, Words};
 const MOST_NEW: usize = 2;
 /// The number of words after "if" that name a condition.
 const NAMES_A_CASE: usize = 4;
-/// Fewer new words before the verb are an exclamation.
-const LEAST_SUBJECT: usize = 2;
 
 /// The number of new words that may name things: those after a known word, "the purple bag".
 pub(super) fn new_names(words: Words<'_>) -> usize {
@@ -114,8 +112,20 @@ pub(super) fn tells(words: Words<'_>) -> bool {
     // "The vacuum cleaner goes to the red room".
     let is_thing = has_article && subject > 0;
     if verb.is_some_and(|verb| {
-        if is_thing { verb.may_act() || verb.is_toward } else { subject / 2 >= LEAST_SUBJECT && verb.is_of_task && !verb.is_toward }
+        let acts = verb.is_of_task && !verb.is_toward && !verb.is_article && !verb.is_mended;
+        // "Zounds, go" is an exclamation, "爸爸去" has a subject.
+        if is_thing { verb.may_act() || verb.is_toward } else { acts && (subject / 2 > 1 || subject > 1 && verb.is_sign) }
     }) {
+        return true;
+    }
+    let is_told = words.has(Class::You);
+    // "The red chair looks good in the blue room".
+    let acts = |word: &Heard| word.may_act() && !word.is_name && !word.is_toward && !word.is_article;
+    let front = words.iter().take_while(|word| !acts(word)).count();
+    let looks = |noun: &Heard, verb: &Heard| noun.count > 0.0 && noun.phrase == verb.phrase && verb.is_new_word() && !verb.is_sign;
+    let last = front.checked_sub(1).and_then(|last| words.get(last)).zip(words.get(front));
+    let is_named = words.iter().take(front).any(|word| word.is_name);
+    if is_named && !is_told && !words.part(0, front).has(Class::Wish) && last.is_some_and(|(noun, verb)| looks(noun, verb)) {
         return true;
     }
     // "You went to the red room".
@@ -124,10 +134,10 @@ pub(super) fn tells(words: Words<'_>) -> bool {
     }
     // "I saw you go", "I never said that you should".
     let (mut tells, mut is_seen, mut is_subject) = (false, false, false);
-    let (mut speaks, is_told) = (false, words.has(Class::You));
+    let mut speaks = false;
     for word in words.iter().take_while(|word| !word.is_name) {
         let is_of = |class| word.classes.contains(class);
-        is_seen |= is_subject && word.is_new_word();
+        is_seen |= is_subject && word.is_new_word() && !word.is_sign;
         speaks |= is_of(Class::Speaker);
         is_subject = is_of(Class::Speaker) || is_subject && is_of(Class::Negation);
         // "I want to go" reports about the speaker.
@@ -147,7 +157,13 @@ pub(super) fn tells(words: Words<'_>) -> bool {
     }
     // "I like the red room" has neither an act word nor a direction.
     let asks = words.iter().any(|word| word.may_act() || word.is_toward || word.classes.contains(Class::Wish));
-    if is_told { is_seen } else { tells || speaks && !asks }
+    is_seen || !is_told && (tells || speaks && !asks)
+}
+
+/// Whether words in the past precede another command: "when you've put the bag in the red room, go to the green room".
+pub(super) fn is_past(words: Words<'_>) -> bool {
+    let names = |phrase: u8| words.iter().any(|word| word.is_name && word.phrase != phrase);
+    words.iter().any(|word| word.is_perfect && names(word.phrase))
 }
 
 /// Whether the words hold only under an unknown condition, or later: "if it rains", "until I say so", "tomorrow". "If you like" is no
@@ -168,12 +184,18 @@ pub(super) fn has_condition(words: Words<'_>) -> bool {
     !is_polite || !is_glad && case.iter().any(|word| word.is_new_word() || word.classes.contains(Class::Speaker))
 }
 
-/// Whether the words are a question or a report: they have a question word that no lesson had, or a question mark and no polite word.
+/// Whether the words are a question or a report: they have a question word that no lesson had, or a question mark and no polite word. "To
+/// have" asks nothing, and "shall I" is a question.
 pub(super) fn is_question(words: Words<'_>) -> bool {
     let asks = |word: &Heard| word.classes.contains(Class::Asking) && !word.classes.contains_any(&[Class::Polite, Class::Wish]);
     let is_polite = |word: &Heard| word.classes.contains(Class::Polite) && !word.classes.contains(Class::Speaker);
     let is_request = words.iter().take_while(|word| word.count == 0.0).any(|word| word.classes.contains(Class::Polite));
     // "The bag was there", and the particle at the end of a request: 吗.
     let mut known = words.iter().take(if is_request { words.len().saturating_sub(1) } else { words.len() });
-    known.any(|word| word.count == 0.0 && asks(word)) || words.is_asked && !words.iter().any(is_polite)
+    let (mut is_way, first) = (false, words.get(0).filter(|word| word.is_sign && words.has(Class::Here)).map(|word| word.piece));
+    // "在房间里等着".
+    let is_asking = |word: &Heard| word.count == 0.0 && Some(word.piece) != first && asks(word);
+    known.any(|word| !core::mem::replace(&mut is_way, word.is_toward) && is_asking(word))
+        || words.is_asked
+            && (!words.iter().any(is_polite) || words.has(Class::Speaker) && !words.has(Class::You) && !words.has(Class::Wish))
 }

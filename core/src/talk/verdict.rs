@@ -8,7 +8,7 @@ use super::hypothesis::Hypothesis;
 use super::place::{Place, View};
 use super::readings::{all, has_more, is_of_several, negated};
 use super::reworded::reversed;
-use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_question, new_names, tells};
+use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_past, is_question, new_names, tells};
 use super::wording::Wording;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, ObjectId};
@@ -169,7 +169,7 @@ impl<M: AgentMemory> Agent<M> {
         // "Switch on the lamp in the red room" has a new verb and a new name.
         let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
         let is_told = is_named && has_verb && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
-        let is_clear = is_told && !has_more(words) && !self.has_rival(domain, explained, task);
+        let is_clear = is_told && !is_past(words) && !has_more(words) && !self.has_rival(domain, explained, task);
         let words = explained.naming(words);
         Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
     }
