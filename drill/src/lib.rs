@@ -1,6 +1,6 @@
 //! The paper's course as one run that every target repeats bit for bit. An observer can count the cost of each part of the work.
 //!
-//! - [`run`]: the run: seven lessons by a simulated trainer, then five commands that are only heard;
+//! - [`run()`]: the run: seven lessons by a simulated trainer, then five commands that are only heard;
 //! - [`digest`]: all posteriors as one number.
 
 #![no_std]
