@@ -147,17 +147,17 @@ pub fn tests(run: &mut Run) -> Result<()> {
     Ok(())
 }
 
-/// The path of the command line or the drill, built with the tests of the workspace. Alone it would be built again, with other features.
-fn built(sh: &Shell, program: &str) -> Result<PathBuf> {
-    cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page --test this_machine").run()?;
-    Ok(target_dir().join("debug").join(program))
+/// The path of the command line, built with the tests of the workspace. Alone it would be built again, with other features.
+fn command_line(sh: &Shell) -> Result<PathBuf> {
+    cmd!(sh, "cargo test {WORKSPACE...} --no-run --test recorded --test exported_by_the_page").run()?;
+    Ok(target_dir().join("debug/goodbot"))
 }
 
 /// Builds a wheel with the profile of the Rust tests, which takes seconds instead of minutes, and tests it.
 pub fn python(run: &mut Run) -> Result<()> {
     let (sh, target) = (shell()?, target_dir());
     let programs = python_with("--requirement=python/tests/requirements.txt", "python")?;
-    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     sh.change_dir("python");
     let (wheels, cache) = (target.join("python/wheels"), target.join("python/mypy"));
     sh.remove_path(&wheels)?;
@@ -189,7 +189,7 @@ pub fn page(run: &mut Run) -> Result<()> {
     let folder = target_dir().join("page-export");
     sh.remove_path(&folder)?;
     sh.set_var("GOODBOT_PAGE_EXPORT", sh.create_dir(&folder)?);
-    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     // Twice the processors, because a page waits half of the time: for frames, and for a robot that takes its time.
     let files = (2 * std::thread::available_parallelism()?.get()).to_string();
     let at_tests = sh.push_dir("page/tests");
@@ -261,16 +261,17 @@ pub fn microbit(run: &mut Run) -> Result<()> {
         // The tests of this version then report that they are ignored.
         Err(error) => eprintln!("the file is not tried on a micro:bit V2: {error:#}"),
     }
-    sh.set_var("GOODBOT_CLI", built(&sh, "goodbot")?);
+    sh.set_var("GOODBOT_CLI", command_line(&sh)?);
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test microbit"))?;
     nothing_panics(&[for_cortex_m0("microbit")?])
 }
 
 /// Checks that the same drill has equal digests everywhere.
 pub fn same_bits() -> Result<()> {
-    let (sh, node) = (shell()?, NODE.path()?);
-    let program = built(&sh, "drill")?;
-    let host = Report(cmd!(sh, "{program}").read()?).number("digest")?;
+    let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
+    // Apart from the workspace's own builds, whose further features change the posteriors.
+    let host = cmd!(sh, "cargo run --quiet --release --locked --package goodbot-drill --target-dir {folder}");
+    let host = Report(host.read()?).number("digest")?;
     let (module, _) = toolchain::module(&sh)?;
     module.args(["--package", "goodbot-drill", "--lib"]).run()?;
     let module = toolchain::artifacts(WASM, "page").join("goodbot_drill.wasm");
