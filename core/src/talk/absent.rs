@@ -13,7 +13,7 @@ pub(super) fn with_ghost(
     kind: RoleKind,
     tokens: usize,
     bitext: BitextRef<'_>,
-    is_form: impl Fn(Symbol) -> bool,
+    is_form: &dyn Fn(Symbol) -> bool,
 ) -> Option<Tokens> {
     let mut ghost = Tokens::new();
     let (mut found, unnamed) = (false, Symbol(tokens as u16));

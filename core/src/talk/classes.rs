@@ -270,18 +270,18 @@ impl<'t> ClosedWords<'t> {
         for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);
             let Some((name, words)) = parted(content) else {
-                match content.split_whitespace().next() {
+                match content.split_ascii_whitespace().next() {
                     None => continue,
                     Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
                 }
             };
-            if name.trim() == LANGUAGE {
+            if name == LANGUAGE {
                 continue;
             }
-            let Some(&class) = Class::ALL.iter().find(|class| class.name() == name.trim()) else {
-                return Err(ClosedWordsError::NoSuchClass { name: name.trim(), line });
+            let Some(class) = named(name) else {
+                return Err(ClosedWordsError::NoSuchClass { name, line });
             };
-            for word in words.split_whitespace() {
+            for word in words.split_ascii_whitespace() {
                 // A word in a script without spaces has several signs.
                 let mut rest = Some(word);
                 let heard = for_each_piece(word, |piece| {
@@ -301,32 +301,31 @@ impl<'t> ClosedWords<'t> {
         Ok(Self { text, silent: 0 })
     }
 
-    fn lines(self) -> impl Iterator<Item = (Class, core::str::SplitWhitespace<'t>)> {
-        self.lines_of_languages().filter(move |(language, ..)| self.silent & language == 0).map(|(_, class, words)| (class, words))
+    fn lines(self) -> impl Iterator<Item = Line<'t>> {
+        self.lines_of_languages().filter(move |line| self.silent & line.language == 0)
     }
 
-    /// Each line, with the bit of its language.
-    fn lines_of_languages(self) -> impl Iterator<Item = (u32, Class, core::str::SplitWhitespace<'t>)> {
+    fn lines_of_languages(self) -> impl Iterator<Item = Line<'t>> {
         let (mut last, mut language) = (1_u32, 1_u32);
         lines(self.text).filter_map(move |line| {
             let (name, words) = parted(line)?;
-            if name.trim() == LANGUAGE {
-                let is_named = words.split_whitespace().next().is_some();
+            if name == LANGUAGE {
+                let is_named = words.split_ascii_whitespace().next().is_some();
                 last = if is_named { last.rotate_left(1) } else { last };
                 language = if is_named { last } else { 1 };
+                return None;
             }
-            let class = Class::ALL.iter().find(|class| class.name() == name.trim())?;
-            Some((language, *class, words.split_whitespace()))
+            Some(Line { language, name, words })
         })
     }
 
     /// The words of the languages that the lessons were probably in: those that have more than half as many known words as any other. Words
     /// before the first language, and after an unnamed one, belong to all. "Sal" means to go out in Spanish, and resembles a French room.
-    pub(super) fn spoken(self, knows: impl Fn(&str) -> bool) -> Self {
+    pub(super) fn spoken(self, knows: &dyn Fn(&str) -> bool) -> Self {
         let mut known = [0_u16; u32::BITS as usize];
-        for (language, _, words) in self.lines_of_languages() {
-            let count = words.filter(|word| knows(word)).count() as u16;
-            known.iter_mut().skip(language.trailing_zeros() as usize).take(1).for_each(|known| *known = known.saturating_add(count));
+        for line in self.lines_of_languages() {
+            let count = line.words().filter(|word| knows(word)).count() as u16;
+            known.iter_mut().skip(line.language.trailing_zeros() as usize).take(1).for_each(|known| *known = known.saturating_add(count));
         }
         let most = known.iter().skip(1).copied().max().unwrap_or(0);
         let is_silent = |(at, &count): (usize, &u16)| u32::from(at > 0 && count < most && count <= most / 2) << at;
@@ -336,10 +335,8 @@ impl<'t> ClosedWords<'t> {
     /// The classes of a word, as [`for_each_piece`] passes it.
     pub fn of(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
-        for (class, mut words) in self.lines() {
-            if words.any(|other| other == word) {
-                classes = classes.with(class);
-            }
+        for line in self.lines().filter(|line| line.words().any(|other| other == word)) {
+            classes = classes.and(line.classes());
         }
         classes
     }
@@ -348,13 +345,13 @@ impl<'t> ClosedWords<'t> {
     pub(super) fn of_signs(self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
         let begins = |word: &str| word.chars().zip(signs).filter(|&(letter, &sign)| sign == Some(letter)).count() == word.chars().count();
         let (mut most, mut classes) = (1, Classes::NONE);
-        for (class, words) in self.lines() {
-            for length in words.filter(|word| begins(word)).map(|word| word.chars().count()) {
+        for line in self.lines() {
+            for length in line.words().filter(|word| begins(word)).map(|word| word.chars().count()) {
                 if length > most {
                     (most, classes) = (length, Classes::NONE);
                 }
                 if length == most {
-                    classes = classes.with(class);
+                    classes = classes.and(line.classes());
                 }
             }
         }
@@ -364,11 +361,11 @@ impl<'t> ClosedWords<'t> {
     /// The classes of the cues (negation, out, all, connective) that this word is a slip for.
     pub(super) fn of_slip(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
-        for (class, mut words) in self.lines() {
-            let is_cue = matches!(class, Class::Negation | Class::Out | Class::All | Class::Connective);
+        let cues = [Class::Negation, Class::Out, Class::All, Class::Connective];
+        for line in self.lines().filter(|line| line.classes().contains_any(&cues)) {
             // Slips in the first letter are rare.
-            if is_cue && words.any(|other| word.chars().next() == other.chars().next() && is_slip(word, other)) {
-                classes = classes.with(class);
+            if line.words().any(|other| word.chars().next() == other.chars().next() && is_slip(word, other)) {
+                classes = classes.and(line.classes());
             }
         }
         classes
@@ -376,12 +373,12 @@ impl<'t> ClosedWords<'t> {
 
     /// The front of a word that ends with a word of this class, for each such word.
     pub(super) fn ends(self, class: Class, word: &str) -> impl Iterator<Item = &str> {
-        self.lines().filter(move |(other, _)| *other == class).flat_map(|(_, words)| words).filter_map(move |end| word.strip_suffix(end))
+        self.lines().filter(move |line| line.name == class.name()).flat_map(Line::words).filter_map(move |end| word.strip_suffix(end))
     }
 
     /// The number of words of a class.
     pub fn count(self, class: Class) -> usize {
-        self.lines().filter(|(other, _)| *other == class).map(|(_, words)| words.count()).sum()
+        self.lines().filter(|line| line.name == class.name()).map(|line| line.words().count()).sum()
     }
 
     /// Whether there are no words.
@@ -397,19 +394,53 @@ impl fmt::Display for ClosedWords<'_> {
     }
 }
 
-/// Matches a letter by a closure: the search for a `char` would link code that can panic.
-pub(super) const fn is(letter: char) -> impl Fn(char) -> bool + Copy {
-    move |other| other == letter
+/// A line of a table.
+#[derive(Clone, Copy)]
+struct Line<'t> {
+    /// The bit of its language.
+    language: u32,
+    /// The name of its class.
+    name: &'t str,
+    words: &'t str,
+}
+
+impl<'t> Line<'t> {
+    fn words(self) -> core::str::SplitAsciiWhitespace<'t> {
+        self.words.split_ascii_whitespace()
+    }
+
+    /// Its class alone. Most lookups need the class of few lines, so it is not read with the line.
+    fn classes(self) -> Classes {
+        named(self.name).map_or(Classes::NONE, Classes::of)
+    }
+}
+
+/// The class with this name.
+fn named(name: &str) -> Option<Class> {
+    Class::ALL.into_iter().find(|class| class.name() == name)
+}
+
+/// The text before a sign of ASCII, and the text after it, if it has that sign. Bytes are compared: a table is read for each word that is
+/// heard, and the search of `core` would link code that can panic.
+pub(super) fn cut(text: &str, sign: u8) -> (&str, Option<&str>) {
+    let Some(end) = text.bytes().position(|byte| byte == sign) else { return (text, None) };
+    (text.get(..end).unwrap_or(""), text.get(end.saturating_add(1)..))
 }
 
 /// The lines of a table, without comments.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
-    text.split(is('\n')).map(|line| line.split(is('#')).next().unwrap_or(""))
+    let mut rest = Some(text);
+    core::iter::from_fn(move || {
+        let (line, after) = cut(rest?, b'\n');
+        rest = after;
+        Some(cut(line, b'#').0)
+    })
 }
 
 /// The name of a class, and its words.
 fn parted(line: &str) -> Option<(&str, &str)> {
-    line.split_once(is(':'))
+    let (name, words) = cut(line, b':');
+    Some((name.trim_ascii(), words?))
 }
 
 /// Why a text is no table of closed classes.
@@ -469,10 +500,10 @@ mod tests {
     #[test]
     fn the_languages_that_no_lesson_was_in_are_silent() {
         let table = ClosedWords::new("no: nope\nlanguage: one\ntoward: to into\nlanguage: two\nout: sal\ntoward: a").unwrap();
-        let of_one = table.spoken(|word| ["to", "into", "a"].contains(&word));
+        let of_one = table.spoken(&|word| ["to", "into", "a"].contains(&word));
         assert!(of_one.of("into").contains(Class::Toward) && of_one.of("nope").contains(Class::No));
         assert_eq!(of_one.of("sal"), Classes::NONE);
-        assert!(table.spoken(|word| word == "zonk").of("sal").contains(Class::Out), "no language is known");
+        assert!(table.spoken(&|word| word == "zonk").of("sal").contains(Class::Out), "no language is known");
     }
 
     #[test]
@@ -480,7 +511,7 @@ mod tests {
         let table =
             ClosedWords::new("language: one\ntoward: to into\nlanguage: two\nout: sal\nlanguage:\nno: nope\nlanguage: three\nno: nix")
                 .unwrap();
-        let of_one = table.spoken(|word| word == "to");
+        let of_one = table.spoken(&|word| word == "to");
         assert!(of_one.of("nope").contains(Class::No) && of_one.of("into").contains(Class::Toward));
         assert_eq!((of_one.of("sal"), of_one.of("nix")), (Classes::NONE, Classes::NONE));
     }

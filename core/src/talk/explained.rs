@@ -226,7 +226,7 @@ impl<M: AgentMemory> Agent<M> {
             let mut kinds = 0.0_f32;
             for ghost in [RoleKind::Goal, RoleKind::Subject] {
                 if let Some(other) =
-                    with_ghost(&description, ghost, tables.layout().tokens(), bitext, |token| tables.layout().forms().contains(&token))
+                    with_ghost(&description, ghost, tables.layout().tokens(), bitext, &|token| tables.layout().forms().contains(&token))
                 {
                     absent = absent.plus(explain(&other, Some(ghost)));
                     kinds += 1.0;

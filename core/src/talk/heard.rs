@@ -1,6 +1,6 @@
 //! The words of an utterance, with their probabilities in a command and beside one.
 
-use super::classes::{Class, Classes, ClosedWords, is};
+use super::classes::{Class, Classes, ClosedWords, cut};
 use super::slips::{SLIP, is_plural, slip_for};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
@@ -542,7 +542,7 @@ fn is_joined(utterance: &str, piece: usize) -> bool {
 
 /// The word after an elided one, and the elided one before it: "d" and "aller" of "d'aller". The longer part is the word: "you" in "you're".
 pub(super) fn elided<'p>(language: LanguageRef<'_>, closed: ClosedWords<'_>, piece: &'p str) -> Option<(&'p str, &'p str)> {
-    let (front, back) = piece.split_once(is('\''))?;
+    let (front, Some(back)) = cut(piece, b'\'') else { return None };
     let is_known = closed.of(piece) != Classes::NONE || !is_unknown(language, language.words().find(piece));
     let parts = if front.len() < back.len() { (front, back) } else { (back, front) };
     (!is_known).then_some(parts)

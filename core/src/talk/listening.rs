@@ -185,7 +185,7 @@ impl<M: AgentMemory> Agent<M> {
         let (mut words, mut mended): (Utterance, Utterance) = (Vec::new(), Vec::new());
         let language = self.language();
         let knows = |word: &str| language.words().find(word).is_some_and(|word| word.index() < language.tables().words());
-        let closed = closed.spoken(knows);
+        let closed = closed.spoken(&knows);
         self.hear_words(utterance, closed, &mut words)?;
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
