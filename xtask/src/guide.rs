@@ -103,6 +103,8 @@ pub fn follow() -> Result<()> {
     in_rust.folder.push("robot");
     in_rust.write(&sh, "rust", "src/main.rs")?;
     sh.set_var("CARGO_TARGET_DIR", target_dir().join("guide"));
+    // It runs once, and briefly: to optimise it would take longer.
+    sh.set_var("CARGO_PROFILE_RELEASE_OPT_LEVEL", "0");
     in_rust.try_out(&sh, "cargo run")
 }
 
