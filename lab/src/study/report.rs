@@ -48,11 +48,10 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let mut text = format!(
         "# Comparison with other agents\n\n\
          This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
-         *language* learns words from it. Each inference goes with each language, taught by up to {} kinds of trainers in {} courses. Every \
-         number covers {} seeds ({first} to {last}) with homes of their own; all agents meet the same homes and trainers. Intervals are \
-         95 %.\n\n\
+         *language* learns words from it. Up to {} kinds of trainers teach every pair of both, in {} courses. Each number covers {} seeds \
+         ({first} to {last}); each seed has its own homes and trainers, the same for all agents. Intervals are 95 %.\n\n\
          `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work, and `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
+         share the work; `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
@@ -69,16 +68,15 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
          the end as evidence.\n\
          - `this` expects trainers that were fitted to the same recorded sessions as `population`.\n\
-         - Words of the `paper` course are taught by its templates, and three of its five tests repeat a lesson word for word in a new \
-         home.\n\n\
+         - Three of the five tests of the `paper` course repeat a lesson word for word in a new home.\n\n\
          ## What is compared\n\
          | course | description |\n|---|---|\n"
     );
     for course in &plan.courses {
         text += &format!("| `{}` | {} |\n", course.name(), course.is());
     }
-    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room. The \
-             same nine tasks are possible each time, so comparing lessons tells no word's meaning.\n\n\
+    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room. So the \
+             same nine tasks are possible each time.\n\n\
              | agent | description | settings |\n|---|---|---|\n";
     for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
@@ -86,13 +84,13 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &format!(
         "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, and none. All agents learn \
          from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if they can. \
-         `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. One rule chose the settings of TAMER, COACH, \
-         policy shaping and the log-linear model, on seeds {} to {} of the `paper` course with the trainers {}: the highest share of tests \
-         right minus steps a lesson / {MOST_STEPS}. They were tried as {} (`goodbot study --tune`).\n\n",
+         `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings of \
+         TAMER, COACH, policy shaping and the log-linear model (as {}), by the highest share of tests right minus steps a lesson / \
+         {MOST_STEPS}. It used seeds {} to {} of the `paper` course, with the trainers {}.\n\n",
+        TUNED.map(|name| format!("`{name}`")).join(", "),
         SEEDS.start,
         SEEDS.end - 1,
         TRAINED_BY.join(", "),
-        TUNED.map(|name| format!("`{name}`")).join(", "),
     );
     let mut told: Vec<&str> = Vec::new();
     for agent in &plan.agents {
@@ -101,7 +99,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         told.push(name);
         text += &format!("- {name}: {source}. Simpler here: {simpler}.\n");
     }
-    text += "\n| trainer | what it does |\n|---|---|\n";
+    text += "\n| trainer | behaviour |\n|---|---|\n";
     for trainer in &plan.trainers {
         text += &format!("| `{}` | {} |\n", trainer.name, trainer.does);
     }
@@ -126,7 +124,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     }
     text += &format!(
         "\n## All trainers, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
-         than {:.0} %. A lesson that ended before the goal counts as {MOST_STEPS} steps.\n",
+         than {:.0} %. A lesson that ends before the goal counts as {MOST_STEPS} steps.\n",
         plan.courses.first().map_or("", |course| course.name()),
         100.0 * CERTAIN,
     );

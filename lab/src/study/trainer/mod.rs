@@ -56,7 +56,7 @@ pub const TRAINERS: [Trainer; 12] = [
         who: Who::Course(CourseTrainer::REWARD_ONLY),
     },
     Trainer { name: "silent", does: "is as balanced, but speaks after one action in twenty only", who: Who::Even(0.95, 0.1) },
-    Trainer { name: "mute", does: "never says a word: what can be done without a trainer", who: Who::Even(1.0, 0.1) },
+    Trainer { name: "mute", does: "never says a word", who: Who::Even(1.0, 0.1) },
     Trainer { name: "late-1", does: "is as balanced, but each word comes one step late", who: Who::Late(1) },
     Trainer { name: "late-2", does: "is as balanced, but each word comes two steps late", who: Who::Late(2) },
     Trainer { name: "mistaken", does: "is as balanced, but is mistaken 45 times out of 100", who: Who::Even(0.7, 0.45) },
