@@ -249,12 +249,13 @@ impl<M: AgentMemory> Agent<M> {
             let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
             // The place or the thing may be one that is not here.
             let is_form = |token: Symbol| layout.forms().contains(&token);
-            let absent = [RoleKind::Goal, RoleKind::Subject].map(|kind| {
-                let ghost = with_ghost(&description, kind, layout.tokens(), bitext, &is_form)?;
-                Some(explain(&ghost, Some(kind)))
-            });
-            let kinds = absent.iter().flatten().count() as f32;
-            let _ = ghosts.push(if kinds > 0.0 { total(absent.into_iter().flatten()).scaled_by(prior / kinds) } else { Scaled::ZERO });
+            let (mut absent, mut kinds) = (Scaled::ZERO, 0.0_f32);
+            for kind in [RoleKind::Goal, RoleKind::Subject] {
+                if let Some(ghost) = with_ghost(&description, kind, layout.tokens(), bitext, &is_form) {
+                    (absent, kinds) = (absent.plus(explain(&ghost, Some(kind))), kinds + 1.0);
+                }
+            }
+            let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
         explained.prefer_own();
         let language = language.read();

@@ -46,7 +46,7 @@ pub(super) fn new_verb(words: Words<'_>) -> Option<Option<&Heard>> {
 
 /// Whether a new subject and a new verb come before the direction: "Grandma sleeps in the red room".
 fn is_of_new_subject(words: Words<'_>) -> bool {
-    let front = words.before(words.position(&|word| word.is_toward).unwrap_or(usize::MAX));
+    let front = words.until(&|word| word.is_toward);
     let is_new = |word: &Heard| word.is_new && !word.is_sign && word.is_open();
     words.any(&|word| word.is_name && !word.is_toward) && front.len() == SUBJECT_AND_VERB && front.iter().all(is_new)
 }
@@ -93,17 +93,14 @@ pub(super) fn begins_with_new_word(words: Words<'_>) -> bool {
 pub(super) fn tells(words: Words<'_>) -> bool {
     // "You went to the red room".
     let you_did = words.begins_with(Class::You) && words.get(1).is_some_and(Heard::is_new_word);
-    let front = words.before(words.position(&|word| word.is_name).unwrap_or(usize::MAX));
+    let front = words.until(&|word| word.is_name);
     // "I like the red room" has neither an act word nor a direction.
-    let is_opinion = || {
-        let asks = |word: &Heard| word.may_act() || word.is_toward || word.is(Class::Wish);
-        front.has(Class::Speaker) && !words.any(&asks)
-    };
-    let is_told = || words.has(Class::You);
+    let asks = |word: &Heard| word.may_act() || word.is_toward || word.is(Class::Wish);
+    let is_opinion = || front.has(Class::Speaker) && !words.any(&asks);
     begins_with_subject(words)
         || you_did
         || speaker_did(front)
-        || !is_told() && (thing_does(words) || speaker_does(front) || somebody_does(front) || is_opinion())
+        || !words.has(Class::You) && (thing_does(words) || speaker_does(front) || somebody_does(front) || is_opinion())
 }
 
 /// Whether new words, perhaps after an article, are the subject of the verb after them: "Tomorrow Paul will take", "the vacuum cleaner
@@ -112,7 +109,7 @@ fn begins_with_subject(words: Words<'_>) -> bool {
     let is_known = |word: &Heard| word.is_of_lessons() && word.is_plain() && word.is_open() && !word.is_toward;
     let has_article = words.get(0).is_some_and(|word| word.is_article || is_known(word));
     let words = words.from(usize::from(has_article));
-    let subject = words.before(words.position(&|word| !(word.is_new_word() && word.is_open())).unwrap_or(usize::MAX));
+    let subject = words.until(&|word| !(word.is_new_word() && word.is_open()));
     let Some(verb) = words.from(subject.len()).iter().find(|word| !word.is(Class::Polite)) else { return false };
     if has_article && !subject.is_empty() {
         return verb.may_act() || verb.is_toward;

@@ -138,6 +138,11 @@ impl<'w> Words<'w> {
         self.part(0, position)
     }
 
+    /// The words before the first such word; all if there is none.
+    pub fn until(self, is_wanted: &dyn Fn(&Heard) -> bool) -> Self {
+        self.before(self.position(is_wanted).unwrap_or(usize::MAX))
+    }
+
     /// The words of a phrase.
     pub fn of_phrase(self, phrase: u8) -> Self {
         self.only(|word| word.phrase == phrase)
