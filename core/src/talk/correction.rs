@@ -6,11 +6,12 @@
 //! M over all tasks. Words that were never heard fit all tasks alike, and say nothing.
 
 use super::classes::{Class, Classes, ClosedWords};
+use super::context::{Context, View};
 use super::explained::Explained;
-use super::heard::{Heard, Utterance, Words};
-use super::place::View;
+use super::heard::{Heard, Utterance};
 use super::readings::EITHER;
 use super::wording::Wording;
+use super::words::Words;
 use crate::asking::Asking;
 use crate::language::roles::talk::is_of_task;
 use crate::language::{for_each_piece, word_form};
@@ -168,8 +169,7 @@ impl<M: AgentMemory> Agent<M> {
         }
         let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, &|| true);
         let mut explained = Explained::NEW;
-        let view = View { done: EITHER, has_act: true, ..View::PLAIN };
-        self.explain_all(domain, Words::new(words, false), &wording, view, &mut explained)?;
+        self.explain_all(domain, Words::new(words, false), View { done: EITHER, has_act: true }, Context::of(&wording), &mut explained)?;
         self.share(domain, View::PLAIN.done);
         let most =
             explained.likelihoods.iter().fold(Scaled::ZERO, |most, &likelihood| if likelihood.exceeds(most) { likelihood } else { most });

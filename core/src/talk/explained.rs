@@ -2,12 +2,12 @@
 
 use super::absent::with_ghost;
 use super::classes::Class;
+use super::context::{Context, DONE, View};
 use super::conversation::Before;
-use super::heard::Words;
-use super::place::{DONE, View};
 use super::recalled::{Recalled, readings, without};
 use super::syntax::{begins_with_way, is_verbless, names_thing_and_way, new_names, new_verb};
-use super::wording::{Wording, is_plain, rest};
+use super::wording::{is_plain, take_pause};
+use super::words::Words;
 use crate::capacity::{LIFTED_TASKS, WORDS_PER_COMMAND};
 use crate::language::LanguageRef;
 use crate::language::bitext::BitextRef;
@@ -39,8 +39,6 @@ pub(super) struct Explained {
     pub likelihoods: Vec<Scaled, { TaskSet::MOST }>,
     /// Each task's share of the belief, unnormalised.
     pub weights: Vec<Scaled, { TaskSet::MOST }>,
-    /// The tasks whose kind has a word as its sign.
-    pub signed: TaskSet,
     /// The tasks whose place is named, and outside of which no word names anything.
     pub fitting: TaskSet,
     /// The tasks outside of which no word names a thing.
@@ -65,7 +63,6 @@ impl Explained {
         absent: Scaled::ZERO,
         likelihoods: Vec::new(),
         weights: Vec::new(),
-        signed: TaskSet::EMPTY,
         fitting: TaskSet::EMPTY,
         own: TaskSet::EMPTY,
         whole: TaskSet::EMPTY,
@@ -88,9 +85,51 @@ impl Explained {
         (best.0, best.1.over(whole))
     }
 
+    /// The task that explains the words best, among some; `None` if none explains them.
+    pub fn likeliest(&self, tasks: TaskSet) -> Option<usize> {
+        let (mut likeliest, mut most) = (None, Scaled::ZERO);
+        for (task, &likelihood) in self.likelihoods.iter().enumerate().filter(|&(task, _)| tasks.contains(task)) {
+            if likelihood.exceeds(most) {
+                (likeliest, most) = (Some(task), likelihood);
+            }
+        }
+        likeliest
+    }
+
     /// The words that name objects. References change with each use, so nothing is learned of them.
     pub fn naming<'w>(&self, words: Words<'w>) -> Words<'w> {
         if self.points_back { without(words).map_or(words, |(rest, _)| rest) } else { words }
+    }
+
+    /// Makes tasks less likely if words name an object outside of them, and other tasks have no such word. "Put the basket in the green
+    /// room" is about a basket rather than the green bag.
+    fn prefer_own(&mut self) {
+        if self.likeliest(self.own).is_some() {
+            for (task, (weight, likelihood)) in self.weights.iter_mut().zip(&mut self.likelihoods).enumerate() {
+                if !self.own.contains(task) {
+                    (*weight, *likelihood) = (weight.scaled_by(FOREIGN), likelihood.scaled_by(FOREIGN));
+                }
+            }
+        }
+    }
+
+    /// Sums the likelihoods up: the kinds of task, by their `forms`, have shares as in the lessons. `ghosts` are those of tasks about things
+    /// that are not here.
+    fn sum_up(&mut self, words: Words<'_>, bitext: BitextRef<'_>, forms: &[Symbol], ghosts: &[Scaled]) {
+        let is_first = |at: usize, form: &Symbol| !forms.iter().take(at).any(|before| before == form);
+        let kinds = forms.iter().enumerate().filter(|&(at, form)| is_first(at, form)).count() as f32;
+        for (_, &kind) in forms.iter().enumerate().filter(|&(at, form)| is_first(at, form)) {
+            let of_kind = |weights: &[Scaled]| {
+                total(weights.iter().zip(forms).filter(|&(_, form)| *form == kind).map(|(&weight, _)| weight.scaled_by(kinds)))
+            };
+            let share = share_of_kind(bitext, kind);
+            self.here = self.here.plus(of_kind(&self.weights).scaled_by(share));
+            self.absent = self.absent.plus(of_kind(ghosts).scaled_by(share));
+        }
+        let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
+        // The names of two things belong to no single command.
+        let here = factors.scaled_by(if self.own.is_empty() { FOREIGN } else { 1.0 });
+        (self.here, self.absent) = (self.here.times(here), self.absent.times(factors));
     }
 
     /// Keeps one task alone.
@@ -107,14 +146,14 @@ impl<M: AgentMemory> Agent<M> {
         &mut self,
         domain: &D,
         words: Words<'_>,
-        wording: &Wording<'_>,
-        view: View<'_>,
+        view: View,
+        context: Context<'_>,
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
-        self.explain_words(domain, words, wording, view, None, explained)?;
-        let can_point = words.has(Class::Here) || !matches!(view.before, Before::Nothing);
+        self.explain_words(domain, words, view, context, None, explained)?;
+        let can_point = words.has(Class::Here) || !matches!(context.earlier.before, Before::Nothing);
         let Some((rest, prior)) = without(words).filter(|_| can_point) else { return Ok(()) };
-        self.explain_recalled(domain, (words, rest, prior), wording, view, explained)
+        self.explain_recalled(domain, (words, rest, prior), view, context, explained)
     }
 
     /// How well the tasks explain words with a reference: the remaining words, with the prior of the reading.
@@ -123,21 +162,21 @@ impl<M: AgentMemory> Agent<M> {
         &mut self,
         domain: &D,
         (words, rest, prior): (Words<'_>, Words<'_>, f32),
-        wording: &Wording<'_>,
-        view: View<'_>,
+        view: View,
+        context: Context<'_>,
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
         let mut other = Explained::NEW;
-        let is_way = rest.iter().any(|word| word.is_toward);
-        for (recalled, share) in readings(words, view.before) {
-            let kind = match view.before {
+        let is_way = rest.has_way();
+        for (recalled, share) in readings(words, context.earlier.before) {
+            let kind = match context.earlier.before {
                 Before::Known(conversation) if recalled.is_of_last_kind() => conversation.last().map(|last| last.lifted),
-                _ => view.kind,
+                _ => context.earlier.kind,
             };
             let is_here = recalled.is_here();
             let has_act = view.has_act || is_here || recalled.is_of_last_kind();
-            let view = View { has_act, kind, done: if is_here { 1.0 } else { view.done }, ..view };
-            self.explain_words(domain, rest, wording, view, Some(recalled), &mut other)?;
+            let view = View { has_act, done: if is_here { 1.0 } else { view.done } };
+            self.explain_words(domain, rest, view, context.of_kind(kind), Some(recalled), &mut other)?;
             let prior = prior * share * recalled.missing(is_way);
             // A thing that is not here cannot stay.
             let absent = if is_here { Scaled::ZERO } else { other.absent };
@@ -155,11 +194,12 @@ impl<M: AgentMemory> Agent<M> {
         &mut self,
         domain: &D,
         words: Words<'_>,
-        wording: &Wording<'_>,
-        view: View<'_>,
+        view: View,
+        context: Context<'_>,
         recalled: Option<Recalled<'_>>,
         explained: &mut Explained,
     ) -> Result<(), AgentError> {
+        let wording = context.wording;
         self.share(domain, view.done);
         let mut said: Vec<Said, WORDS_PER_COMMAND> = Vec::new();
         let mut sentence: Vec<Option<Symbol>, WORDS_PER_COMMAND> = Vec::new();
@@ -171,139 +211,107 @@ impl<M: AgentMemory> Agent<M> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        let (mut named, has_new_verb) = name(language.read(), wording, words, &said);
-        let acts = named.acts();
-        // "I want the bag in the red room" needs no act word. "Come back": nothing after the verb tells its kind of task.
-        let points_with_verb = recalled.is_some() && matches!(new_verb(words), Some(None));
-        let wishes = words.has(Class::Wish) && !words.iter().any(|word| word.is_new && !word.is_article);
-        if view.has_act || wishes || points_with_verb {
-            named.act();
-        }
-        // "I want you in the red room", "into the red room with you", "the bag to the red room".
-        if is_verbless(words) && (wishes || begins_with_way(words) || names_thing_and_way(words)) {
-            named.act_in_any_way();
-        }
-        if let Some(recalled) = &recalled {
-            named.cover(recalled.has_place(), recalled.has_thing());
-        }
-        let is_told_place = view.told.is_some_and(|told| told.is_place);
-        if is_told_place {
-            named.cover(true, recalled.is_some_and(|recalled| recalled.has_thing()));
-        }
+        let (named, acts, has_new_verb) = name(language.read(), words, &said, view, context, recalled.as_ref());
         *explained = Explained { acts, has_new_verb, done: view.done, ..Explained::NEW };
         let mut forms: Vec<Symbol, { TaskSet::MOST }> = Vec::new();
         let mut ghosts: Vec<Scaled, { TaskSet::MOST }> = Vec::new();
-        let is_told = |position: usize| view.told.is_none_or(|told| told.tasks.contains(position));
+        let is_told = |position: usize| context.told.is_none_or(|told| told.tasks.contains(position));
         let is_meant = |position: usize| {
             let fits = |recalled: Recalled<'_>| tasks.get(position).is_some_and(|task| recalled.fits(domain, &self.lifted, task));
             is_told(position) && recalled.is_none_or(fits)
         };
         for (position, task) in tasks.iter().enumerate() {
-            rest(wording.pause)?;
+            take_pause(wording.pause)?;
             let mut description = Tokens::new();
             if let Some(scene) = &mut scene {
                 describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
             }
             let (tables, bitext) = (language.read().tables(), language.read().bitext());
+            let layout = tables.layout();
             let explain = |description: &[Symbol], ghost: Option<RoleKind>| {
-                let share = wording.coverage.share(tables.layout(), &named, description, ghost);
+                let share = wording.coverage.share(layout, &named, description, ghost);
                 likelihood(tables, &said, description, wording.new).times(share)
             };
-            let whole = explain(&description, None);
-            if is_told(position) && named.is_own(tables, bitext, &description) {
-                explained.own = explained.own.with(position);
-                if named.places(tables.layout(), &description) {
-                    explained.fitting = explained.fitting.with(position);
-                }
-            }
-            if named.acts_for(tables.layout(), &description) {
-                explained.acted = explained.acted.with(position);
-            }
-            if named.is_whole(tables.layout(), &description) {
-                explained.whole = explained.whole.with(position);
-            }
-            let mut absent = Scaled::ZERO;
-            let mut kinds = 0.0_f32;
-            for ghost in [RoleKind::Goal, RoleKind::Subject] {
-                if let Some(other) =
-                    with_ghost(&description, ghost, tables.layout().tokens(), bitext, &|token| tables.layout().forms().contains(&token))
-                {
-                    absent = absent.plus(explain(&other, Some(ghost)));
-                    kinds += 1.0;
-                }
-            }
-            let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
-            let is_other = !acts && view.kind.is_some_and(|kind| kind != task.lifted);
-            let share = if recalled.is_some() || view.told.is_some() { share_among(tasks, position, is_meant) } else { 1.0 };
-            // "The bag where it is" is not about the robot's place.
-            let is_other_thing = recalled.is_some_and(|recalled| recalled.is_here()) && !explained.own.contains(position);
-            let whole = if share > 0.0 && !is_other_thing { whole } else { Scaled::ZERO };
+            let insert = |set: &mut TaskSet, is_in: bool| *set = if is_in { set.with(position) } else { *set };
+            let is_own = is_told(position) && named.is_own(tables, bitext, &description);
+            insert(&mut explained.own, is_own);
+            insert(&mut explained.fitting, is_own && named.places(layout, &description));
+            insert(&mut explained.acted, named.acts_for(layout, &description));
+            insert(&mut explained.whole, named.is_whole(layout, &description));
+            let share = if recalled.is_some() || context.told.is_some() { share_among(tasks, position, &is_meant) } else { 1.0 };
             let prior = share * task.prior;
+            // "The bag where it is" is not about the robot's place.
+            let is_possible = share > 0.0 && (is_own || !recalled.is_some_and(|recalled| recalled.is_here()));
+            let whole = if is_possible { explain(&description, None) } else { Scaled::ZERO };
+            let is_other = !acts && context.earlier.kind.is_some_and(|kind| kind != task.lifted);
             let _ = explained.likelihoods.push(whole);
             let _ = explained.weights.push(whole.scaled_by(if is_other { OTHER_KIND * prior } else { prior }));
-            if named.acts_for(tables.layout(), &description) {
-                explained.signed = explained.signed.with(position);
+            let _ = forms.push(form(&description).unwrap_or(Symbol(0)));
+            // The place or the thing may be one that is not here.
+            let is_form = |token: Symbol| layout.forms().contains(&token);
+            let (mut absent, mut kinds) = (Scaled::ZERO, 0.0_f32);
+            for kind in [RoleKind::Goal, RoleKind::Subject] {
+                if let Some(ghost) = with_ghost(&description, kind, layout.tokens(), bitext, &is_form) {
+                    (absent, kinds) = (absent.plus(explain(&ghost, Some(kind))), kinds + 1.0);
+                }
             }
             let _ = ghosts.push(if kinds > 0.0 { absent.scaled_by(prior / kinds) } else { Scaled::ZERO });
         }
-        // "Put the basket in the green room" is about a basket rather than the green bag.
-        let is_likely = |task: usize| explained.likelihoods.get(task).is_some_and(|likelihood| !likelihood.is_zero());
-        if explained.own.iter().any(is_likely) {
-            for (task, (weight, likelihood)) in explained.weights.iter_mut().zip(&mut explained.likelihoods).enumerate() {
-                if !explained.own.contains(task) {
-                    (*weight, *likelihood) = (weight.scaled_by(FOREIGN), likelihood.scaled_by(FOREIGN));
-                }
-            }
-        }
+        explained.prefer_own();
         let language = language.read();
-        let groups = count_kinds(&forms) as f32;
-        for (first, &token) in forms.iter().enumerate() {
-            if forms.iter().take(first).any(|before| *before == token) {
-                continue;
-            }
-            let of_kind = |weights: &[Scaled]| {
-                total(weights.iter().zip(&forms).filter(|&(_, form)| *form == token).map(|(&weight, _)| weight.scaled_by(groups)))
-            };
-            let share = share_of_kind(language.bitext(), token);
-            explained.here = explained.here.plus(of_kind(&explained.weights).scaled_by(share));
-            explained.absent = explained.absent.plus(of_kind(&ghosts).scaled_by(share));
-        }
-        let factors = words.iter().fold(Scaled::ONE, |product, word| product.scaled_by(word.factor));
-        // The names of two things belong to no single command.
-        let here = factors.scaled_by(if explained.own.is_empty() { FOREIGN } else { 1.0 });
-        (explained.here, explained.absent) = (explained.here.times(here), explained.absent.times(factors));
+        explained.sum_up(words, language.bitext(), &forms, &ghosts);
         kind::weigh(language.tables(), &sentence, |task| forms.get(task).copied().unwrap_or(Symbol(0)), &mut explained.weights);
         Ok(())
     }
 }
 
-/// The parts that words name, and whether a new word stands in the place of a command's act word.
+/// The parts that words name, whether a word is the sign of a kind of task, and whether a new word stands in the place of a command's act
+/// word.
 #[inline(never)]
-fn name(language: LanguageRef<'_>, wording: &Wording<'_>, words: Words<'_>, said: &[Said]) -> (Named, bool) {
+fn name(
+    language: LanguageRef<'_>,
+    words: Words<'_>,
+    said: &[Said],
+    view: View,
+    context: Context<'_>,
+    recalled: Option<&Recalled<'_>>,
+) -> (Named, bool, bool) {
+    let wording = context.wording;
     let is_plain = |word| is_plain(language, wording.closed, word);
     let mut senses = Senses::new(language.tables(), language.bitext(), &is_plain, wording.facts);
     let mut named = Named::of(&mut senses, said);
     named.has_new(new_names(words));
-    let Some(behind) = new_verb(words) else { return (named, false) };
-    let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
-    let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
-    let kinds = senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind);
+    let verb = new_verb(words);
+    let kinds = verb.map_or(0, |behind| {
+        let toward = |word| wording.closed.of(language.words().text(word)).contains(Class::Toward);
+        let is_behind: Option<&dyn Fn(Symbol) -> bool> = if behind.is_some_and(|word| word.is_toward) { Some(&toward) } else { None };
+        senses.acts_before(behind.and_then(|word| word.said.symbol), is_behind)
+    });
     named.may_act(kinds);
-    (named, kinds != 0)
+    let acts = named.acts();
+    // "I want the bag in the red room" needs no act word. "Come back": nothing after the verb tells its kind of task.
+    let wishes = words.has(Class::Wish) && !words.any(&|word| word.is_new && !word.is_article);
+    let points_with_verb = recalled.is_some() && matches!(verb, Some(None));
+    if view.has_act || context.earlier.is_rest || wishes || points_with_verb {
+        named.act();
+    }
+    // "I want you in the red room", "into the red room with you", "the bag to the red room".
+    if is_verbless(words) && (wishes || begins_with_way(words) || names_thing_and_way(words)) {
+        named.act_in_any_way();
+    }
+    let has_thing = recalled.is_some_and(Recalled::has_thing);
+    let has_place = recalled.is_some_and(Recalled::has_place) || context.told.is_some_and(|told| told.is_place);
+    named.cover(has_place, has_thing);
+    (named, acts, kinds != 0)
 }
 
 /// The factor on a task's prior if only some tasks of its kind are meant; 0 for the others.
-fn share_among(tasks: &[GroundedTask], task: usize, is_meant: impl Fn(usize) -> bool) -> f32 {
+fn share_among(tasks: &[GroundedTask], task: usize, is_meant: &dyn Fn(usize) -> bool) -> f32 {
     let Some(kind) = tasks.get(task).filter(|_| is_meant(task)).map(|task| task.lifted) else { return 0.0 };
     let of_kind = || tasks.iter().enumerate().filter(|(_, other)| other.lifted == kind);
     let prior = |(_, task): (usize, &GroundedTask)| task.prior;
     let (all, meant): (f32, f32) = (of_kind().map(prior).sum(), of_kind().filter(|&(at, _)| is_meant(at)).map(prior).sum());
     if meant > 0.0 { all / meant } else { 0.0 }
-}
-
-/// The number of different kinds of task.
-fn count_kinds(forms: &[Symbol]) -> usize {
-    forms.iter().enumerate().filter(|&(position, form)| !forms.iter().take(position).any(|before| before == form)).count()
 }
 
 /// The share of a kind of task in the lessons.

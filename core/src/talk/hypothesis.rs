@@ -1,12 +1,13 @@
 //! The hypotheses about an utterance, and their probabilities.
 
-use super::classes::{Class, Classes};
+use super::classes::Class;
+use super::context::Context;
 use super::explained::{Explained, FOREIGN};
-use super::heard::{Heard, Words, learned};
-use super::place::Place;
-use super::readings::{Parting, SEVERAL, all, may_turn, negated};
+use super::heard::{Heard, learned};
+use super::readings::{all, may_turn, negated};
+use super::several::{Parting, SEVERAL};
 use super::syntax::{is_past, new_names};
-use super::wording::Wording;
+use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::{Scaled, total};
@@ -14,13 +15,14 @@ use crate::session::{Agent, AgentError};
 use core::fmt;
 use heapless::Vec;
 
-/// The prior of each hypothesis; the [readings](super::readings) have their own, and a plain command has the rest.
+/// The prior of each hypothesis. A plain command has the rest, and the [readings](super::readings) have their own.
 const NOTHING: f32 = 0.15;
 const ABSENT: f32 = 0.05;
 const ABOUT: f32 = 0.05;
 const TALK: f32 = 0.02;
+const COMMAND: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
 /// The prior of a command's opposite if a new word may negate it: as probable as the command.
-const REVERSED: f32 = 1.0 - NOTHING - ABSENT - ABOUT - SEVERAL;
+const REVERSED: f32 = COMMAND;
 /// A table with fewer negations does not have all of a language.
 const FEW: usize = 5;
 /// The weight of "again" after an earlier task, unnormalised.
@@ -70,26 +72,91 @@ impl fmt::Display for Hypothesis {
     }
 }
 
+/// The likeliest hypothesis about some words.
+#[derive(Clone, Copy)]
+pub(super) struct Likeliest {
+    pub hypothesis: Hypothesis,
+    pub probability: f32,
+    /// The probability of a plain command.
+    pub command: f32,
+}
+
+/// The hypotheses that some words have, with their weights.
+struct Weighed(Vec<(Hypothesis, Scaled), 16>);
+
+impl Weighed {
+    fn add(&mut self, hypothesis: Hypothesis, weight: Scaled) {
+        match self.0.iter_mut().find(|(known, _)| *known == hypothesis) {
+            Some((_, sum)) => *sum = sum.plus(weight),
+            None => drop(self.0.push((hypothesis, weight))),
+        }
+    }
+
+    /// The first of the likeliest among some hypotheses.
+    fn best(&self, is_one: &dyn Fn(Hypothesis) -> bool) -> Option<(Hypothesis, Scaled)> {
+        let mut best = None;
+        for &(hypothesis, weight) in self.0.iter().filter(|(hypothesis, _)| is_one(*hypothesis)) {
+            if weight.exceeds(best.map_or(Scaled::ZERO, |(_, most)| most)) {
+                best = Some((hypothesis, weight));
+            }
+        }
+        best
+    }
+
+    /// The likeliest hypothesis about words; after an earlier task if `is_known`.
+    fn likeliest(&self, words: Words<'_>, is_known: bool) -> Likeliest {
+        let whole = total(self.0.iter().map(|(_, weight)| *weight));
+        let (mut hypothesis, most) = self.best(&|_| true).unwrap_or((Hypothesis::Command, Scaled::ZERO));
+        // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on
+        // it.
+        if hypothesis == Hypothesis::Nothing && words.iter().all(|word| !word.is_open()) {
+            let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !is_known);
+            hypothesis = self.best(&is_talk).map_or(hypothesis, |(talk, _)| talk);
+        }
+        let command = self.0.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
+        Likeliest { hypothesis, probability: most.over(whole), command }
+    }
+}
+
+/// The probability of words without a task; `of` is that of each word, at its position.
+fn without_task(words: Words<'_>, end: f32, of: &dyn Fn(usize, &Heard) -> f32) -> Scaled {
+    let words = words.iter().enumerate();
+    words.fold(Scaled::new(end), |product, (at, word)| product.scaled_by((1.0 - end) * of(at, word)))
+}
+
+/// Adds the classes of words that are no command.
+fn add_talk(weighed: &mut Weighed, words: Words<'_>, context: Context<'_>) {
+    let (wording, is_known) = (context.wording, context.is_known());
+    for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
+        // After an earlier task, "back" is a place.
+        if !words.any(&|word| word.is(class) && !(is_known && word.is(Class::Back))) {
+            continue;
+        }
+        let size = wording.closed.count(class) as f32;
+        let weight = without_task(words, wording.end, &|at, word| match word.is(class) {
+            true => 0.5 / size * if at == 0 { 3.0 } else { 1.0 } + 0.5 * word.without_task,
+            false => 0.8 * word.without_task,
+        });
+        let prior = if is_known && class == Class::Again { AGAIN } else { TALK };
+        weighed.add(Hypothesis::Talk(class), weight.scaled_by(prior / learned(words, &|word| word.is(class))));
+    }
+}
+
 impl<M: AgentMemory> Agent<M> {
-    /// The likeliest hypothesis, its probability, and the probability of a plain command.
+    /// The likeliest hypothesis.
     #[inline(never)]
     pub(super) fn hypotheses<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         words: Words<'_>,
-        wording: &Wording<'_>,
         explained: &Explained,
-        place: Place<'_>,
+        context: Context<'_>,
         parting: Option<Parting<'_>>,
-    ) -> Result<(Hypothesis, f32, f32), AgentError> {
-        let mut hypotheses: Vec<(Hypothesis, Scaled), 16> = Vec::new();
-        let mut add = |hypothesis: Hypothesis, weight: Scaled| match hypotheses.iter_mut().find(|(known, _)| *known == hypothesis) {
-            Some((_, sum)) => *sum = sum.plus(weight),
-            None => drop(hypotheses.push((hypothesis, weight))),
-        };
+    ) -> Result<Likeliest, AgentError> {
+        let (wording, mut weighed) = (context.wording, Weighed(Vec::new()));
         // As probable as the command, and listed before it: waiting does no harm.
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {
-            add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
+            weighed.add(Hypothesis::Reversed, explained.here.scaled_by(REVERSED));
         }
         // The names of two things belong to two commands.
         let is_of_two = parting.is_some() && (is_past(words) || explained.own.is_empty() && new_names(words) == 0);
@@ -97,64 +164,29 @@ impl<M: AgentMemory> Agent<M> {
         let of_all = all(words);
         let is_of_all = of_all.as_ref().is_some_and(|rest| !rest.from.is_empty());
         let of_one = if is_of_two || is_of_all { FOREIGN } else { 1.0 };
-        add(Hypothesis::Command, explained.here.scaled_by(of_one * (1.0 - NOTHING - ABSENT - ABOUT - SEVERAL)));
-        let no_task = |of: &dyn Fn(usize, &Heard) -> f32| {
-            let words = words.iter().enumerate();
-            words.fold(Scaled::new(wording.end), |product, (position, word)| product.scaled_by((1.0 - wording.end) * of(position, word)))
-        };
-        add(Hypothesis::Nothing, no_task(&|_, word| word.beside).scaled_by(NOTHING * if place.told.is_some() { FOREIGN } else { 1.0 }));
-        add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT * of_one));
-        if !explained.signed.contains(explained.best().0) && !place.is_rest {
+        weighed.add(Hypothesis::Command, explained.here.scaled_by(of_one * COMMAND));
+        let nothing = NOTHING * if context.told.is_some() { FOREIGN } else { 1.0 };
+        weighed.add(Hypothesis::Nothing, without_task(words, wording.end, &|_, word| word.without_task).scaled_by(nothing));
+        weighed.add(Hypothesis::Absent, explained.absent.scaled_by(ABSENT * of_one));
+        if !explained.acted.contains(explained.best().0) && !context.earlier.is_rest {
             let without = wording.coverage.most_without_task(self.language().tables().layout());
-            add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
+            weighed.add(Hypothesis::About, explained.here.scaled_by(ABOUT / without));
         }
-        for class in Class::ALL.into_iter().filter(|class| class.is_talk()) {
-            // After an earlier task, "back" is a place.
-            let speaks = |word: &Heard| word.classes.contains(class) && !(place.is_known() && word.classes.contains(Class::Back));
-            if !words.iter().any(speaks) {
-                continue;
-            }
-            let size = wording.closed.count(class) as f32;
-            let weight = no_task(&|position, word| match word.classes.contains(class) {
-                true => 0.5 / size * if position == 0 { 3.0 } else { 1.0 } + 0.5 * word.beside,
-                false => 0.8 * word.beside,
-            });
-            let prior = if place.is_known() && class == Class::Again { AGAIN } else { TALK };
-            add(Hypothesis::Talk(class), weight.scaled_by(prior / learned(words, |word| word.classes.contains(class))));
-        }
+        add_talk(&mut weighed, words, context);
         for (hypothesis, rest) in [(Hypothesis::Negated, negated(words)), (Hypothesis::All, of_all)] {
             let Some(rest) = rest else { continue };
             let (mut explained, mut from) = (Explained::NEW, Scaled::ONE);
             if !rest.from.is_empty() {
-                self.explain_all(domain, rest.from, wording, place.view(rest.view), &mut explained)?;
+                self.explain_all(domain, rest.from, rest.view, context, &mut explained)?;
                 from = explained.here;
             }
-            self.explain_all(domain, rest.words, wording, place.view(rest.view), &mut explained)?;
-            add(hypothesis, explained.here.times(from).scaled_by(rest.prior));
-            add(Hypothesis::Absent, explained.absent.times(from).scaled_by(rest.prior * ABSENT));
+            self.explain_all(domain, rest.words, rest.view, context, &mut explained)?;
+            weighed.add(hypothesis, explained.here.times(from).scaled_by(rest.prior));
+            weighed.add(Hypothesis::Absent, explained.absent.times(from).scaled_by(rest.prior * ABSENT));
         }
         if let Some(parting) = parting {
-            add(Hypothesis::Several, parting.weight);
+            weighed.add(Hypothesis::Several, parting.weight);
         }
-        let whole = total(hypotheses.iter().map(|(_, weight)| *weight));
-        let mut best = (Hypothesis::Command, Scaled::ZERO);
-        for &(hypothesis, weight) in &hypotheses {
-            if weight.exceeds(best.1) {
-                best = (hypothesis, weight);
-            }
-        }
-        // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on
-        // it.
-        if best.0 == Hypothesis::Nothing && words.iter().all(|word| word.classes != Classes::NONE) {
-            let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !place.is_known());
-            let mut most = Scaled::ZERO;
-            for &(hypothesis, weight) in hypotheses.iter().filter(|(it, _)| is_talk(*it)) {
-                if weight.exceeds(most) {
-                    (best.0, most) = (hypothesis, weight);
-                }
-            }
-        }
-        let command = hypotheses.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
-        Ok((best.0, best.1.over(whole), command))
+        Ok(weighed.likeliest(words, context.is_known()))
     }
 }

@@ -1,14 +1,15 @@
 //! Listening: the verdict on an utterance, and the session that it begins.
 
 use super::classes::ClosedWords;
+use super::context::{Context, DONE, Earlier, View};
 use super::explained::Explained;
-use super::heard::{Utterance, Words};
+use super::heard::Utterance;
 use super::hypothesis::Hypothesis;
 use super::mended::mend;
-use super::place::{DONE, Place, View};
-use super::reworded::{both, corrected, curt, fronted, left, subject, taken_up, told, went};
+use super::reworded::REWORDINGS;
 use super::verdict::{Judged, Verdict};
-use super::wording::{Pause, Wording, rest};
+use super::wording::{Pause, Wording, take_pause};
+use super::words::Words;
 use crate::language::Model;
 use crate::language::tokenizer::{first_words, start_of_piece};
 use crate::memory::AgentMemory;
@@ -19,7 +20,6 @@ use crate::session::phase::Progressed;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
-use core::ops::Range;
 use heapless::Vec;
 
 /// The prior of a reworded command: with its place in front, "to the red room take the bag", or with a correction in it.
@@ -96,16 +96,14 @@ impl<M: AgentMemory> Agent<M> {
         pause: &dyn Fn() -> bool,
     ) -> Result<Listened, AgentError> {
         let mut conversation = self.conversation.here(domain);
-        if !is_rest {
-            return self.listen_to(domain, state, utterance, words, Place { before: conversation.before(), ..Place::WHOLE }, pause);
-        }
-        // Words of this part may refer to the previous part.
-        let (part, start) = (self.most_likely().map(|task| self.task(task)), self.started_from(domain));
-        let kind = part.map(|part| part.lifted);
+        // Words of the rest may refer to the previous part.
+        let part = self.most_likely().filter(|_| is_rest).map(|task| self.task(task));
+        let (kind, start) = (part.map(|part| part.lifted), self.started_from(domain));
         if let Some((part, start)) = part.zip(start) {
             conversation = conversation.after(domain, &self.lifted, &start, &part);
         }
-        self.listen_to(domain, state, utterance, words, Place { is_rest, kind, before: conversation.before(), told: None }, pause)
+        let earlier = Earlier { is_rest, kind, before: conversation.before() };
+        self.listen_to(domain, state, utterance, words, earlier, pause)
     }
 
     /// Hears the rest of an utterance with several commands, from [`Listened::rest`] on, in the state that the previous part leads to. A
@@ -137,8 +135,8 @@ impl<M: AgentMemory> Agent<M> {
         kind: Option<u8>,
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
-        let place = Place { is_rest: true, kind, before: conversation.before(), told: None };
-        self.listen_to(domain, state, rest, words, place, &|| true)
+        let earlier = Earlier { is_rest: true, kind, before: conversation.before() };
+        self.listen_to(domain, state, rest, words, earlier, &|| true)
     }
 
     fn listen_to<D: Domain + ?Sized>(
@@ -147,7 +145,7 @@ impl<M: AgentMemory> Agent<M> {
         state: &D::State,
         utterance: &str,
         words: ClosedWords<'_>,
-        place: Place<'_>,
+        earlier: Earlier<'_>,
         pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
         let read = first_words(utterance);
@@ -156,7 +154,7 @@ impl<M: AgentMemory> Agent<M> {
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
             self.begin_to_understand()?;
             while self.hear_on(domain, PART)? == Progress::Working {
-                rest(pause).inspect_err(|_| self.leave())?;
+                take_pause(pause).inspect_err(|_| self.leave())?;
             }
             let task = self.most_likely().unwrap_or(0);
             let (hypothesis, probability) = (Hypothesis::Command, self.belief().probability(task));
@@ -164,7 +162,7 @@ impl<M: AgentMemory> Agent<M> {
             let (verdict, command, sure) = (Verdict::Unsure, 1.0, 1.0);
             return Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure, rest: None, unread });
         }
-        let result = self.listen_here(domain, read, words, place, unread, pause);
+        let result = self.listen_here(domain, read, words, earlier, unread, pause);
         if result.is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
@@ -176,7 +174,7 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         utterance: &str,
         closed: ClosedWords<'_>,
-        place: Place<'_>,
+        earlier: Earlier<'_>,
         unread: Option<usize>,
         pause: Pause<'_>,
     ) -> Result<Listened, AgentError> {
@@ -190,17 +188,25 @@ impl<M: AgentMemory> Agent<M> {
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
         // The first of several commands may be polite for all: "could you ... and then ...?"
-        let is_asked = !place.is_rest && utterance.chars().fold(false, ends_with_question_mark);
+        let is_asked = !earlier.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
-        self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
-        words = self.reworded(domain, words, has_slips.then_some(Words::new(&mended, is_asked)), 0..1, &wording, place, &mut explained)?;
-        let (told, mut place) = (self.tell_apart(domain, &mut words, &wording, &mut explained)?, place);
-        if told.is_some() {
-            place.told = told.as_ref();
-            self.explain_all(domain, words, &wording, place.view(View::PLAIN), &mut explained)?;
+        let context = Context { earlier, ..Context::of(&wording) };
+        self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
+        if has_slips {
+            let mended = Words::new(&mended, is_asked);
+            self.try_wording(domain, &mut words, mended, 1.0, context, &mut explained)?;
         }
-        words = self.reworded(domain, words, None, 1..10, &wording, place, &mut explained)?;
-        let judged = self.judge(domain, words, &mut explained, &wording, place)?;
+        let told = self.tell_apart(domain, &mut words, &wording, &mut explained)?;
+        let context = Context { told: told.as_ref(), ..context };
+        if told.is_some() {
+            self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
+        }
+        for reword in REWORDINGS {
+            if let Some(other) = reword(words) {
+                self.try_wording(domain, &mut words, other, TURNED, context, &mut explained)?;
+            }
+        }
+        let judged = self.judge(domain, words, &mut explained, context)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
         let verdict = if judged.probability >= wording.sure && judged.is_clear && (unread.is_none() || judged.rest.is_some()) {
@@ -218,43 +224,24 @@ impl<M: AgentMemory> Agent<M> {
         Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
     }
 
-    /// The most probable of some simpler wordings of the words, and of the words themselves. Leaves its explanation in `explained`.
-    #[allow(clippy::too_many_arguments, reason = "the readings share what they are read with")]
-    fn reworded<'w, D: Domain + ?Sized>(
+    /// Takes another wording of the words if it is more probable. Leaves the explanation of the taken words in `explained`.
+    fn try_wording<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
-        mended: Option<Words<'w>>,
-        readings: Range<usize>,
-        wording: &Wording<'_>,
-        place: Place<'_>,
+        words: &mut Words<'w>,
+        other: Words<'w>,
+        prior: f32,
+        context: Context<'_>,
         explained: &mut Explained,
-    ) -> Result<Words<'w>, AgentError> {
-        let mut words = words;
-        for reading in readings {
-            let (other, prior) = match reading {
-                0 => (mended, 1.0),
-                1 => (told(words), TURNED),
-                2 => (corrected(words), TURNED),
-                3 => (taken_up(words), TURNED),
-                4 => (left(words), TURNED),
-                5 => (subject(words), TURNED),
-                6 => (curt(words), TURNED),
-                7 => (went(words), TURNED),
-                8 => (both(words), TURNED),
-                _ => (fronted(words), TURNED),
-            };
-            let Some(other) = other else { continue };
-            let here = explained.here;
-            self.explain_all(domain, other, wording, place.view(View::PLAIN), explained)?;
-            if explained.here.scaled_by(prior).exceeds(here) {
-                words = other;
-            } else {
-                // Computed again rather than kept: two explanations would be too much for a controller's stack.
-                self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
-            }
+    ) -> Result<(), AgentError> {
+        let here = explained.here;
+        self.explain_all(domain, other, View::PLAIN, context, explained)?;
+        if explained.here.scaled_by(prior).exceeds(here) {
+            *words = other;
+            return Ok(());
         }
-        Ok(words)
+        // Computed again rather than kept: two explanations would be too much for a controller's stack.
+        self.explain_all(domain, *words, View::PLAIN, context, explained)
     }
 
     /// The tasks of the session that hold in its start state: for these the robot rests.

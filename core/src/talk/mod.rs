@@ -8,36 +8,42 @@
 //!
 //! The modules, in the order in which an utterance passes through them:
 //! - `classes`: closed classes of words, from a table;
-//! - `heard`: the words of the utterance; `slips`: known words that new ones may be slips for; `mended`: the words without slips;
+//! - `pieces`: the words of the utterance; `heard`: one word; `words`: some of them; `excused`: words that negate nothing in their context;
+//! - `slips`: known words that new ones may be slips for; `mended`: the words without slips;
 //! - `syntax`: whether they have a verb, ask, report, or have a condition; `reworded`: simpler wordings of them;
 //! - `conversation`: earlier tasks and places; `recalled`: words that refer to them, such as "it" and "there";
-//! - `wording`: how commands are worded in the lessons; `place`: whether words come after another command;
+//! - `wording`: how commands are worded in the lessons; `context`: whether words come after another command;
 //! - `told`: places told by a thing, and things told by their place;
 //! - `explained`: how well the tasks here explain the words; `absent`: tasks about things that are not here;
-//! - `readings`: negated commands, all things of a kind, and several commands;
-//! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them;
+//! - `readings`: negated commands, and all things of a kind; `several`: several commands;
+//! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them; `objects`: the things and places of tasks;
 //! - `listening`: the calls, and the session that they begin;
 //! - `voice`: the effect of words that are no command; `correction`: words to a robot on its way.
 
 mod absent;
 mod classes;
+mod context;
 mod conversation;
 mod correction;
+mod excused;
 mod explained;
 mod heard;
 mod hypothesis;
 pub(crate) mod listening;
 mod mended;
-mod place;
+mod objects;
+mod pieces;
 mod readings;
 mod recalled;
 mod reworded;
+mod several;
 mod slips;
 mod syntax;
 mod told;
 mod verdict;
 mod voice;
 mod wording;
+mod words;
 
 pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
 pub use conversation::{Conversation, Fact};

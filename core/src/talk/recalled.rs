@@ -5,7 +5,8 @@
 
 use super::classes::Class;
 use super::conversation::{Before, Fact};
-use super::heard::{Words, learned};
+use super::heard::learned;
+use super::words::Words;
 use crate::oomdp::Domain;
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
@@ -118,20 +119,20 @@ pub(super) fn without(words: Words<'_>) -> Option<(Words<'_>, f32)> {
     let is_here = words.has(Class::Here);
     let mut probability = if is_here { 1.0 } else { POINTS_BACK };
     // "The other one" needs no other word.
-    let is_told = words.iter().any(|word| word.classes.contains_any(&[Class::Other, Class::Same]));
+    let is_told = words.any(&|word| word.is_any(&[Class::Other, Class::Same]));
     let rest = words.only(|word| {
-        let is_cue = word.classes.contains_any(&CUES);
+        let is_cue = word.is_any(&CUES);
         let is_plain = is_told && word.is_plain();
-        if word.classes.contains(Class::Here) {
-        } else if is_cue {
-            probability *= CUE;
-        } else if is_plain {
-            probability *= word.beside;
-        }
+        probability *= match () {
+            () if word.is(Class::Here) => 1.0,
+            () if is_cue => CUE,
+            () if is_plain => word.without_task,
+            () => 1.0,
+        };
         !(is_cue || is_plain)
     });
     let is_pointing = rest.len() < words.len() && (is_told || is_here || !rest.is_empty());
-    is_pointing.then(|| (rest, probability / learned(words, |word| word.classes.contains_any(&CUES))))
+    is_pointing.then(|| (rest, probability / learned(words, &|word| word.is_any(&CUES))))
 }
 
 /// The possible references of the words, each with its share.

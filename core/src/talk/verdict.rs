@@ -1,17 +1,17 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
 use super::classes::Class;
+use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
-use super::heard::Words;
-use super::hypothesis::Hypothesis;
-use super::place::{Place, View};
-use super::readings::{all, has_more, is_of_several, negated};
+use super::hypothesis::{Hypothesis, Likeliest};
+use super::readings::{WithoutCues, all, is_of_several, negated};
 use super::reworded::reversed;
+use super::several::has_more;
 use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_past, is_question, new_names, tells};
-use super::wording::Wording;
+use super::words::Words;
 use crate::memory::AgentMemory;
-use crate::oomdp::{Domain, ObjectId};
+use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
@@ -64,138 +64,203 @@ impl<M: AgentMemory> Agent<M> {
         domain: &D,
         words: Words<'w>,
         explained: &mut Explained,
-        wording: &Wording<'_>,
-        place: Place<'_>,
+        context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
         if let Some((first, last)) = reversed(words) {
-            // The rest is then the whole utterance again, with "before": by that time, the command to do first is done.
-            words = if place.is_rest { last } else { first };
-            self.explain_all(domain, words, wording, place.view(View::PLAIN), explained)?;
-            if !place.is_rest {
-                let taken = self.hypotheses(domain, words, wording, explained, place, None)?;
-                let part = self.judge_one(domain, words, explained, wording, place, taken)?;
+            if !context.earlier.is_rest {
+                let part = self.judge_part(domain, first, explained, context)?;
                 return Ok(Judged { hypothesis: Hypothesis::Several, rest: begin, ..part });
             }
+            // The rest is the whole utterance again, with "before": by that time, the command to do first is done.
+            words = last;
+            self.explain_all(domain, words, View::PLAIN, context, explained)?;
         }
-        let parting = self.part(domain, words, wording, place)?;
-        let (best, share, command) = self.hypotheses(domain, words, wording, explained, place, parting)?;
-        let (Hypothesis::Several, Some(parting)) = (best, parting) else {
-            return self.judge_one(domain, words, explained, wording, place, (best, share, command));
+        let parting = self.part(domain, words, context)?;
+        let likeliest = self.hypotheses(domain, words, explained, context, parting)?;
+        let (Hypothesis::Several, Some(parting)) = (likeliest.hypothesis, parting) else {
+            return self.judge_one(domain, words, explained, context, likeliest);
         };
-        let first = parting.first;
-        self.explain_all(domain, first, wording, place.view(View::PLAIN), explained)?;
-        let taken = self.hypotheses(domain, first, wording, explained, place, None)?;
-        let part = self.judge_one(domain, first, explained, wording, place, taken)?;
-        let (probability, command) = (share * part.probability, share * part.command);
-        let rest = words.get(parting.begin).map(|word| usize::from(word.piece));
+        let part = self.judge_part(domain, parting.first, explained, context)?;
         // "Go there, but take the bag first" is in another order.
-        let is_clear = part.is_clear && !words.part(parting.begin.saturating_sub(1), words.len()).has(Class::But);
-        Ok(Judged { hypothesis: best, probability, command, rest, is_clear, ..part })
+        let is_clear = part.is_clear && !words.from(parting.begin.saturating_sub(1)).has(Class::But);
+        Ok(Judged {
+            hypothesis: Hypothesis::Several,
+            probability: likeliest.probability * part.probability,
+            command: likeliest.probability * part.command,
+            is_clear,
+            rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
+            ..part
+        })
     }
 
-    /// The tasks of words that are not several commands. `taken` is their hypothesis, its probability, and the probability of a plain
-    /// command.
+    /// Decides on the first of several commands.
+    fn judge_part<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+    ) -> Result<Judged<'w>, AgentError> {
+        self.explain_all(domain, words, View::PLAIN, context, explained)?;
+        let likeliest = self.hypotheses(domain, words, explained, context, None)?;
+        self.judge_one(domain, words, explained, context, likeliest)
+    }
+
+    /// The tasks of words that are not several commands, under their likeliest hypothesis.
     #[inline(never)]
     fn judge_one<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         words: Words<'w>,
         explained: &mut Explained,
-        wording: &Wording<'_>,
-        place: Place<'_>,
-        (hypothesis, share, command): (Hypothesis, f32, f32),
+        context: Context<'_>,
+        likeliest: Likeliest,
     ) -> Result<Judged<'w>, AgentError> {
-        if let (Hypothesis::Negated, Some(rest)) = (hypothesis, negated(words)) {
-            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
-            // "Both chairs out of the red room".
-            let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-            let (task, of_tasks) = explained.best();
-            let is_of_thing = self.place_of_thing(domain, task).is_some();
-            // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
-            let holds = rest.is_double && !(is_of_thing && words.iter().any(|word| word.leaves));
-            if !holds {
-                let _ = self.negate(explained);
-                self.plan_for(domain, self.task_count)?;
-            }
-            // "The red chair must not end up in the blue room", "I don't want you in the red room".
-            let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
-            let has_act = match is_of_thing {
-                true => rest.is_act_for_things || !rest.stays && (explained.acts || place.is_rest || is_whole),
-                false => rest.is_act || explained.acts || place.is_rest || is_whole && words.has(Class::You),
-            };
-            let is_clear = rest.is_clear && has_act && explained.fitting.contains(task) && !tells(words);
-            let is_clear = is_clear && (!holds || self.done(domain).contains(task));
-            let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_tasks) };
-            let (words, probability) = (rest.words, share * of_tasks);
-            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
+        let share = likeliest.probability;
+        if let (Hypothesis::Negated, Some(rest)) = (likeliest.hypothesis, negated(words)) {
+            return self.judge_negated(domain, words, &rest, explained, context, share);
         }
-        if let (Hypothesis::All, Some(rest)) = (hypothesis, all(words)) {
-            let mut excepted = TaskSet::EMPTY;
-            if !rest.except.is_empty() {
-                self.explain_all(domain, rest.except, wording, place.view(rest.view), explained)?;
-                excepted = explained.own;
-            }
-            let mut there = None;
-            if !rest.from.is_empty() {
-                self.explain_all(domain, rest.from, wording, place.view(rest.view), explained)?;
-                there = Some(explained.fitting.common(self.done(domain)));
-            }
-            self.explain_all(domain, rest.words, wording, place.view(rest.view), explained)?;
-            let (tasks, of_place) = self.all_that_fit(domain, explained);
-            let is_there = |task: &usize| there.is_none_or(|there| there.iter().any(|other| self.thing(other) == self.thing(*task)));
-            let tasks: TaskSet = tasks.without(excepted).iter().filter(is_there).collect();
-            let is_only_told = tells(words) || has_condition(words);
-            let task = tasks.iter().next().unwrap_or(explained.best().0);
-            let (words, is_clear, probability) =
-                (explained.naming(rest.words), rest.is_clear && !tasks.is_empty() && !is_only_told, share * of_place);
-            return Ok(Judged { hypothesis, words, task, tasks, probability, command: share, is_clear, rest: None });
+        if let (Hypothesis::All, Some(rest)) = (likeliest.hypothesis, all(words)) {
+            return self.judge_all(domain, words, &rest, explained, context, share);
         }
-        if hypothesis == Hypothesis::Talk(Class::Again)
-            && let Some(task) = self.again(words, place.before, explained)
+        if likeliest.hypothesis == Hypothesis::Talk(Class::Again)
+            && let Some(task) = self.again(words, context.earlier.before, explained)
         {
             explained.keep_only(task);
             return Ok(Judged::again(task, share));
         }
+        Ok(self.judge_command(domain, words, explained, likeliest))
+    }
+
+    /// The state that words forbid, or the one to keep if they negate twice. `share` is the probability of the prohibition.
+    fn judge_negated<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        rest: &WithoutCues<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+        share: f32,
+    ) -> Result<Judged<'w>, AgentError> {
+        self.explain_all(domain, rest.words, rest.view, context, explained)?;
+        // "Both chairs out of the red room".
+        let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
+        let (task, of_task) = explained.best();
+        let is_of_thing = self.place_of_thing(domain, task).is_some();
+        // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
+        let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
+        if !holds {
+            self.negate(explained);
+            self.plan_for(domain, self.task_count)?;
+        }
+        // "The red chair must not end up in the blue room", "I don't want you in the red room".
+        let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
+        let has_act = explained.acts || context.earlier.is_rest;
+        let is_told = match is_of_thing {
+            true => rest.things_need_no_act || !rest.stays && (has_act || is_whole),
+            false => rest.needs_no_act || has_act || is_whole && words.has(Class::You),
+        };
+        let is_possible = !holds || self.done(domain).contains(task);
+        let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_task) };
+        Ok(Judged {
+            hypothesis: Hypothesis::Negated,
+            words: rest.words,
+            task,
+            tasks,
+            probability: share * of_tasks,
+            command: share,
+            is_clear: rest.is_clear && is_told && is_possible && explained.fitting.contains(task) && !tells(words),
+            rest: None,
+        })
+    }
+
+    /// The tasks about all things of a kind. `share` is the probability that all are meant.
+    fn judge_all<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        rest: &WithoutCues<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+        share: f32,
+    ) -> Result<Judged<'w>, AgentError> {
+        let mut excepted = TaskSet::EMPTY;
+        if !rest.except.is_empty() {
+            self.explain_all(domain, rest.except, rest.view, context, explained)?;
+            excepted = explained.own;
+        }
+        let mut there = None;
+        if !rest.from.is_empty() {
+            self.explain_all(domain, rest.from, rest.view, context, explained)?;
+            there = Some(explained.fitting.common(self.done(domain)));
+        }
+        self.explain_all(domain, rest.words, rest.view, context, explained)?;
+        let (tasks, of_place) = self.all_that_fit(domain, explained);
+        let is_there = |task: &usize| there.is_none_or(|there| there.iter().any(|other| self.thing(other) == self.thing(*task)));
+        let tasks: TaskSet = tasks.without(excepted).iter().filter(is_there).collect();
+        Ok(Judged {
+            hypothesis: Hypothesis::All,
+            words: explained.naming(rest.words),
+            task: tasks.iter().next().unwrap_or(explained.best().0),
+            tasks,
+            probability: share * of_place,
+            command: share,
+            is_clear: rest.is_clear && !tasks.is_empty() && !tells(words) && !has_condition(words),
+            rest: None,
+        })
+    }
+
+    /// The task of a plain command, and any objections to it.
+    fn judge_command<'w, D: Domain + ?Sized>(
+        &self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &Explained,
+        Likeliest { hypothesis, command, .. }: Likeliest,
+    ) -> Judged<'w> {
         let (task, of_command) = explained.best();
-        let (tasks, probability) = (TaskSet::of(task), command * of_command);
+        let (is_whole, is_own) = (explained.whole.contains(task), explained.own.contains(task));
         // "This or that" leaves the choice to the robot.
-        let is_choice = words.iter().any(|word| word.classes.contains(Class::Or) && word.count == 0.0);
+        let is_choice = words.any(&|word| word.is(Class::Or) && !word.is_of_lessons());
         // A word that names nothing known may be the name of something else.
-        let is_named = explained.own.contains(task) && (explained.whole.contains(task) || !has_new_name(words));
+        let is_named = is_own && (is_whole || !has_new_name(words));
         // "Paint the red room" is about no known task. A named thing with a place is enough: "haul that red chair to the red room".
-        let is_of_thing =
-            explained.whole.contains(task) && self.place_of_thing(domain, task).is_some() || self.is_only_one(domain, explained, task);
+        let is_of_thing = is_whole && self.place_of_thing(domain, task).is_some() || self.is_only_one(domain, explained, task);
         // "Switch on the lamp in the red room" has a new verb and a new name.
         let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
-        let is_told = is_named && has_verb && !is_choice && !is_question(words) && !tells(words) && !has_condition(words);
-        let is_clear = is_told && !is_past(words) && !has_more(words) && !self.has_rival(domain, explained, task);
-        let words = explained.naming(words);
-        Ok(Judged { hypothesis, words, task, tasks, probability, command, is_clear, rest: None })
+        let is_told = !is_question(words) && !tells(words) && !has_condition(words) && !is_past(words);
+        let is_one = !is_choice && !has_more(words) && !self.has_rival(domain, explained, task);
+        Judged {
+            hypothesis,
+            words: explained.naming(words),
+            task,
+            tasks: TaskSet::of(task),
+            probability: command * of_command,
+            command,
+            is_clear: is_named && has_verb && is_told && is_one,
+            rest: None,
+        }
+    }
+
+    /// Negates all tasks. The session is then about states to avoid.
+    fn negate(&mut self, explained: &mut Explained) {
+        let session = self.memory.lend().session;
+        for (task, weight) in session.tasks.iter_mut().take(self.task_count).zip(&mut explained.weights) {
+            match self.lifted.get(usize::from(task.lifted)).and_then(|lifted| task.negated(lifted)) {
+                Some(negated) => *task = negated,
+                None => *weight = Scaled::ZERO,
+            }
+        }
     }
 
     /// The position of the last task in the session, if the words ask for it again and for nothing else.
     fn again(&self, words: Words<'_>, before: Before<'_>, explained: &Explained) -> Option<usize> {
         let Before::Known(conversation) = before else { return None };
         let last = conversation.last()?;
-        let asks = words.iter().any(|word| word.classes.contains(Class::Again) && !word.classes.contains_any(&[Class::Back, Class::Undo]));
+        let asks = words.any(&|word| word.is(Class::Again) && !word.is_any(&[Class::Back, Class::Undo]));
         let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
-        (asks && (!explained.acts || explained.signed.contains(task))).then_some(task)
-    }
-
-    /// The first object of a task of one proposition.
-    pub(super) fn thing(&self, task: usize) -> Option<ObjectId> {
-        let task = self.task(task);
-        let lifted = self.lifted().get(usize::from(task.lifted))?;
-        task.propositions(lifted).next()?.arguments.first().copied()
-    }
-
-    /// Whether a task about a thing and its place is the only one that fits both names.
-    fn is_only_one<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
-        let place = self.place_of_thing(domain, task);
-        let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
-        let fits = |task: &usize| explained.fitting.contains(*task);
-        fits(&task) && alike().count() > 1 && alike().filter(fits).count() == 1
+        (asks && (!explained.acts || explained.acted.contains(task))).then_some(task)
     }
 
     /// Whether a done task of the same kind explains the words nearly as well as this one.

@@ -83,7 +83,7 @@ pub fn for_each_open_word(words: &str, closed: ClosedWords<'_>, mut take: impl F
 
 /// A summary of the classes of an utterance's words.
 #[derive(Default)]
-struct Words {
+struct Summary {
     count: usize,
     first: Classes,
     any: Classes,
@@ -106,7 +106,7 @@ struct Words {
     learned: Option<[u32; 2]>,
 }
 
-impl Words {
+impl Summary {
     const fn has(&self, class: Class) -> bool {
         self.any.contains(class)
     }
@@ -192,8 +192,8 @@ impl<M: AgentMemory> Agent<M> {
         })
     }
 
-    fn words_of(&self, words: &str, closed: ClosedWords<'_>, learned: impl Fn(&str) -> Option<[u32; 2]>) -> Result<Words, AgentError> {
-        let mut heard = Words { is_of_classes: true, learned: Some([0, 0]), ..Words::default() };
+    fn words_of(&self, words: &str, closed: ClosedWords<'_>, learned: impl Fn(&str) -> Option<[u32; 2]>) -> Result<Summary, AgentError> {
+        let mut heard = Summary { is_of_classes: true, learned: Some([0, 0]), ..Summary::default() };
         for_each_piece(words, |piece| {
             let in_table = closed.of(piece);
             let classes = in_table.about_commands();
@@ -222,7 +222,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Whether words correct the robot: they begin with "no" or "not", or name something without an act word.
-    fn corrects(&self, words: &str, closed: ClosedWords<'_>, heard: &Words) -> Result<bool, AgentError> {
+    fn corrects(&self, words: &str, closed: ClosedWords<'_>, heard: &Summary) -> Result<bool, AgentError> {
         if heard.first.contains_any(&[Class::No, Class::Blame]) {
             return Ok(true);
         }
@@ -232,7 +232,7 @@ impl<M: AgentMemory> Agent<M> {
 }
 
 /// The effect of a class of words here.
-fn act_of(class: Class, words: &Words, stage: Stage, question: Option<&Question>) -> Said {
+fn act_of(class: Class, words: &Summary, stage: Stage, question: Option<&Question>) -> Said {
     match class {
         Class::Praise | Class::Yes if question.is_some_and(|question| question.subject.choices() == 0) => Said::Answer(Answer::Yes),
         Class::Blame | Class::No if question.is_some() => Said::Answer(Answer::No),

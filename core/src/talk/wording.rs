@@ -16,7 +16,8 @@ const OF_OTHERS: f32 = 0.02;
 /// The caller's work between two parts; `false` stops the listening.
 pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
 
-pub(super) fn rest(pause: Pause<'_>) -> Result<(), AgentError> {
+/// Lets the caller do its work.
+pub(super) fn take_pause(pause: Pause<'_>) -> Result<(), AgentError> {
     if pause() { Ok(()) } else { Err(AgentError::Stopped) }
 }
 

@@ -1,0 +1,59 @@
+//! The things and places of tasks: which tasks bring a thing to the same place, and which things the words fit.
+
+use super::conversation::place_of;
+use super::explained::Explained;
+use crate::memory::AgentMemory;
+use crate::oomdp::{Domain, GroundProposition, ObjectId};
+use crate::probability::{Scaled, total};
+use crate::session::Agent;
+use crate::task::TaskSet;
+use crate::task::grounded::is_thing;
+
+impl<M: AgentMemory> Agent<M> {
+    /// The first proposition of a task.
+    fn proposition(&self, task: usize) -> Option<GroundProposition> {
+        let task = self.task(task);
+        task.propositions(self.lifted().get(usize::from(task.lifted))?).next()
+    }
+
+    /// The first object of a task of one proposition.
+    pub(super) fn thing(&self, task: usize) -> Option<ObjectId> {
+        self.proposition(task)?.arguments.first().copied()
+    }
+
+    /// The place of a task of one proposition.
+    pub(super) fn goal<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<ObjectId> {
+        place_of(domain, &self.proposition(task)?)
+    }
+
+    /// The kind of a task about one thing and its place, and this place.
+    pub(super) fn place_of_thing<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
+        let kind = self.task(task).lifted;
+        let lifted = self.lifted.get(usize::from(kind))?;
+        let is_about_thing = !lifted.has_way() && lifted.propositions().len() == 1 && is_thing(&domain.world(), self.thing(task)?);
+        Some((kind, self.goal(domain, task).filter(|_| is_about_thing)?))
+    }
+
+    /// The tasks that bring all fitting things to one place, and the probability of that place.
+    pub(super) fn all_that_fit<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
+        let place = |task: usize| self.place_of_thing(domain, task);
+        let weigh = |tasks: TaskSet| total(tasks.iter().map(|task| explained.weights.get(task).copied().unwrap_or(Scaled::ZERO)));
+        let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
+        let Some(likeliest) = explained.likeliest(of_things.common(explained.fitting)) else { return (TaskSet::EMPTY, 0.0) };
+        let there: TaskSet = of_things.iter().filter(|&task| place(task) == place(likeliest)).collect();
+        // The command is about things, unless other words say otherwise: "everything to the red room" has no act word.
+        let others = TaskSet::first(self.task_count).without(of_things);
+        let is_elsewhere =
+            explained.acts && !explained.has_new_verb && weigh(others).exceeds(weigh(of_things)) && !explained.acted.contains(likeliest);
+        let probability = if is_elsewhere { 0.0 } else { weigh(there).over(weigh(of_things)) };
+        (there.common(explained.fitting), probability)
+    }
+
+    /// Whether a task about a thing and its place is the only one that fits both names.
+    pub(super) fn is_only_one<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
+        let place = self.place_of_thing(domain, task);
+        let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
+        let fits = |task: &usize| explained.fitting.contains(*task);
+        fits(&task) && alike().count() > 1 && alike().filter(fits).count() == 1
+    }
+}

@@ -1,0 +1,144 @@
+//! Several commands in one utterance: "go to the red room and take the bag to the blue room".
+
+use super::classes::Class;
+use super::context::{Context, View};
+use super::explained::Explained;
+use super::heard::Heard;
+use super::readings::{CUE, EITHER, all, negated};
+use super::words::Words;
+use crate::capacity::WORDS_PER_COMMAND;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::session::{Agent, AgentError};
+use heapless::Vec;
+
+/// The prior of several commands.
+pub(super) const SEVERAL: f32 = 0.05;
+/// The most clauses of one command; "the bag and the chair" has two.
+const CLAUSES_PER_COMMAND: usize = 2;
+/// The prior of two commands that share the place in the second: "the bag and the chair to the red room".
+const SHARED: f32 = 0.3;
+/// The probability of each word of a shared place. The place is said once but counts in both commands, so it is divided out once.
+const SAID_ONCE: f32 = 0.2;
+
+/// A split of an utterance: the words of the first command, and the position of those after it.
+#[derive(Clone, Copy)]
+pub(super) struct Parting<'w> {
+    pub first: Words<'w>,
+    pub begin: usize,
+    pub weight: Scaled,
+}
+
+/// Whether a connective stands between words that may be two commands: to do only one of them would be wrong. "Be a darling and go" has one
+/// command.
+pub(super) fn has_more(words: Words<'_>) -> bool {
+    let parts = |word: &Heard| word.is(Class::Connective) && !word.is_of_lessons();
+    let Some(first) = words.position(&parts) else { return false };
+    let behind = words.from(first);
+    let is_command = words.before(first).any(&|word| word.is_of_task || word.is_name);
+    let second = || behind.after(0).position(&parts).map_or(Words::NONE, |second| behind.after(0).from(second));
+    if is_command { behind } else { second() }.any(&Heard::may_act)
+}
+
+/// The words of the place that a clause shares with the next one, if it has none of its own: "the bag and the chair to the red room".
+fn shared_place<'w>(clause: Words<'w>, next: Words<'w>) -> Option<Words<'w>> {
+    let way = next.position(&|word| word.is_toward)?;
+    (next.before(way).has_name() && clause.has_name() && !clause.has_way()).then(|| next.from(way))
+}
+
+/// The clauses of an utterance, between connectives or commas: "go to the red room, take the bag to the blue room".
+fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
+    let mut clauses = Vec::new();
+    let (mut begin, mut phrase) = (0, 0);
+    let is_connective = |at: usize| words.get(at).is_some_and(|word| word.is(Class::Connective));
+    let is_whole = |words: Words<'_>| words.has_name() && words.any(&|word| word.is_toward || word.is_of_task);
+    for at in 0..=words.len() {
+        let of = words.get(at).map_or(phrase, |word| word.phrase);
+        let behind = || words.from(at).of_phrase(of);
+        let is_comma = of > phrase && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind());
+        phrase = of;
+        if at == words.len() || is_connective(at) || is_comma {
+            if begin < at {
+                let _ = clauses.push((begin, at));
+            }
+            begin = if is_comma { at } else { at.saturating_add(1) };
+        }
+    }
+    clauses
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// The most probable split of the words into commands, with its probability.
+    #[inline(never)]
+    pub(super) fn part<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        context: Context<'_>,
+    ) -> Result<Option<Parting<'w>>, AgentError> {
+        let clauses = clauses(words);
+        let mut parting = None;
+        // The probability of the words from each clause on; 1 after the last.
+        let mut ahead: Vec<Scaled, { WORDS_PER_COMMAND + 1 }> = Vec::new();
+        let _ = ahead.resize(clauses.len().saturating_add(1), Scaled::ZERO);
+        ahead.iter_mut().rev().take(1).for_each(|slot| *slot = Scaled::ONE);
+        if clauses.len() < 2 {
+            return Ok(None);
+        }
+        for (first, &(start, _)) in clauses.iter().enumerate().rev() {
+            let mut best = Scaled::ZERO;
+            parting = None;
+            for (last, &(_, end)) in clauses.iter().enumerate().skip(first).take(CLAUSES_PER_COMMAND) {
+                let after = last.saturating_add(1);
+                let next = clauses.get(after);
+                // All clauses are no split.
+                if first == 0 && next.is_none() {
+                    continue;
+                }
+                let (mut clause, context) = (words.part(start, end), if first > 0 { context.after_first() } else { context });
+                let mut here = self.clause(domain, clause, context)?;
+                let mut is_shared = false;
+                if let Some(shared) = next.and_then(|&(begin, end)| shared_place(clause, words.part(begin, end))) {
+                    let with_place = clause.with(shared);
+                    let prior = shared.iter().fold(SHARED, |prior, _| prior / SAID_ONCE);
+                    let other = self.clause(domain, with_place, context)?.scaled_by(prior);
+                    if other.exceeds(here) {
+                        (here, clause, is_shared) = (other, with_place, true);
+                    }
+                }
+                let connective = match next {
+                    None => Scaled::ONE,
+                    // "And" mostly joins the names of two things.
+                    Some(_) if is_shared => Scaled::new(SEVERAL),
+                    Some(&(next, _)) => match words.get(end).filter(|_| next > end) {
+                        Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
+                        // A comma is no word.
+                        None => Scaled::new(EITHER),
+                    },
+                };
+                let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);
+                let weight = here.times(rest).times(connective);
+                if weight.exceeds(best) {
+                    best = weight;
+                    parting = next.map(|&(begin, _)| Parting { first: clause, begin, weight });
+                }
+            }
+            ahead.iter_mut().skip(first).take(1).for_each(|slot| *slot = best);
+        }
+        Ok(parting)
+    }
+
+    /// The probability of some words as one command, over all its readings. A later clause may leave out the act word.
+    fn clause<D: Domain + ?Sized>(&mut self, domain: &D, clause: Words<'_>, context: Context<'_>) -> Result<Scaled, AgentError> {
+        let (mut explained, context) = (Explained::NEW, context.of_kind(None));
+        // The state that the previous command leads to is not known yet.
+        self.explain_all(domain, clause, View { done: EITHER, ..View::PLAIN }, context, &mut explained)?;
+        let mut sum = explained.here;
+        for rest in [negated(clause), all(clause)].into_iter().flatten() {
+            self.explain_all(domain, rest.words, View { done: EITHER, ..rest.view }, context, &mut explained)?;
+            sum = sum.plus(explained.here.scaled_by(rest.prior));
+        }
+        Ok(sum)
+    }
+}

@@ -1,0 +1,183 @@
+//! Some of the words of an utterance, in order. A reading of an utterance is such a selection, and needs no copy of the words.
+
+use super::classes::Class;
+use super::heard::Heard;
+use crate::capacity::WORDS_PER_COMMAND;
+
+/// Some of the words of an utterance, in order: one bit each.
+#[derive(Clone, Copy)]
+pub(super) struct Words<'w> {
+    all: &'w [Heard],
+    kept: u64,
+    /// The word that comes first; the words before it come last.
+    first: usize,
+    /// Whether a question mark ends them.
+    pub is_asked: bool,
+}
+
+const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
+
+impl<'w> Words<'w> {
+    /// No words.
+    pub const NONE: Self = Self { all: &[], kept: 0, first: 0, is_asked: false };
+
+    pub const fn new(all: &'w [Heard], is_asked: bool) -> Self {
+        Self { all, kept: u64::MAX, first: 0, is_asked }
+    }
+
+    pub const fn iter(self) -> Iter<'w> {
+        Iter { words: self, passed: 0, at: 0 }
+    }
+
+    pub fn len(self) -> usize {
+        self.iter().count()
+    }
+
+    pub fn is_empty(self) -> bool {
+        self.iter().next().is_none()
+    }
+
+    pub fn get(self, at: usize) -> Option<&'w Heard> {
+        self.iter().nth(at)
+    }
+
+    /// The position of the first such word.
+    #[inline(never)]
+    pub fn position(self, is_wanted: &dyn Fn(&Heard) -> bool) -> Option<usize> {
+        self.iter().position(is_wanted)
+    }
+
+    /// The position of the last such word.
+    #[inline(never)]
+    pub fn last(self, is_wanted: &dyn Fn(&Heard) -> bool) -> Option<usize> {
+        self.iter().enumerate().filter_map(|(at, word)| is_wanted(word).then_some(at)).last()
+    }
+
+    /// Whether there is such a word.
+    pub fn any(self, is_wanted: &dyn Fn(&Heard) -> bool) -> bool {
+        self.position(is_wanted).is_some()
+    }
+
+    /// The position of the first word of a class.
+    pub fn at(self, class: Class) -> Option<usize> {
+        self.position(&|word| word.is(class))
+    }
+
+    /// Whether a word is of a class.
+    pub fn has(self, class: Class) -> bool {
+        self.at(class).is_some()
+    }
+
+    /// Whether the first word is of a class.
+    pub fn begins_with(self, class: Class) -> bool {
+        self.get(0).is_some_and(|word| word.is(class))
+    }
+
+    /// Whether a word names a value.
+    pub fn has_name(self) -> bool {
+        self.any(&|word| word.is_name)
+    }
+
+    /// The position of the last name.
+    pub fn last_name(self) -> Option<usize> {
+        self.last(&|word| word.is_name)
+    }
+
+    /// Whether a word tells a direction.
+    pub fn has_way(self) -> bool {
+        self.any(&|word| word.is_toward)
+    }
+
+    /// The words for which `is_wanted` holds; it is called once for each, in order.
+    pub fn only(self, mut is_wanted: impl FnMut(&Heard) -> bool) -> Self {
+        self.keep(&mut is_wanted)
+    }
+
+    #[inline(never)]
+    fn keep(self, is_wanted: &mut dyn FnMut(&Heard) -> bool) -> Self {
+        let (mut words, mut kept) = (self.iter(), 0);
+        while let Some(word) = words.next() {
+            kept |= u64::from(is_wanted(word)) << words.at;
+        }
+        Self { kept, ..self }
+    }
+
+    /// The same words, with those before a position moved to the end.
+    pub fn turned(self, position: usize) -> Self {
+        let mut words = self.iter();
+        let _ = words.nth(position);
+        Self { first: words.at, ..self }
+    }
+
+    /// These words and those of another part of the same utterance.
+    pub const fn with(self, other: Self) -> Self {
+        Self { kept: self.kept | other.kept, ..self }
+    }
+
+    /// The words from one position up to another.
+    pub fn part(self, begin: usize, end: usize) -> Self {
+        let mut at = 0_usize;
+        self.only(|_| {
+            at = at.saturating_add(1);
+            begin < at && at <= end
+        })
+    }
+
+    /// The words from a position on.
+    pub fn from(self, begin: usize) -> Self {
+        self.part(begin, usize::MAX)
+    }
+
+    /// The words after a position.
+    pub fn after(self, position: usize) -> Self {
+        self.from(position.saturating_add(1))
+    }
+
+    /// The words before a position.
+    pub fn before(self, position: usize) -> Self {
+        self.part(0, position)
+    }
+
+    /// The words before the first such word; all if there is none.
+    pub fn until(self, is_wanted: &dyn Fn(&Heard) -> bool) -> Self {
+        self.before(self.position(is_wanted).unwrap_or(usize::MAX))
+    }
+
+    /// The words of a phrase.
+    pub fn of_phrase(self, phrase: u8) -> Self {
+        self.only(|word| word.phrase == phrase)
+    }
+
+    /// These words, if some of `all` are missing.
+    pub fn if_fewer(self, all: Self) -> Option<Self> {
+        (self.len() < all.len()).then_some(self)
+    }
+}
+
+/// Iterates over words. It is one type for all callers; iterator adapters would be compiled for each.
+#[derive(Clone)]
+pub(super) struct Iter<'w> {
+    words: Words<'w>,
+    /// The number of words of the utterance passed, kept or not.
+    passed: usize,
+    /// The position of the last word in the utterance.
+    at: usize,
+}
+
+impl<'w> Iterator for Iter<'w> {
+    type Item = &'w Heard;
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<&'w Heard> {
+        let Words { all, kept, first, .. } = self.words;
+        while self.passed < all.len() {
+            let at = first.saturating_add(self.passed);
+            self.at = if at < all.len() { at } else { at.saturating_sub(all.len()) };
+            self.passed = self.passed.saturating_add(1);
+            if kept >> self.at & 1 == 1 {
+                return all.get(self.at);
+            }
+        }
+        None
+    }
+}
