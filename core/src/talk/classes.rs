@@ -305,6 +305,7 @@ impl<'t> ClosedWords<'t> {
         self.lines_of_languages().filter(move |line| self.silent & line.language == 0)
     }
 
+    /// The lines of all languages, also of those that are not spoken.
     fn lines_of_languages(self) -> impl Iterator<Item = Line<'t>> {
         let (mut last, mut language) = (1_u32, 1_u32);
         lines(self.text).filter_map(move |line| {
@@ -362,10 +363,12 @@ impl<'t> ClosedWords<'t> {
     pub(super) fn of_slip(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
         let cues = [Class::Negation, Class::Out, Class::All, Class::Connective];
-        for line in self.lines().filter(|line| line.classes().contains_any(&cues)) {
+        for line in self.lines() {
+            let of_line = line.classes();
             // Slips in the first letter are rare.
-            if line.words().any(|other| word.chars().next() == other.chars().next() && is_slip(word, other)) {
-                classes = classes.and(line.classes());
+            let is_slip_for = |other: &str| word.chars().next() == other.chars().next() && is_slip(word, other);
+            if of_line.contains_any(&cues) && line.words().any(is_slip_for) {
+                classes = classes.and(of_line);
             }
         }
         classes

@@ -3,6 +3,7 @@
 
 use super::classes::{Class, Classes};
 use super::heard::Heard;
+use crate::capacity::WORDS_PER_COMMAND;
 
 /// After a "but" that excepts nothing, "you" follows within this many words.
 const SPOKEN_TO: usize = 2;
@@ -29,6 +30,9 @@ pub(super) fn excuse(words: &mut [Heard]) {
     }
     excuse_at(words, conditions | reminders);
 }
+
+/// A set of positions has a bit for each.
+const _: () = assert!(WORDS_PER_COMMAND <= u64::BITS as usize);
 
 /// The positions for which `holds`, one bit each.
 fn positions(words: &[Heard], holds: &dyn Fn(usize) -> bool) -> u64 {
