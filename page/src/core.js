@@ -1,7 +1,7 @@
 // The robot's core, in WebAssembly: one world with one robot, and the course.
 import { Goodbot, initSync } from 'goodbot-wasm';
 import { t } from './language.js';
-import { inParts, tell } from './state.js';
+import { inParts, render, state, tell } from './state.js';
 
 export const PLAN_BUDGET = 20000;
 export const LEARN_BUDGET = 60000;
@@ -37,5 +37,20 @@ export function attempt(action) {
 
 /** Has the robot learn its training data, a part at a time. */
 export const learn = () => inParts(() => world.learn(LEARN_BUDGET));
+
+/** Does work in which the robot learns. The page says so, and takes no command meanwhile.
+ * @template T
+ * @param {() => Promise<T>} work
+ * @returns {Promise<T>} */
+export async function whileLearning(work) {
+  const before = state.phase;
+  state.phase = 'learning';
+  render();
+  try {
+    return await work();
+  } finally {
+    state.phase = before;
+  }
+}
 
 export const heatNow = () => parsed(world.heat());

@@ -2,7 +2,7 @@
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { saveTable, shareSession } from './charts.js';
 import { setUpSettings, setUpShortcuts } from './controls.js';
-import { attempt, startCore, world } from './core.js';
+import { attempt, startCore, whileLearning, world } from './core.js';
 import { speakLanguage, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
 import { setUpNext } from './next.js';
@@ -70,9 +70,7 @@ function setUp() {
 
 // Another tab has taught the robot of this one.
 async function takeOver() {
-  state.phase = 'learning';
-  const taught = await othersTaught();
-  state.phase = 'none';
+  const taught = await whileLearning(othersTaught);
   if (taught) takeStock();
   const { at, done } = state.robot.tour;
   if (at === state.tour.at && done.join() === state.tour.done.join()) return;

@@ -1,6 +1,6 @@
 // The robots of this browser: the one that learns here, their names, copies, and the deleted ones.
 import { expectTrainer, expectedNow } from './believes.js';
-import { attempt, learn, world } from './core.js';
+import { attempt, learn, whileLearning, world } from './core.js';
 import { ask } from './dialog.js';
 import { readFile } from './files.js';
 import { listed, t } from './language.js';
@@ -200,8 +200,6 @@ export async function keepGuest() {
 export async function loadModel(input) {
   const { content, name } = await readFile(input, 'bytes');
   if (!await leaveSession()) return;
-  state.phase = 'learning';
-  render();
   try {
     await takeModel(new Uint8Array(/** @type {ArrayBuffer} */ (content)));
     const robot = newRecord(freeName(name));
@@ -212,7 +210,6 @@ export async function loadModel(input) {
     tell(t('robots.noModel', { why: error.message }), true);
     return;
   } finally {
-    state.phase = 'none';
     refresh();
     render();
   }
@@ -253,14 +250,11 @@ export const considerWays = value => relearn(t('undo.ways'), () => world.setWays
  * @param {string} what
  * @param {() => void} work */
 export async function relearn(what, work) {
-  state.phase = 'learning';
-  render();
-  await change(what, async () => {
+  await whileLearning(() => change(what, async () => {
     attempt(work);
     await learn();
     return '';
-  });
-  state.phase = 'none';
+  }));
   takeStock();
 }
 
@@ -268,15 +262,13 @@ export async function relearn(what, work) {
  * @param {'past' | 'future'} from */
 export async function undo(from) {
   if (state.session || state.phase === 'learning') return;
-  state.phase = 'learning';
   let what;
   try {
-    what = await travel(from);
+    what = await whileLearning(() => travel(from));
   } catch (error) {
     tell(t('undo.cannot', { why: error.message }), true);
     return;
   } finally {
-    state.phase = 'none';
     render();
   }
   if (what === undefined) return;

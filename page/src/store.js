@@ -2,7 +2,7 @@
 // the lessons of the others, and a session that ends in one is learned on top of those that another learned meanwhile.
 import { fromBase64, toBase64 } from './base64.js';
 import { expectedNow } from './believes.js';
-import { heatNow, learn, world } from './core.js';
+import { heatNow, learn, whileLearning, world } from './core.js';
 import { t } from './language.js';
 import * as shelf from './shelf.js';
 import { state, tell } from './state.js';
@@ -106,10 +106,10 @@ export function giveStarter(starter) {
 export async function enterMode(mode) {
   state.mode = mode;
   if (world.starter() === sentencesNow(state.robot.starter)) return;
-  world.setStarter(sentencesNow(state.robot.starter));
-  state.phase = 'learning';
-  await learn();
-  state.phase = 'none';
+  await whileLearning(() => {
+    world.setStarter(sentencesNow(state.robot.starter));
+    return learn();
+  });
   state.heat = { now: heatNow(), before: null };
 }
 
@@ -118,11 +118,13 @@ export async function enterMode(mode) {
  * @param {boolean} ways whether commands may say how
  * @param {string} starter */
 export async function takeModel(bytes, ways = world.ways(), starter = '') {
-  world.setWays(ways);
-  await learn();
-  world.restore(bytes);
-  world.setStarter(sentencesNow(starter));
-  await learn();
+  await whileLearning(async () => {
+    world.setWays(ways);
+    await learn();
+    world.restore(bytes);
+    world.setStarter(sentencesNow(starter));
+    await learn();
+  });
   state.sessions = world.sessions();
   state.settings.style = expectedNow();
 }

@@ -169,6 +169,13 @@ export async function drag(page, tool, from, to = from) {
   await page.mouse.up();
 }
 
+// The link that a button shows: making it takes a moment.
+export async function linkOf(page, button) {
+  await page.click(button);
+  await page.locator('#shared[open]').waitFor();
+  return page.inputValue('#link');
+}
+
 // The download of a button: its name and its bytes.
 export async function downloaded(page, button) {
   if (!downloads) {

@@ -1,7 +1,7 @@
 // The parts that differ between browsers, once more in Firefox: beginning, input, storage of a page from a disk, tabs, links, files.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { BLOCKED, close, downloaded, firefoxPath, launch, learned, model, open, openIn, opened, play, reload, sessions, takeFirefox, toTheGoal } from './browser.mjs';
+import { BLOCKED, close, downloaded, firefoxPath, launch, learned, linkOf, model, open, openIn, opened, play, reload, sessions, takeFirefox, toTheGoal } from './browser.mjs';
 
 const skip = firefoxPath ? false : 'there is no Firefox: `cargo xtask test --only page` fetches one, or name it in GOODBOT_FIREFOX';
 let browser;
@@ -85,9 +85,7 @@ test('in Firefox, a link brings a robot, a file saves it, and a file brings it b
   await page.click('#auto');
   await learned(page, 1);
   await opened(page, 'Your robots');
-  await page.click('#meet');
-  await page.locator('#shared[open]').waitFor();
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#meet'));
   await page.click('#close-link');
   const other = await open(browser, {}, hash);
   assert.match(await other.textContent('#guest-words'), /^Meet Robot 1\. It knows 5 words/);

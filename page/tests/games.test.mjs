@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, openIn, opened, play, sessions } from './browser.mjs';
+import { address, close, launch, linkOf, open, openIn, opened, play, sessions } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -71,10 +71,7 @@ test('a secret language is passed on by a link and found out from what the robot
   await page.selectOption('#language', 'en');
   await page.click('#keep-guest');
   await page.getByText('is kept, under').first().waitFor();
-  await page.click('#meet-secret');
-  // The link is packed first: the dialog opens when it is there.
-  await page.locator('#shared[open]').waitFor();
-  const link = await page.inputValue('#link');
+  const link = await linkOf(page, '#meet-secret');
   assert.match(await page.textContent('#shared-about'), /finds out what its words mean/);
   await page.click('#close-link');
 

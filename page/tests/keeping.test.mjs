@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, pass, play, reload, saved, sessions, stopTime } from './browser.mjs';
+import { close, launch, learned, linkOf, model, open, opened, pass, play, reload, saved, sessions, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -190,9 +190,8 @@ test('a link carries the home and the settings', async () => {
   await page.selectOption('#believes', 'punish-only');
   await page.check('#set-pull');
   await page.uncheck('#set-ghost');
-  await page.click('#share');
+  const { hash } = new URL(await linkOf(page, '#share'));
   assert.equal(await page.evaluate(() => location.hash), '', 'the page stays where it is');
-  const { hash } = new URL(await page.inputValue('#link'));
   await page.click('#close-link');
   const home = await page.evaluate(() => window.goodbot.environment());
   const other = await open(browser, {}, hash);

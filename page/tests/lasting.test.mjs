@@ -1,7 +1,7 @@
 // No work is lost: tabs, reloads, robots, undo, storage that is blocked or full.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { BLOCKED, close, drag, launch, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
+import { BLOCKED, close, drag, launch, linkOf, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -403,8 +403,7 @@ test('a link is taken once: what is changed after it outlives a reload', async (
   const page = await open(browser);
   await play(page, 'E');
   await opened(page, 'Settings, keeping, sharing');
-  await page.click('#share');
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#share'));
   const other = await open(browser, {}, hash);
   await other.selectOption('#speed', 'fast');
   await reload(other);

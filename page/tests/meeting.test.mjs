@@ -1,7 +1,7 @@
 // The robot is the link.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, model, open, opened, openIn, play, reload, sessions } from './browser.mjs';
+import { close, launch, linkOf, model, open, openIn, opened, play, reload, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -19,9 +19,7 @@ async function teacher() {
   await opened(page, 'Your robots');
   await page.fill('#robots input', 'blue team');
   await page.keyboard.press('Tab');
-  await page.click('#meet');
-  await page.locator('#shared[open]').waitFor();
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#meet'));
   return { page, hash };
 }
 

@@ -1,7 +1,7 @@
 // A link shows a session once more, step by step, and changes none of the visitor's data.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, openIn, opened, play } from './browser.mjs';
+import { close, launch, learned, linkOf, model, open, openIn, opened, play } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -28,9 +28,7 @@ async function teacher() {
   await page.click('#finish');
   await learned(page, 2);
   await opened(page, 'Charts');
-  await page.click('#share-session');
-  await page.locator('#shared[open]').waitFor();
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#share-session'));
   await page.click('#close-link');
   return { page, hash, believed, steps };
 }

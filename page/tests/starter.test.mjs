@@ -1,7 +1,7 @@
 // A robot that knows everyday English.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
+import { close, launch, learned, linkOf, model, open, openIn, opened, play, reload, saved, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -58,6 +58,7 @@ test('a robot that knows everyday English is sure of a common sentence at once, 
   assert.deepEqual([await sessions(page), await model(page)], [0, alone], 'these sentences are no lessons of its own');
   await reload(page);
   await play(page, 'Test');
+  await idle(page, 'en');
   assert.deepEqual(await believed(page), known);
   assert.ok(await page.isChecked('#set-starter'));
   await page.click('#undo');
@@ -74,6 +75,27 @@ test('a robot that knows everyday English is sure of a common sentence at once, 
   await close(page);
 });
 
+test('the page says that the robot learns, and takes no command, whatever makes it learn', async () => {
+  const page = await halfTaught();
+  await page.evaluate(() => {
+    const { goodbot } = window;
+    const learn = goodbot.learn.bind(goodbot);
+    window.phases = new Set();
+    goodbot.learn = budget => {
+      window.phases.add(document.body.dataset.phase);
+      return learn(budget);
+    };
+  });
+  const phases = () => page.evaluate(() => [...window.phases]);
+  for (const [button, language] of [['#undo', ''], ['#redo', 'en'], ['[data-mode=tour]', ''], ['[data-mode=play]', 'en']]) {
+    await page.evaluate(() => window.phases.clear());
+    await page.click(button);
+    await idle(page, language);
+    assert.deepEqual(await phases(), ['learning'], button);
+  }
+  await close(page);
+});
+
 test('the tour is without everyday English', async () => {
   const [page, other] = [await halfTaught(), await open(browser)];
   await page.click('[data-mode=tour]');
@@ -87,7 +109,7 @@ test('the tour is without everyday English', async () => {
   await reload(page);
   assert.equal(await starter(page), '');
   await play(page, 'A');
-  assert.equal(await starter(page), 'en');
+  await idle(page, 'en');
   assert.equal(await sessions(page), 1);
   await page.click('#new-robot');
   await page.getByText('I know no word yet').waitFor();
@@ -108,8 +130,7 @@ test('a log, a link and another tab bring back what a robot with everyday Englis
   assert.deepEqual([await model(other), await believed(other)], [own, known]);
   await close(other);
   await opened(page, 'Your robots');
-  await page.click('#meet');
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#meet'));
   await page.click('#close-link');
   const visitor = await open(browser, {}, hash);
   assert.deepEqual([await model(visitor), await believed(visitor)], [own, known]);
@@ -117,10 +138,12 @@ test('a log, a link and another tab bring back what a robot with everyday Englis
   await visitor.getByText('is kept, under').first().waitFor();
   await reload(visitor);
   await play(visitor, 'A');
+  await idle(visitor, 'en');
   assert.deepEqual(await believed(visitor), known);
   await close(visitor);
   const tab = await openIn(page.context());
   await play(tab, 'A');
+  await idle(tab, 'en');
   assert.deepEqual(await believed(tab), known);
   await tab.uncheck('#set-starter');
   await idle(page, '');

@@ -1,7 +1,7 @@
 // The tour tells the truth about its lessons and tests.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, open, opened, saved, sessions, toTheGoal } from './browser.mjs';
+import { close, launch, linkOf, open, opened, saved, sessions, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -206,9 +206,7 @@ test('“the” stands in every command and means nothing, in the secret languag
   await page.setInputFiles('#load-log', { name: 'answers.jsonl', mimeType: 'application/jsonl', buffer: Buffer.from(log) });
   await page.getByText('The robot has gone through the log').first().waitFor();
   await opened(page, 'Your robots');
-  await page.click('#meet-secret');
-  await page.waitForSelector('#shared[open]');
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#meet-secret'));
   const other = await open(browser, {}, hash);
   const words = await other.locator('#secret-words button').allTextContents();
   assert.ok(words.includes('take') && words.includes('blue'), String(words));

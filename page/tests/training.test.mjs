@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, model, open, opened, play, reload } from './browser.mjs';
+import { close, launch, learned, linkOf, model, open, opened, play, reload } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -82,8 +82,7 @@ test('with the same seed, home and words a new robot takes the same steps, also 
   await seed('7');
   assert.equal(await steps(page, 2), seven);
   await opened(page, 'Settings, keeping, sharing');
-  await page.click('#share');
-  const { hash } = new URL(await page.inputValue('#link'));
+  const { hash } = new URL(await linkOf(page, '#share'));
   await page.click('#close-link');
   assert.equal(await steps(page), seven);
   const other = await open(browser, {}, hash);
