@@ -41,12 +41,7 @@ impl<M: AgentMemory> Agent<M> {
         let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
         let Some(likeliest) = explained.likeliest(of_things.common(explained.fitting)) else { return (TaskSet::EMPTY, 0.0) };
         let there: TaskSet = of_things.iter().filter(|&task| place(task) == place(likeliest)).collect();
-        // The command is about things, unless other words say otherwise: "everything to the red room" has no act word.
-        let others = TaskSet::first(self.task_count).without(of_things);
-        let is_elsewhere =
-            explained.acts && !explained.has_new_verb && weigh(others).exceeds(weigh(of_things)) && !explained.acted.contains(likeliest);
-        let probability = if is_elsewhere { 0.0 } else { weigh(there).over(weigh(of_things)) };
-        (there.common(explained.fitting), probability)
+        (there.common(explained.fitting), weigh(there).over(weigh(of_things)))
     }
 
     /// Whether a task about a thing and its place is the only one that fits both names.

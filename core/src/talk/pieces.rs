@@ -53,9 +53,6 @@ impl<M: AgentMemory> Agent<M> {
             number = number.saturating_add(1);
             Ok(())
         })?;
-        if let Some(first) = words.first_mut() {
-            begin(language, first);
-        }
         excuse(words);
         mark_verbs_before_way(words);
         Ok(())
@@ -128,19 +125,6 @@ fn is_first(before: &Utterance) -> bool {
 fn is_slip_for_name(language: LanguageRef<'_>, text: &str, symbol: Symbol) -> bool {
     let known = language.words().text(symbol);
     is_name(language.tables(), Some(symbol)) && is_slip(known, text) && !text.starts_with(known)
-}
-
-/// Marks the first word of an utterance. In "then go on", no command comes before "then". "Is the bag here" is a question, even if lessons
-/// have "is" elsewhere.
-fn begin(language: LanguageRef<'_>, first: &mut Heard) {
-    if first.is(Class::Connective) {
-        first.factor = 1.0;
-    }
-    let bitext = language.bitext();
-    let begins = |word: Symbol| (0..bitext.sessions() as u16).any(|session| bitext.sentence(session).first() == Some(&word));
-    if first.is(Class::Asking) && !first.said.symbol.is_some_and(begins) {
-        first.count = 0.0;
-    }
 }
 
 /// In "把篮子提到", the new sign before the direction is a verb.

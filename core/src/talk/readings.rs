@@ -48,33 +48,19 @@ pub(super) struct WithoutCues<'w> {
 /// The words without the cues of some classes, and the probability of these cues. Adjacent cues count once: "out of", "all things".
 fn without<'w>(words: Words<'w>, cues: &[Class]) -> Option<(Words<'w>, f32)> {
     let takes_out = cues.contains(&Class::Out) && is_out(words);
-    let (mut probability, mut before) = (1.0, Before::Other);
+    let (mut probability, mut is_after_cue) = (1.0, false);
     let rest = words.only(|word| {
         let is_cue = word.is_any(cues);
         let is_from = takes_out && word.is(Class::From);
-        // An article in a grammatical case that no lesson had: "aus dem Zimmer".
-        let is_article = before == Before::From && word.is_strange();
-        if is_cue {
-            probability *= if before == Before::Cue { 1.0 } else { CUE };
+        if is_cue && !is_after_cue {
+            probability *= CUE;
         }
-        before = match () {
-            () if is_cue && !word.is(Class::From) => Before::Cue,
-            () if is_cue || is_from => Before::From,
-            () => Before::Other,
-        };
-        !(is_cue || is_from || is_article)
+        is_after_cue = is_cue && !word.is(Class::From);
+        !(is_cue || is_from)
     });
     // The new verb of "clear the chairs from the red room" is the cue.
     probability *= if takes_out && !words.has(Class::Out) { CUE } else { 1.0 };
     Some((rest.if_fewer(words)?, probability)).filter(|(rest, _)| !rest.is_empty())
-}
-
-/// The kind of the previous word.
-#[derive(Clone, Copy, PartialEq)]
-enum Before {
-    Cue,
-    From,
-    Other,
 }
 
 /// Whether a place is to be left.

@@ -47,7 +47,7 @@ const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class:
 pub(super) type Rewording = for<'w> fn(Words<'w>) -> Option<Words<'w>>;
 
 /// The simpler wordings, in the order in which they are tried. Each is tried on the result of those before it.
-pub(super) const REWORDINGS: [Rewording; 9] = [
+pub(super) const REWORDINGS: [Rewording; 8] = [
     without_asides,
     corrected,
     without_taking_up,
@@ -55,7 +55,6 @@ pub(super) const REWORDINGS: [Rewording; 9] = [
     without_demand,
     without_polite_words,
     without_other_clauses,
-    without_both,
     from_verb_on,
 ];
 
@@ -64,19 +63,17 @@ fn without_asides(words: Words<'_>) -> Option<Words<'_>> {
     let first = words.iter().find(|word| word.is_name)?.phrase;
     let reason = reason(words).unwrap_or(words.len());
     let is_spoken = |phrase: u8| phrase < first && is_about_speaker(words.of_phrase(phrase));
-    let is_tag = |phrase: u8| phrase > first && is_tag(words.of_phrase(phrase));
     let mut at = 0_usize;
     let mut rest = words.only(|word| {
         let phrase = words.of_phrase(word.phrase);
         let is_aside = (at >= reason || is_spoken(word.phrase)) && !words.has(Class::If);
         at = at.saturating_add(1);
-        !(is_aside || is_polite_condition(phrase) || is_tag(word.phrase) || is_care(words, word.phrase))
+        !(is_aside || is_polite_condition(phrase) || is_care(words, word.phrase))
             && (is_about_task(phrase) || word.phrase < first && !is_call(phrase))
     });
     // "Could you, please, go there?"
     let front = words.only(|word| word.phrase < first);
-    let asks_politely = front.has(Class::You) && front.has(Class::Polite);
-    rest.is_asked &= !(asks_politely || words.iter().last().is_some_and(|word| is_tag(word.phrase)));
+    rest.is_asked &= !(front.has(Class::You) && front.has(Class::Polite));
     rest.if_fewer(words)
 }
 
@@ -94,12 +91,6 @@ fn is_call(phrase: Words<'_>) -> bool {
 fn is_polite_condition(phrase: Words<'_>) -> bool {
     let is_polite = |word: &Heard| !word.is_open() && (word.is(Class::If) || !word.is_any(&OF_SENTENCES));
     phrase.has(Class::If) && phrase.iter().all(is_polite)
-}
-
-/// Whether a phrase at the end asks for the same once more: "..., can you do that?", but not "..., did you take it?".
-fn is_tag(phrase: Words<'_>) -> bool {
-    let is_other = |word: &Heard| word.is_name || word.acts() || !word.is(Class::Pronoun) && word.is_any(&OF_SENTENCES);
-    phrase.has(Class::You) && !phrase.any(&is_other)
 }
 
 /// Whether a word belongs to a task, or to a request.
@@ -271,16 +262,6 @@ fn without_other_clauses(words: Words<'_>) -> Option<Words<'_>> {
     (!front.is_empty() && front.iter().all(is_idle) && behind.has_name()).then_some(behind)
 }
 
-/// The words without "both" if two things are named: "both the bag and the chair", "the bag and the chair both".
-fn without_both(words: Words<'_>) -> Option<Words<'_>> {
-    let (and, all) = (words.at(Class::Connective)?, words.at(Class::All)?);
-    let name = |words: Words<'_>| words.position(&|word| word.is_name);
-    let (before, behind) = (name(words.before(and))?, name(words.from(and))?);
-    let is_sign = words.get(all).is_some_and(|word| word.is_sign);
-    let is_between = if all < and { !is_sign && all < before } else { all > and.saturating_add(behind) };
-    (is_between && !words.any(&|word| word.is_plural)).then(|| words.only(|word| !word.is(Class::All)))
-}
-
 /// The words from the verb on, followed by those before it, if something is named in front: "take the bag to the red room". Words that
 /// negate or soften a command stay with its verb.
 fn from_verb_on(words: Words<'_>) -> Option<Words<'_>> {
@@ -289,11 +270,9 @@ fn from_verb_on(words: Words<'_>) -> Option<Words<'_>> {
     for (at, word) in words.iter().enumerate() {
         let is_verb = word.may_be_verb();
         if is_verb && is_named {
-            // "The red room, eh, nice" has no verb.
-            let is_exclamation = word.is_new && words.of_phrase(word.phrase).len() == 1;
             // "The bag, put it in the red room".
             let rest = words.only(|word| !word.is(Class::It));
-            return Some(rest.turned(begin)).filter(|_| !is_exclamation && begin > 0);
+            return Some(rest.turned(begin)).filter(|_| begin > 0);
         }
         if is_verb && !has_way || word.is_any(&[Class::Connective, Class::Out]) {
             return None;

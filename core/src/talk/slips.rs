@@ -30,21 +30,14 @@ pub(super) fn slip_for(language: LanguageRef<'_>, piece: &str, rate: f32) -> Opt
         if length < 2 || !(is_form || is_slip_of_any_length(piece, known) || ending_of_plural(piece, known).is_some()) {
             continue;
         }
-        // The number of possible slips of a word: an exchange, a letter left out, inserted or replaced. Or another ending: "roja", "rojo".
-        let slips = if is_form || has_other_ending(piece, known) { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
+        // The number of possible slips of a word: an exchange, a letter left out, inserted or replaced.
+        let slips = if is_form { OTHER_ENDINGS } else { 54.0 * length as f32 + 25.0 };
         let probability = rate / slips / spelling;
         if best.is_none_or(|(_, most)| probability > most) {
             best = Some((symbol, probability));
         }
     }
     best
-}
-
-/// Whether two words differ in the last letter alone.
-fn has_other_ending(one: &str, other: &str) -> bool {
-    let (mut one, mut other) = (one.chars(), other.chars());
-    let (last, known) = (one.next_back(), other.next_back());
-    last.is_some() && known.is_some() && one.as_str() == other.as_str() && one.count() >= LEAST_BEFORE_ENDING
 }
 
 /// Whether a word may be another form of a verb: "taking", "lleves". An accent marks another tense: "llevé".

@@ -193,12 +193,7 @@ pub(super) fn has_condition(words: Words<'_>) -> bool {
     let is_polite = case.get(0).is_some_and(|word| word.is_any(&[Class::Polite, Class::You]));
     let says = |words: Words<'_>| words.any(&|word| word.is_of_task || word.is_name);
     let is_glad = first > 0 && words.has(Class::You) && !says(words.before(first));
-    // "If you took the bag there, I'd be glad."
-    let phrase = words.get(at).map_or(0, |word| word.phrase);
-    let behind = words.only(|word| word.phrase > phrase);
-    let is_thanked = behind.has(Class::Polite) && behind.has(Class::Speaker) && !behind.has(Class::Negation) && !says(behind);
-    let is_request = is_glad || first == 0 && is_thanked;
-    !is_polite || !is_request && case.any(&|word| word.is_new_word() || word.is(Class::Speaker))
+    !is_polite || !is_glad && case.any(&|word| word.is_new_word() || word.is(Class::Speaker))
 }
 
 /// Whether the words are a question or a report: they have a question word that no lesson had, or a question mark and no polite word.

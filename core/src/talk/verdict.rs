@@ -226,7 +226,7 @@ impl<M: AgentMemory> Agent<M> {
         // A word that names nothing known may be the name of something else.
         let is_named = is_own && (is_whole || !has_new_name(words));
         // "Paint the red room" is about no known task. A named thing with a place is enough: "haul that red chair to the red room".
-        let is_of_thing = is_whole && self.place_of_thing(domain, task).is_some() || self.is_only_one(domain, explained, task);
+        let is_of_thing = self.is_only_one(domain, explained, task);
         // "Switch on the lamp in the red room" has a new verb and a new name.
         let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
         let is_told = !is_question(words) && !tells(words) && !has_condition(words) && !is_past(words);

@@ -741,6 +741,7 @@ fn words_with_an_apostrophe_and_joined_pronouns_are_heard_apart() {
         ("n'apporte pas la malle jaune dans la salle bleue", "done", not(&take(0, 1))),
         ("je te prie d'apporter la malle jaune dans la salle bleue", "sure", take(0, 1)),
         ("ne va que dans la salle bleue", "unsure", String::new()),
+        ("pourriez-vous, s'il vous plaît, aller dans la salle bleue ?", "sure", go(1)),
     ];
     check(&model, &three_rooms(), &cases.each_ref().map(|(words, verdict, task)| (*words, *verdict, task.as_str())));
     let (_folder, model) = taught(120, &SPANISH);
