@@ -15,12 +15,12 @@ const HEADER: &str = "capi/include/goodbot.h";
 /// The C header, and the C++ header that wraps it.
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
+/// The features to choose from, as in `capi/Cargo.toml`. `talk` and `bounds` are no defaults, because they take flash even if they are not used.
+pub const ALL_FEATURES: [&str; 13] =
+    ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways", "talk", "bounds"];
 /// The default features of a library.
-pub const FEATURES: [&str; 11] =
-    ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "unicode", "ways"];
-/// The features to choose from, as in `capi/Cargo.toml`. `talk` is no default, because it takes flash even if it is not called.
-pub const ALL_FEATURES: [&str; 12] =
-    ["asking", "checks", "derived", "drive", "explain", "forgetting", "home", "learning", "table", "talk", "unicode", "ways"];
+pub const FEATURES: &[&str] = ALL_FEATURES.split_at(11).0;
+const FEATURES_AND_TALK: &[&str] = ALL_FEATURES.split_at(12).0;
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -44,7 +44,7 @@ pub struct Library {
     #[arg(long, value_parser = TARGETS)]
     target: Option<String>,
     /// The features to include; the others take no flash
-    #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES, value_parser = ALL_FEATURES)]
+    #[arg(long, value_delimiter = ',', value_name = "LIST", default_values = FEATURES.iter().copied(), value_parser = ALL_FEATURES)]
     features: Vec<String>,
 }
 
@@ -102,16 +102,16 @@ pub struct Example {
     every_function: bool,
 }
 
-pub const HOME: Example = Example { name: "home", features: &FEATURES, every_function: false };
+pub const HOME: Example = Example { name: "home", features: FEATURES, every_function: false };
 pub const LIFT: Example = Example { name: "lift", ..HOME };
 /// A robot that is talked to.
-pub const TALK: Example = Example { name: "talk", features: &ALL_FEATURES, ..HOME };
+pub const TALK: Example = Example { name: "talk", features: FEATURES_AND_TALK, ..HOME };
 /// With a library that has no other features.
 pub const LIFT_ALONE: Example = Example { features: &["checks", "learning", "table"], ..LIFT };
 /// One that only obeys, with a library that cannot do more.
 pub const OBEY: Example = Example { name: "obey", features: &["table"], every_function: false };
 /// With every function, because the examples do not call all of them.
-pub const EVERY_FUNCTION: Example = Example { features: &ALL_FEATURES, every_function: true, ..HOME };
+pub const EVERY_FUNCTION: Example = Example { features: FEATURES_AND_TALK, every_function: true, ..HOME };
 
 impl Example {
     /// Builds it. Returns its path.

@@ -41,7 +41,7 @@ pub fn make(sh: &Shell, above: &Path) -> Result<PathBuf> {
         if !built.contains_key(target) {
             // The next target's library may be built in the same place.
             let kept = above.join(format!("{target}.a"));
-            sh.copy_file(library(Some(target), &FEATURES)?, &kept)?;
+            sh.copy_file(library(Some(target), FEATURES)?, &kept)?;
             built.insert(target, kept);
         }
     }

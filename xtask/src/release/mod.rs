@@ -201,7 +201,7 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>, to: &Path) -> Resu
         sh.copy_file(file, &include)?;
     }
     // A computer has room for talk.
-    let features: &[&str] = if target.is_some() { &FEATURES } else { &ALL_FEATURES };
+    let features: &[&str] = if target.is_some() { FEATURES } else { &ALL_FEATURES };
     sh.copy_file(library(target, features)?, lib.join("libgoodbot.a"))?;
     let sources = Path::new("capi/packages/archive");
     for file in ["goodbotConfig.cmake", "goodbotConfigVersion.cmake"] {
