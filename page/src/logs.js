@@ -12,6 +12,17 @@ const LOG_FIELDS = {
   end: ['type', 'learn'],
 };
 
+/** A line of a log, read. Throws if it is of another kind of file.
+ * @param {string} line
+ * @returns {any} */
+export function recordOf(line) {
+  try {
+    const record = JSON.parse(line);
+    if (record.type) return record;
+  } catch { /* No JSON, or `null`. */ }
+  throw new Error(t('log.type'));
+}
+
 /** Throws if a line of a log is wrong, and says why. */
 export function checkRecord(record) {
   const fields = LOG_FIELDS[record.type];
@@ -75,7 +86,7 @@ export async function learnFrom(lines) {
     number += 1;
     if (!line.trim()) continue;
     try {
-      const record = JSON.parse(line);
+      const record = recordOf(line);
       checkRecord(record);
       own.push(line);
       if ((record.type === 'session') !== (session === null)) throw new Error(t(session ? 'log.noEnd' : 'log.noBeginning'));

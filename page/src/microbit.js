@@ -101,7 +101,7 @@ export async function toMicrobit(input, name) {
     flash.set(slotsWith(model), SLOTS);
     download(name + '.hex', textOf(flash), 'text/plain');
     tell(t('microbit.done') + (home ? '' : ' ' + t('microbit.noHome')));
-  } catch (error) {
-    tell(t('microbit.noRoom', { why: error.message }), true);
+  } catch {
+    tell(t('microbit.noRoom'), true);
   }
 }

@@ -3,6 +3,7 @@
 import { attempt, parsed, world } from './core.js';
 import { download, readFile } from './files.js';
 import { percent, t } from './language.js';
+import { recordOf } from './logs.js';
 import { $, inParts, isDrawn, make, render, state, tell } from './state.js';
 import { patch } from './store.js';
 import { isShown } from './tabs.js';
@@ -101,14 +102,14 @@ async function load(input) {
   try {
     for (const line of content.split('\n')) {
       number += 1;
-      const test = line.trim() ? asTest(parsed(line)) : null;
+      const test = line.trim() ? asTest(recordOf(line)) : null;
       if (test) found.push(test);
     }
-    if (!found.length) throw new Error(t('log.empty'));
   } catch (error) {
     tell(t('log.line', { n: number, why: error.message }), true);
     return;
   }
+  if (!found.length) tell(t('log.empty'), true);
   await keep([...tests(), ...found]);
   render();
 }

@@ -246,14 +246,14 @@ function renderAhead() {
   plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
 }
 
-/** Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels. */
+/** Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels, and more in the class view. */
 export function watchSize() {
   const sizes = new ResizeObserver(entries => {
     for (const { target } of entries) {
       const root = /** @type {SVGSVGElement} */ (target);
       const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
       const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
-      if (scale > 0) root.style.setProperty('--name', Math.max(11, 12 / scale).toFixed(1) + 'px');
+      if (scale > 0) root.style.setProperty('--name', Math.max(11, parseFloat(getComputedStyle(document.documentElement).fontSize) * 0.75 / scale).toFixed(1) + 'px');
       root.classList.toggle('short', scale < 0.6);
       root.classList.toggle('tiny', scale < 0.5);
     }

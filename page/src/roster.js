@@ -207,7 +207,8 @@ export async function loadModel(input) {
     await open(robot);
     tell(t('robots.fromFile', { name: robot.name, sessions: sessionsWord() }));
   } catch (error) {
-    tell(t('robots.noModel', { why: error.message }), true);
+    // The sentence itself says that it is no model.
+    tell(t('robots.noModel', { why: /not a goodbot/.test(error.message) ? '' : ' (' + error.message + ')' }), true);
     return;
   } finally {
     refresh();

@@ -72,7 +72,7 @@ for (const locale of ['de', 'es']) test('on the smallest phone no name lies over
   await close(page);
 });
 
-test('on the smallest phone all tabs are seen whole, in every language', async () => {
+test('on the smallest phone all tabs of the tour are seen whole, and on a small desktop those of free play, in every language', async () => {
   for (const locale of ['de', 'en', 'es', 'fr', 'zh-CN']) {
     const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
     await page.selectOption('#speed', 'once');
@@ -80,6 +80,9 @@ test('on the smallest phone all tabs are seen whole, in every language', async (
     await learned(page, 1);
     const cut = await page.locator('[role=tab]:visible').evaluateAll(tabs => tabs.filter(tab => tab.getBoundingClientRect().right > 320).map(tab => tab.id));
     assert.deepEqual(cut, [], locale);
+    await page.setViewportSize({ width: 1280, height: 720 });
+    await page.click('[data-mode=play]');
+    assert.deepEqual(await page.locator('#tabs').evaluate(tabs => tabs.scrollWidth - tabs.clientWidth), 0, locale);
     await close(page);
   }
 });
@@ -95,7 +98,7 @@ const seen = (page, ids) => page.evaluate(names => ({
   })),
 }), ids);
 
-for (const [width, height, least, settings] of [[320, 568, 90, '{}'], [360, 640, 150, '{}'], [390, 844, 300, '{}'], [1280, 720, 400, '{}'], [1280, 720, 380, '{"presenter":true}'], [1920, 1080, 700, '{}']]) {
+for (const [width, height, least, settings] of [[320, 568, 180, '{}'], [360, 640, 200, '{}'], [390, 844, 300, '{}'], [1280, 720, 400, '{}'], [1280, 720, 500, '{"presenter":true}'], [1920, 1080, 700, '{}']]) {
   test('on arrival at ' + width + ' by ' + height + ' pixels, what begins, the plan, Good and Bad are seen whole' + (settings === '{}' ? '' : ', in the class view too'), async () => {
     const page = await open(browser, { viewport: { width, height } });
     await page.evaluate(kept => localStorage.setItem('goodbot.settings', kept), settings);
@@ -106,7 +109,7 @@ for (const [width, height, least, settings] of [[320, 568, 90, '{}'], [360, 640,
     assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
     for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && !box.covered, id + ': ' + JSON.stringify(box));
     const { plan, good } = boxes;
-    assert.ok(plan.bottom <= good.top, 'the plan ends above the buttons: ' + JSON.stringify(boxes));
+    assert.ok(plan.bottom <= good.top || plan.right <= good.left, 'the plan is above the buttons or beside them: ' + JSON.stringify(boxes));
     assert.ok(plan.bottom - plan.top >= least, 'the plan is ' + (plan.bottom - plan.top) + ' pixels high');
     await close(page);
   });
@@ -149,8 +152,8 @@ test('on arrival there are three lines to read at most, and the foot of the page
   await close(page);
 });
 
-test('on the smallest phone, between two lessons, the plan, Good and Bad are seen whole', async () => {
-  const page = await open(browser, { viewport: { width: 320, height: 568 } });
+for (const [width, height, least] of [[320, 568, 140], [360, 740, 200]]) test('on a phone of ' + width + ' by ' + height + ' pixels, between two lessons, the plan, what begins the next, Good and Bad are seen whole', async () => {
+  const page = await open(browser, { viewport: { width, height } });
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
   await page.getByText('Good or Bad?').waitFor();
@@ -159,21 +162,23 @@ test('on the smallest phone, between two lessons, the plan, Good and Bad are see
   await page.click('#finish');
   await page.waitForFunction(() => window.goodbot.sessions() === 1 && document.body.dataset.phase === 'none');
   await still(page);
-  const { scroll, boxes } = await seen(page, ['good', 'bad', 'plan']);
-  assert.ok(scroll <= 320, 'the page is ' + scroll + ' pixels wide');
-  for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= 320 && box.top >= 0 && box.bottom <= 568 && !box.covered, id + ': ' + JSON.stringify(box));
-  assert.ok(boxes.plan.bottom <= boxes.good.top && boxes.plan.bottom - boxes.plan.top >= 90, JSON.stringify(boxes));
+  const { scroll, boxes } = await seen(page, ['good', 'bad', 'plan', 'lesson']);
+  assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
+  for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && !box.covered, id + ': ' + JSON.stringify(box));
+  assert.ok(boxes.plan.bottom <= boxes.good.top && boxes.plan.bottom - boxes.plan.top >= least, JSON.stringify(boxes));
   await close(page);
 });
 
-test('on a wide screen the page uses the width, and Good and Bad stay where they are while the panel is read', async () => {
+test('on a wide screen the page uses the width, Good and Bad are alone on their line, and stay where they are while the panel is read', async () => {
   const page = await open(browser, { viewport: { width: 1920, height: 1080 } });
   const { right } = await page.locator('#tour').boundingBox().then(({ x, width }) => ({ right: x + width }));
   assert.ok(right > 1850, 'the content ends at ' + right);
-  await page.setViewportSize({ width: 1280, height: 720 });
   await page.selectOption('#speed', 'step');
   await page.click('#lesson');
   await page.getByText('Good or Bad?').waitFor();
+  const { good, pause } = (await seen(page, ['good', 'pause'])).boxes;
+  assert.ok(pause.top >= good.bottom, JSON.stringify({ good, pause }));
+  await page.setViewportSize({ width: 1280, height: 720 });
   await page.evaluate(() => window.scrollTo(0, 400));
   const { boxes } = await seen(page, ['good', 'bad', 'finish', 'plan']);
   for (const [id, box] of Object.entries(boxes)) assert.ok(box.top >= 0 && box.bottom <= 720 && !box.covered, id + ': ' + JSON.stringify(box));

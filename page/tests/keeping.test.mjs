@@ -99,6 +99,8 @@ test('a session log teaches another page the same', async () => {
   assert.deepEqual(await model(other), learned);
   await load(Buffer.from(log.toString().replace('"noop"', '"fly"')));
   await other.getByText('fly is no action here').first().waitFor();
+  await load(Buffer.from('null'));
+  await other.getByText('line 1 of this log cannot be used: it is not from a session log').first().waitFor();
   assert.deepEqual(await model(other), learned);
   await close(page);
   await close(other);

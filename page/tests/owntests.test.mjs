@@ -107,6 +107,8 @@ test('tests go to a file and come from one, and what is none is refused with its
   const load = buffer => page.setInputFiles('#load-tests', { name: 'tests.jsonl', mimeType: 'application/jsonl', buffer });
   await load(Buffer.from(file.toString().replace('"intended":["blockInRoom', '"intended":["blockUnderRoom')));
   await page.getByText('line 3 of this log cannot be used: blockUnderRoom').first().waitFor();
+  await load(Buffer.from('\x89PNG'));
+  await page.getByText('line 1 of this log cannot be used: it is not from a session log').first().waitFor();
   await load(Buffer.from('{"type":"end","learn":true}\n'));
   await page.getByText('there is no session in this log').first().waitFor();
   await opened(page, 'Tests of your own');
