@@ -128,6 +128,14 @@ test('the class view fits on the screen, whatever its size', async () => {
     if (scroll > height) tall.push(width + ' by ' + height + ': ' + scroll);
   }
   assert.deepEqual(tall, []);
+  await page.setViewportSize({ width: 1280, height: 720 });
+  await page.evaluate(() => document.querySelector('[data-mode=play]').click());
+  await page.fill('#command', 'go there');
+  await page.keyboard.press('Enter');
+  await page.getByText('Good or Bad?').waitFor();
+  await still(page);
+  const { finish, plan } = (await seen(page, ['finish', 'plan'])).boxes;
+  assert.ok(finish.bottom <= 720 && !finish.covered && plan.bottom <= 720, JSON.stringify({ finish, plan }));
   await close(page);
 });
 
