@@ -102,6 +102,16 @@ test('in Firefox, a link brings a robot, a file saves it, and a file brings it b
   for (const tab of [page, other, third]) await close(tab);
 });
 
+test('in Firefox, the tour ends with a card of the robot', { skip }, async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  await page.click('#watch');
+  await page.locator('#card:visible').waitFor();
+  const { name, bytes } = await downloaded(page, '#save-card');
+  assert.deepEqual([name, bytes.toString('latin1', 1, 4), bytes.readUInt32BE(16)], ['my-robot.png', 'PNG', 1080]);
+  await close(page);
+});
+
 test('in Firefox, where storage is blocked, the page says so and works', { skip }, async () => {
   const page = await openIn(await browser.newContext(), '', BLOCKED);
   await page.selectOption('#speed', 'once');

@@ -7,11 +7,12 @@ let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-test('in at most fifteen seconds after the first tap the robot has gone where it was meant to go', async () => {
+test('in at most fifteen seconds after the first tap the robot has gone where it was meant to go, and no right word makes it less sure', async () => {
   const page = await open(browser, { viewport: { width: 390, height: 844 }, hasTouch: true });
   await stopTime(page);
   await page.tap('#lesson');
   let passed = 0;
+  const sure = [];
   const isThere = () => page.evaluate(() => document.getElementById('say').textContent.startsWith('I am in the green room'));
   for (let steps = 0; passed < 15000 && !await isThere();) {
     await pass(page, 200);
@@ -20,9 +21,11 @@ test('in at most fifteen seconds after the first tap the robot has gone where it
     if (now[1] !== 'waiting' || now[0] < steps) continue;
     // The visitor judges once for each step.
     await page.tap(/green/.test(now[2]) ? '#good' : '#bad');
+    sure.push(parseInt((await page.locator('#bars li', { hasText: 'green' }).locator('.value').textContent()).replace('>', ''), 10));
     steps = now[0] + 1;
   }
   assert.ok(await isThere(), await page.textContent('#say'));
+  assert.ok(sure.length > 2 && sure.every((share, at) => share >= (sure[at - 1] ?? 0)), String(sure));
   await close(page);
 });
 

@@ -82,8 +82,12 @@ test('a secret language is passed on by a link and found out from what the robot
   assert.ok(words.length >= 5 && words.includes('grünen'), words.join());
   await axeClean(friend, 'secret language');
   assert.ok(await friend.evaluate(() => document.documentElement.scrollWidth <= 360), 'nothing is wider than a phone');
-  await friend.selectOption('#speed', 'once');
+  await friend.selectOption('#speed', 'step');
   await friend.locator('#secret-words button', { hasText: 'grünen' }).click();
+  await friend.locator('body[data-session]').waitFor();
+  const [plan, desk] = [await friend.locator('#plan').boundingBox(), await friend.locator('.desk').boundingBox()];
+  assert.ok(plan.y > 0 && plan.y + plan.height < desk.y, 'on a phone it is seen what the robot does: ' + JSON.stringify({ plan, desk }));
+  await friend.selectOption('#speed', 'once');
   await friend.waitForFunction(() => document.body.dataset.phase === 'none');
   assert.doesNotMatch(await friend.textContent('#live'), /green room/);
   const chosen = friend.locator('#secret-words li', { has: friend.getByRole('button', { name: 'grünen' }) }).locator('select');
