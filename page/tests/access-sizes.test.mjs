@@ -174,6 +174,10 @@ for (const [width, height, least] of [[320, 568, 140], [360, 740, 200]]) test('o
   assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
   for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && !box.covered, id + ': ' + JSON.stringify(box));
   assert.ok(boxes.plan.bottom <= boxes.good.top && boxes.plan.bottom - boxes.plan.top >= least, JSON.stringify(boxes));
+  await page.setViewportSize({ width: 740, height: 360 });
+  assert.equal((await seen(page, ['lesson'])).boxes.lesson.covered, false, 'in landscape neither');
+  await page.setViewportSize({ width: 1024, height: 768 });
+  assert.ok((await page.locator('#dots').boundingBox()).height < 40, 'all lessons and tests are on one line');
   await close(page);
 });
 
