@@ -17,7 +17,8 @@ export function speech() {
   const session = state.session;
   if (state.phase === 'learning') return [t('say.thinking'), state.progress || t('say.learning')];
   if (!session) {
-    if (isOver()) return [t('say.iAm', state.robot), ''];
+    // A robot that is only shown has no name of its own.
+    if (isOver()) return [t(state.robot.log === undefined ? 'say.iAm' : 'say.thanks', state.robot), ''];
     if (state.said) return /** @type {[string, string]} */ (state.said);
     if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), t('say.helloMore')];
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];

@@ -183,7 +183,7 @@ test('what is done already, and what the robot cannot do, begins no session', as
   await page.click('#finish');
   await learned(page, 31);
   await say(page, 'go to the red room');
-  assert.match(await page.textContent('#say'), /I am there already/);
+  assert.match(await page.textContent('#say'), /That is done already/);
   await say(page, 'what a lovely morning outside my friend');
   assert.match(await page.textContent('#say'), /nothing that I can do here|not sure/);
   assert.ok(await page.isHidden('#finish'));

@@ -121,6 +121,7 @@ test('what feedback was worth is seen at the end, and all steps are a table with
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.getByText('The tour is over').first().waitFor();
+  assert.equal((await page.textContent('#say')).trim(), 'Thank you.', 'a robot that is only shown has no name of its own');
   const worth = page.locator('#tour table');
   assert.ok(await worth.isVisible(), 'nobody has to unfold it');
   assert.match(await worth.locator('thead').textContent(), /with you.*without a word/);

@@ -41,14 +41,14 @@ test('what is suggested can be done and is not done yet, in every home', async (
   await close(page);
 });
 
-test('what is done already is answered with “I am there already”', async () => {
+test('what is done already is answered with “That is done already”', async () => {
   const page = await open(browser);
   await trained(page);
   await play(page, 'A');
   await page.selectOption('#speed', 'step');
   await page.fill('#command', 'go to the blue room');
   await page.click('#say-it');
-  await page.getByText('I am there already: go to the blue room').first().waitFor();
+  await page.getByText('That is done already: go to the blue room').first().waitFor();
   assert.ok(await page.isHidden('#finish'), 'there is nothing to do');
   await page.click('#else');
   await page.getByText('Good or Bad?').waitFor();
