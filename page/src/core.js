@@ -29,8 +29,8 @@ export function attempt(action) {
   try {
     return action();
   } catch (error) {
-    // The core names the limit by its name in Rust.
-    tell(/::(WORDS_PER_COMMAND|NAME_BYTES) /.test(error.message) ? t('talk.tooLong') : error.message, true);
+    // The core says it in English, and names the limit by its name in Rust.
+    tell(/::(WORDS_PER_COMMAND|NAME_BYTES) /.test(error.message) ? t('talk.tooLong') : /has no word/.test(error.message) ? t('talk.nothing') : error.message, true);
     return undefined;
   }
 }

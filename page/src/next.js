@@ -63,7 +63,7 @@ export function renderNext() {
 }
 
 export function setUpNext() {
-  $('wanted').value = shelf.get('wanted') || '';
+  $('wanted').value = (shelf.get('wanted') || '').slice(0, $('wanted').maxLength);
   $('wanted').addEventListener('input', () => {
     shelf.put('wanted', $('wanted').value || null);
     renderNext();

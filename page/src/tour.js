@@ -37,10 +37,10 @@ export function beginStop(auto) {
   world.reset();
   refresh();
   const own = auto || !mayReword() ? '' : $('own-words').value.trim();
-  if (own) state.tour.said[commandOf(stop)] = own;
   // Feedback to steps hardly tells ways apart: the simulated trainer picks the meaning.
-  const session = startSession(inOwnWords(commandOf(stop)), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
+  const session = startSession(own || inOwnWords(commandOf(stop)), { intended: stop.test ? null : auto ? stop.intended : null, looking: stop.test, picked: stop.appendix && auto && !stop.test ? stop.intended : '' });
   if (!session) return;
+  if (own) state.tour.said[commandOf(stop)] = own;
   attend(session);
   if (!stop.test) return;
   // The verdict is known at once: nothing in a test changes the belief.

@@ -57,6 +57,13 @@ test('words of one’s own are proposed again, and what was heard often is no le
   await page.fill('#wanted', 'zorp mung');
   assert.match(await page.textContent('#next-lesson'), /zorp mung/);
   assert.match(await page.textContent('#next-why'), /“mung”/);
+  const pasted = await page.evaluate(() => {
+    const field = document.getElementById('wanted');
+    field.select();
+    document.execCommand('insertText', false, 'zorp mung\n'.repeat(3000));
+    return field.value.length;
+  });
+  assert.ok(pasted <= 2000, 'what is pasted is no longer than the page can think over at once: ' + pasted);
   await close(page);
 });
 

@@ -35,6 +35,22 @@ test('the first lesson is one tap; from the second on the words are one’s own'
   await close(page);
 });
 
+test('an emoji is no way to say it: the page says so in its language, and the next tap takes our words', async () => {
+  const page = await open(browser, { locale: 'de' });
+  await page.selectOption('#speed', 'once');
+  await page.click('#auto');
+  await learned(page, 1);
+  await page.fill('#own-words', '😀');
+  await page.click('#lesson');
+  await page.getByText('Darin ist kein Wort.').first().waitFor();
+  await page.fill('#own-words', '');
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await page.getByText('Gut oder schlecht?').waitFor();
+  assert.match(await page.textContent('#tour-title'), /geh in den roten Raum/);
+  await close(page);
+});
+
 test('who has no words of their own takes ours by one tap', async () => {
   const page = await open(browser);
   await page.locator('#dots button').nth(1).click();
