@@ -81,6 +81,8 @@ const told = (says, choices) => {
   render();
   announce(says.join(' '));
   $('trick-choices').querySelector('button')?.focus({ preventScroll: true });
+  // On a phone the question is below the plan.
+  $('trick').scrollIntoView({ block: 'nearest' });
 };
 
 /** @param {number} level */
@@ -138,6 +140,9 @@ async function repair(chosen) {
 export function renderTrick() {
   if (game && game.robot !== state.robot) game = null;
   $('trick').hidden = Boolean(state.secret);
+  // The next lesson would be the answer.
+  if (game) $('next-card').hidden = true;
+  $('own-tests').hidden = Boolean(game);
   const says = game ? game.says : [t('trick.about')];
   const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), () => beginLevel(0)]]);
   if (isDrawn('trick', says, choices.map(([words]) => words))) return;

@@ -40,7 +40,9 @@ test('a badly taught robot is tricked, one lesson repairs that, and another does
       await many(page, 1);
       await pick(page, choices(page), 3);
       if (code === 'en') {
+        assert.ok(await choices(page).last().evaluate(choice => choice.getBoundingClientRect().bottom <= innerHeight), 'the question comes into view');
         if (level === 1) await axeClean(page, 'trick');
+        assert.equal(await page.isVisible('#next-card'), false, 'the next lesson would be the answer');
         const before = await sessions(page);
         await pick(page, choices(page).first(), 3);
         assert.equal(await sessions(page), before + 1, 'one lesson more');
