@@ -27,7 +27,7 @@ const pick = async (page, choice, count) => {
 };
 
 test('a badly taught robot is tricked, one lesson repairs that, and another does not, whichever side the adjectives stand', async () => {
-  const page = await open(browser, { bypassCSP: true });
+  const page = await open(browser, { bypassCSP: true, viewport: { width: 360, height: 740 } });
   await page.selectOption('#speed', 'once');
   await play(page, 'A');
   const own = await sessions(page);
