@@ -8,6 +8,8 @@ import { describeScene, formsOf, labelWords } from './words.js';
 
 export const CELL = 48;
 const LOOK_BUDGET = 4000;
+// The outer half of the margin is not shown.
+const CUT = CELL / 4;
 
 // A small number that is always the same for the same place, so that the drawing does not flicker.
 function wobble(x, y, seed) {
@@ -167,9 +169,10 @@ export function renderPlan() {
   if (!isDrawn('plan', scene.bounds, scene.rooms, scene.doors, scene.blocks.map(block => [block.name, block.color, block.shape]), state.settings.names)) {
     plan.frame = new Frame(scene.bounds);
     root.replaceChildren(houseDrawing(plan.frame, scene));
-    root.setAttribute('viewBox', '0 0 ' + plan.frame.width + ' ' + plan.frame.height);
+    const [width, height] = [plan.frame.width - 2 * CUT, plan.frame.height - 2 * CUT];
+    root.setAttribute('viewBox', [CUT, CUT, width, height].join(' '));
     root.style.setProperty('--columns', scene.bounds.right - scene.bounds.left + 1);
-    root.style.aspectRatio = plan.frame.width + ' / ' + plan.frame.height;
+    root.style.aspectRatio = width + ' / ' + height;
     plan.ahead = draw('g', { class: 'ahead' });
     root.append(plan.ahead);
     plan.things = new Map();
