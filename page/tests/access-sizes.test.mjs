@@ -176,6 +176,10 @@ for (const [width, height, least] of [[320, 568, 140], [360, 740, 200]]) test('o
   assert.ok(boxes.plan.bottom <= boxes.good.top && boxes.plan.bottom - boxes.plan.top >= least, JSON.stringify(boxes));
   await page.setViewportSize({ width: 740, height: 360 });
   assert.equal((await seen(page, ['lesson'])).boxes.lesson.covered, false, 'in landscape neither');
+  await page.setViewportSize({ width: 430, height: 932 });
+  await still(page);
+  const { lesson, plan } = (await seen(page, ['lesson', 'plan'])).boxes;
+  assert.ok(!lesson.covered && plan.bottom - plan.top >= 380 && plan.bottom < lesson.top, 'on a large phone: ' + JSON.stringify({ lesson, plan }));
   await page.setViewportSize({ width: 1024, height: 768 });
   assert.ok((await page.locator('#dots').boundingBox()).height < 40, 'all lessons and tests are on one line');
   await close(page);
