@@ -5,6 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
@@ -39,11 +40,16 @@ pub fn is_quiet() -> bool {
 macro_rules! say {
     ($($text:tt)*) => {
         if !$crate::messages::is_quiet() {
-            eprintln!("{}", $crate::messages::printable(&format!($($text)*)));
+            $crate::messages::tell(&format!($($text)*));
         }
     };
 }
 pub use crate::say;
+
+/// Writes a line to standard error. Where it cannot be written, as on a full disk, the work goes on.
+pub fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{}", printable(line));
+}
 
 /// A text for a terminal. Control characters, as in file names and logs, are escaped; line ends and tabs stay.
 pub fn printable(text: &str) -> Cow<'_, str> {

@@ -1,6 +1,6 @@
 //! The end of a command: its exit code and its message on standard error.
 
-use crate::messages::printable;
+use crate::messages::tell;
 use crate::refusal::InWords;
 use goodbot_lesson::Fault;
 use std::fmt;
@@ -62,6 +62,6 @@ pub fn exit_code(done: Result<(), Failure>) -> u8 {
         Failure::Result(_) | Failure::Output(_) => 1,
         Failure::Input(_) => 2,
     };
-    eprintln!("error: {}", printable(&failure.to_string()));
+    tell(&format!("error: {failure}"));
     code
 }

@@ -75,7 +75,8 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     if let Some(there) = there {
         file.as_file().set_permissions(there.permissions())?;
     }
-    file.write_all(bytes)?;
+    // The error of the temporary file itself would name that file.
+    file.as_file_mut().write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
     // The new name is on the disk after the folder is synced. Not every system can sync a folder.

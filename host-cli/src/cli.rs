@@ -104,13 +104,17 @@ pub enum Command {
     Doctor(DoctorArgs),
     Study(StudyOptions),
     /// Print a home or a session log to begin with
+    #[command(arg_required_else_help = true)]
     Example {
         /// The example
         #[arg(value_enum)]
         what: Example,
     },
     /// Print a script that completes commands and options in your shell
-    #[command(after_help = "Example:\n  goodbot completions bash > ~/.local/share/bash-completion/completions/goodbot")]
+    #[command(
+        arg_required_else_help = true,
+        after_help = "Example:\n  goodbot completions bash > ~/.local/share/bash-completion/completions/goodbot"
+    )]
     Completions {
         /// The shell
         shell: clap_complete::Shell,

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueHint};
 use goodbot_console::load::input;
-use goodbot_console::messages::printable;
+use goodbot_console::messages::tell;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_lesson::Fault;
@@ -43,7 +43,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
         _ => refused(flaw),
     })?;
     if problem.goal.iter().all(|atom| problem.init.contains(atom)) {
-        eprintln!("{}: warning: the goal holds at first; no plan is needed", printable(input::name(&args.problem)));
+        tell(&format!("{}: warning: the goal holds at first; no plan is needed", input::name(&args.problem)));
     }
     // A world in which no robot can act is refused here, before it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;

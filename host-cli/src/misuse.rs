@@ -1,7 +1,7 @@
 //! Errors of the command line, in plain words.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use goodbot_console::messages::printable;
+use goodbot_console::messages;
 use std::ffi::OsString;
 
 /// Common names for commands that have another name here.
@@ -17,10 +17,10 @@ const OTHER_NAMES: [(&[&str], &str); 6] = [
 /// Reports the error, and returns the exit code.
 pub fn tell(error: &clap::Error, typed: &[OsString]) -> u8 {
     match in_words(error) {
-        Some(message) => eprintln!("error: {message}\n\nFor more information, try 'goodbot --help'."),
+        Some(message) => messages::tell(&format!("error: {message}\n\nFor more information, try 'goodbot --help'.")),
         // The command line may have control characters. The error then has no colours.
         None if typed.iter().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
-            eprint!("{}", printable(&error.render().to_string()));
+            messages::tell(error.render().to_string().trim_end());
         }
         // Help is no error, and neither is a reader who stops early.
         None => drop(error.print()),
@@ -50,11 +50,20 @@ fn in_words(error: &clap::Error) -> Option<String> {
         }
         ErrorKind::UnknownArgument => match typed(ContextKind::InvalidArg)? {
             "--model" => Some(
-                "--model names the robot's file in goodbot teach; choose the learner with --learner, and a model to ask with --with"
+                "--model names the robot's file in goodbot teach; choose the learner with --learner, and a model to ask with --with; \
+                 other commands take the model's file without an option"
                     .to_owned(),
             ),
             typed => meant(typed).map(|command| no_command(typed, command)),
         },
+        ErrorKind::ArgumentConflict => {
+            let before = match error.get(ContextKind::PriorArg)? {
+                ContextValue::String(option) => option.clone(),
+                ContextValue::Strings(options) => options.join(" "),
+                _ => return None,
+            };
+            Some(format!("options go after the command: goodbot {} {before}", typed(ContextKind::InvalidSubcommand)?))
+        }
         _ => None,
     }
 }

@@ -68,7 +68,9 @@ test('its command shows the page to this machine', async () => {
 });
 
 test('its command says how it is used', () => {
-  const run = spawnSync(process.execPath, [join(installed, 'bin/goodbot.mjs'), '--colour'], { encoding: 'utf8' });
-  assert.equal(run.status, 2);
-  assert.match(run.stderr, /usage: goodbot/);
+  for (const given of [['--colour'], ['--port', 'home'], ['--port', '99999'], ['--port', '1.5']]) {
+    const run = spawnSync(process.execPath, [join(installed, 'bin/goodbot.mjs'), ...given], { encoding: 'utf8' });
+    assert.equal(run.status, 2);
+    assert.match(run.stderr, /usage: goodbot/);
+  }
 });

@@ -1,7 +1,7 @@
 //! Files, and standard input under the name `-`.
 
 use super::content::Content;
-use crate::messages::printable;
+use crate::messages;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::FormatError;
 use goodbot_formats::Problem;
@@ -10,7 +10,7 @@ use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldFile, WorldReader, field_line};
 use goodbot_lesson::{Fault, home};
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Read};
 
 /// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";
@@ -135,12 +135,9 @@ pub fn world(file: &str) -> Result<Option<WorldInFile>, Fault> {
     WorldInFile::parse(name(file), rest(file, opened)?).map(Some)
 }
 
-/// Writes faults to standard error, if it is still open.
+/// Writes faults to standard error.
 pub fn tell(faults: &[Fault]) {
-    let mut messages = std::io::stderr().lock();
-    for fault in faults {
-        let _ = writeln!(messages, "{}", printable(&fault.to_string()));
-    }
+    faults.iter().for_each(|fault| messages::tell(&fault.to_string()));
 }
 
 /// The whole content of a file.

@@ -28,7 +28,7 @@ use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
-use goodbot_console::messages::{counted, printable};
+use goodbot_console::messages::{counted, tell};
 use goodbot_console::outcome::Failure;
 use goodbot_console::restored;
 use goodbot_console::starter::StarterOptions;
@@ -210,7 +210,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
 
 /// Reports why a command was refused.
 fn tell_refused(out: &mut impl Write, options: &AskOptions, command: &str, message: &str) -> std::io::Result<()> {
-    eprintln!("{}", printable(&format!("{command:?}: {message}")));
+    tell(&format!("{command:?}: {message}"));
     if options.json {
         writeln!(out, "{}", json!({"type": "error", "command": command, "message": message}))?;
     }

@@ -15,7 +15,7 @@ use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{counted, counting, printable, summed, summed_by};
+use goodbot_console::messages::{self, counted, counting, printable, summed, summed_by};
 use goodbot_console::outcome::Failure;
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::MOST_BYTES;
@@ -127,17 +127,16 @@ pub fn summary(file: &str) -> Result<String, String> {
 }
 
 fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
-    let mut messages = std::io::stderr().lock();
     for fault in summed_by(&found.faults, mended) {
-        writeln!(messages, "{}", printable(&fault))?;
+        messages::tell(&fault);
     }
     let doubtful = |warning: &Fault| Fault { message: format!("warning: {}", warning.message), ..warning.clone() };
     let doubts = summed(&found.warnings.iter().map(doubtful).collect::<Vec<_>>());
     for doubt in doubts.iter().take(MOST_FAULTS) {
-        writeln!(messages, "{}", printable(doubt))?;
+        messages::tell(doubt);
     }
     if let Some(more) = doubts.len().checked_sub(MOST_FAULTS).filter(|&more| more > 0) {
-        writeln!(messages, "{}: {} of other kinds left out; mend these first", printable(file), counted(more, "warning"))?;
+        messages::tell(&format!("{file}: {} of other kinds left out; mend these first", counted(more, "warning")));
     }
     if !found.faults.is_empty() {
         return Ok(());

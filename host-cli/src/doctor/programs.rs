@@ -1,7 +1,7 @@
-//! Looks on the path for the programs that the project's tests use.
+//! Looks for the programs that the project's tests use: on the path, and among those that `cargo xtask programs` fetched.
 
 use super::{Finding, State};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Each program, and its use.
 const PROGRAMS: [(&str, &str); 11] = [
@@ -20,12 +20,19 @@ const PROGRAMS: [(&str, &str); 11] = [
 
 /// The place of each program.
 pub fn found() -> Vec<Finding> {
-    let folders: Vec<_> = std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
+    let fetched_into = std::env::var_os("GOODBOT_PROGRAMS").unwrap_or_else(|| "target/programs".into());
+    let mut folders: Vec<_> = std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
+    folders.extend(launchers(fetched_into.as_ref()));
     let mut findings: Vec<Finding> = PROGRAMS.iter().map(|(name, why)| look_for(name, why, &folders)).collect();
     if findings.iter().any(|finding| finding.state == State::Missing) {
         findings.push(Finding::new(State::Fine, "cargo xtask programs fetches those that it can, and names the others"));
     }
     findings
+}
+
+/// The folders of the launchers of fetched programs.
+fn launchers(fetched_into: &Path) -> impl Iterator<Item = PathBuf> {
+    std::fs::read_dir(fetched_into).into_iter().flatten().flatten().map(|program| program.path().join("launch"))
 }
 
 fn look_for(name: &str, why: &str, folders: &[impl AsRef<Path>]) -> Finding {
@@ -59,5 +66,16 @@ mod tests {
         std::fs::write(&file, "").unwrap();
         assert_eq!(look_for("node", "the page", &[folder.path()]).state, State::Fine);
         assert_eq!(look_for("npm", "the page", &[folder.path()]), Finding::new(State::Missing, "npm, for the page"));
+    }
+
+    #[test]
+    fn a_program_that_was_fetched_is_found_by_its_launcher() {
+        let folder = tempfile::tempdir().unwrap();
+        let launch = folder.path().join("qemu-system-misc/launch");
+        std::fs::create_dir_all(&launch).unwrap();
+        std::fs::write(launch.join(format!("qemu-system-riscv32{}", std::env::consts::EXE_SUFFIX)), "").unwrap();
+        let folders: Vec<_> = launchers(folder.path()).collect();
+        assert_eq!(look_for("qemu-system-riscv32", "the firmware", &folders).state, State::Fine);
+        assert_eq!(launchers(&launch.join("missing")).count(), 0);
     }
 }

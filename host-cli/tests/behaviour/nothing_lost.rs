@@ -233,6 +233,30 @@ fn an_output_that_cannot_be_written_is_an_error() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn messages_that_cannot_be_written_change_no_exit_code() {
+    for arguments in ["check not-there", "lern", "inspect not-there", "ask", "teach --lines"] {
+        let command = format!("echo nonsense | {} {arguments} 2> /dev/full", env!("CARGO_BIN_EXE_goodbot"));
+        let output = std::process::Command::new("sh").args(["-c", &command]).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+    }
+}
+
+/// A limit of the sizes of files is a full disk for one program alone.
+#[test]
+#[cfg(unix)]
+fn a_full_disk_is_told_without_the_name_of_an_unfinished_file() {
+    let place = Place::new();
+    let (log, model) = (place.path("log.jsonl"), place.path("full.goodbot"));
+    let command =
+        format!("trap '' XFSZ; ulimit -f 0; exec {} learn {} --out {}", env!("CARGO_BIN_EXE_goodbot"), log.display(), model.display());
+    let output = std::process::Command::new("sh").args(["-c", &command]).output().unwrap();
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && messages.contains("full.goodbot cannot be written"), "{messages}");
+    assert!(!messages.contains(".part") && !model.exists(), "{messages}");
+}
+
+#[test]
 fn a_folder_and_a_place_that_is_not_there_are_known_before_the_work() {
     let place = Place::new();
     let missing = place.path("missing").join("picture.svg");

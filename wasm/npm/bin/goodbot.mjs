@@ -7,7 +7,9 @@ import { parseArgs } from 'node:util';
 
 function given() {
   try {
-    return parseArgs({ options: { port: { type: 'string', default: '0' }, 'no-open': { type: 'boolean', default: false } } }).values;
+    const { values } = parseArgs({ options: { port: { type: 'string', default: '0' }, 'no-open': { type: 'boolean', default: false } } });
+    if (!/^\d+$/.test(values.port) || values.port > 65535) throw new Error(`port ${values.port}: give a number from 0 to 65535; 0 is any that is free`);
+    return values;
   } catch (error) {
     console.error(`${error.message}\nusage: goodbot [--port NUMBER] [--no-open]`);
     process.exit(2);

@@ -51,11 +51,15 @@ pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
     }
 }
 
-/// Draws the robot's last action, and the message.
+/// Draws the robot's last action, and the message. Where they do not fit both, the message comes first: it may be a question.
 fn draw_message(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let told = Line::styled(visit.told(), palette.quiet());
     let message = Line::styled(visit.message.as_str(), palette.strong());
-    let lines: Vec<Line<'_>> = [told, message].into_iter().filter(|line| line.width() > 0).collect();
+    let mut lines: Vec<Line<'_>> = [told, message].into_iter().filter(|line| line.width() > 0).collect();
+    let rows: usize = lines.iter().map(|line| line.width().div_ceil(area.width.into())).sum();
+    if rows > area.height.into() {
+        lines.reverse();
+    }
     frame.render_widget(Paragraph::new(lines).wrap(Wrap { trim: true }), area);
 }
 
@@ -150,7 +154,7 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     }
 }
 
-/// The keys that can be pressed now, the most important ones first. Those that do not fit are on the explanation's page.
+/// The keys that can be pressed now, the most important ones first.
 fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
     match (visit.focus(), visit.phase()) {
         (Focus::Page, _) => vec![("any key", "back"), ("↑ ↓", "move")],
@@ -180,9 +184,18 @@ fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
     }
 }
 
+/// Draws the keys that fit, with that of the explanation, which has the others.
 fn draw_keys(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
+    let mut keys = keys(visit);
+    // A space parts a key from its name, and one from the next key.
+    let columns = |keys: &[(&str, &str)]| keys.iter().map(|(key, what)| key.chars().count() + what.len() + 2).sum::<usize>();
+    while columns(&keys) > usize::from(area.width) + 1
+        && let Some(last) = keys.iter().rposition(|(key, _)| *key != "?")
+    {
+        keys.remove(last);
+    }
     let mut spans = Vec::new();
-    for (key, what) in keys(visit) {
+    for (key, what) in keys {
         spans.push(Span::styled(key, Style::new().add_modifier(Modifier::REVERSED)));
         spans.push(Span::styled(format!(" {what} "), palette.quiet()));
     }

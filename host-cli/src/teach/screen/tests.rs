@@ -67,6 +67,15 @@ fn a_narrow_screen_shows_guesses_too_and_the_explanation_to_its_end() {
 }
 
 #[test]
+fn a_narrow_screen_has_whole_keys_with_the_explanation_and_a_question_before_what_was_done() {
+    let mut visit = first_lesson();
+    visit.message = "It asks: Which of these do you mean? 1 the green room, 2 the red room, 3 the blue room, n none of these.".to_owned();
+    let screen = text(&drawn(&visit, 40, 20, Palette::None));
+    assert!(screen.ends_with("g good b bad f finish p pause ? explain\n"), "{screen}");
+    assert!(screen.contains("n none of these."), "{screen}");
+}
+
+#[test]
 fn nothing_is_told_by_a_colour_alone() {
     let visit = first_lesson();
     let (plain, colored) = (drawn(&visit, 80, 24, Palette::None), drawn(&visit, 80, 24, Palette::Many));
