@@ -7,6 +7,7 @@ use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_console::load::input;
+use goodbot_console::messages::counting;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
 use goodbot_lesson::checked::check;
@@ -64,16 +65,19 @@ pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
 pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Failure> {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER)?;
     let mut walks = vec![];
+    let progress = counting("planning for sessions");
     for file in files {
         let opened = input::log(file)?;
         let name = input::name(file);
         for session in SessionReader::new(opened) {
+            progress.inc(1);
             let recorded = session.map_err(|error| Fault::from_format(name, error))?;
             if recorded.header.kind == Kind::Feedback {
                 walks.push(walk(&mut agent, name, &recorded, lifted)?);
             }
         }
     }
+    progress.finish_and_clear();
     Ok(walks)
 }
 

@@ -192,3 +192,19 @@ fn the_whole_tour_is_taught_by_keys() {
     again.press("\u{3}");
     again.end();
 }
+
+#[test]
+fn commands_that_read_sessions_count_them_on_a_terminal() {
+    let folder = TempDir::new().unwrap();
+    for (arguments, told) in [
+        (&["learn", "-", "--out", "words.goodbot"][..], "reading sessions: 0"),
+        (&["replay", "-"], "sessions replayed: 0"),
+        (&["fit-trainers", "-"], "planning for sessions: 0"),
+    ] {
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_goodbot"));
+        command.args(arguments);
+        command.env("TERM", "xterm-256color");
+        command.cwd(folder.path());
+        Window::open(command, 80, 24).see(told);
+    }
+}
