@@ -68,7 +68,13 @@ impl TaskKinds {
 
     /// One kind of task.
     pub fn parse(text: &str) -> Result<LiftedTask, String> {
-        LiftedTask::parse(text, &home::SCHEMA).map_err(|error| error.to_string())
+        LiftedTask::parse(text, &home::SCHEMA).map_err(|error| match error {
+            TaskTextError::UnknownProposition { .. } => {
+                let known: Vec<&str> = home::SCHEMA.propositions.iter().map(|known| known.name).collect();
+                format!("a name in it is no propositional function; known are {}", known.join(", "))
+            }
+            error => error.to_string(),
+        })
     }
 }
 

@@ -223,6 +223,7 @@ fn errors_are_in_plain_words_and_near_misses_are_suggested() {
         (&["--quiet", "learn", "log.jsonl"], "options go after the command: goodbot learn --quiet"),
         (&["--seed", "3", "teach"], "goodbot teach --seed <S>"),
         (&["example"], "closed-words"),
+        (&["evaluate", "log.jsonl", "--task", "agentinroom(?a,?r)"], "known are agentInRoom, blockInRoom"),
         (&["completions"], "zsh"),
         (&["test"], "did you mean goodbot evaluate?"),
         (&["evalute"], "evaluate"),
