@@ -161,7 +161,7 @@ pub fn tell_long(long: &[&Fault]) {
 }
 
 fn too_many(name: &str) -> Failure {
-    Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; learn from fewer at once"))
+    Failure::Input(format!("{name}: has more than {MOST_SESSIONS} sessions; --limit {MOST_SESSIONS} reads the first ones"))
 }
 
 fn refuse(faults: &[Fault], keep_going: bool, skipped: &mut usize) -> Result<(), Failure> {
