@@ -7,6 +7,7 @@ use goodbot::memory::AgentHeap;
 use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::synonyms::in_known_words;
+use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::restored;
 use goodbot_console::training_data::{Lesson, training, worlds};
@@ -126,7 +127,7 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
         if unread.is_some() {
             writeln!(out, "{}", unread_words())?;
         }
-        writeln!(out, "{verdict}: {best}, of {} tasks", meanings.len())?;
+        writeln!(out, "{verdict}: {best}, of {}", counted(meanings.len(), "task"))?;
         match plan {
             Some(plan) => writeln!(out, "plan: {}", plan.join(" "))?,
             None if questions.world.is_some() => writeln!(out, "no plan leads there")?,

@@ -257,6 +257,9 @@ fn a_robot_from_a_file_is_checked_and_its_commands_are_planned_for() {
         (Some("liftAtFloor(lift0,floor3)"), &serde_json::json!(["up", "up"])),
         "{answer}"
     );
+    let door = file(folder.path(), "door.json", &lift.replace("\"liftAtFloor(?l,?f)\"", "\"doorOpen(?l)\""));
+    let asked = goodbot(&["ask", "--with", model, "--environment", door.to_str().expect("UTF-8"), "open"], b"");
+    assert!(asked.output.contains(", of 1 task\n"), "{}{}", asked.output, asked.messages);
 }
 
 #[test]
