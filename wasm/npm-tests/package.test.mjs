@@ -68,9 +68,13 @@ test('its command shows the page to this machine', async () => {
 });
 
 test('its command says how it is used', () => {
-  for (const given of [['--colour'], ['--port', 'home'], ['--port', '99999'], ['--port', '1.5']]) {
-    const run = spawnSync(process.execPath, [join(installed, 'bin/goodbot.mjs'), ...given], { encoding: 'utf8' });
-    assert.equal(run.status, 2);
-    assert.match(run.stderr, /usage: goodbot/);
+  const run = given => spawnSync(process.execPath, [join(installed, 'bin/goodbot.mjs'), ...given], { encoding: 'utf8' });
+  for (const wrong of [['--colour'], ['--port', 'home'], ['--port', '99999'], ['--port', '1.5']]) {
+    const { status, stderr } = run(wrong);
+    assert.equal(status, 2);
+    assert.match(stderr, /usage: goodbot/);
   }
+  const { status, stdout } = run(['--help']);
+  assert.equal(status, 0);
+  assert.match(stdout, /^usage: goodbot/);
 });

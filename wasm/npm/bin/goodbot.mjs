@@ -5,18 +5,25 @@ import { readFile } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { parseArgs } from 'node:util';
 
+const USAGE = 'usage: goodbot [--port NUMBER] [--no-open]';
+const OPTIONS = { port: { type: 'string', default: '0' }, 'no-open': { type: 'boolean', default: false }, help: { type: 'boolean', short: 'h' } };
+
 function given() {
   try {
-    const { values } = parseArgs({ options: { port: { type: 'string', default: '0' }, 'no-open': { type: 'boolean', default: false } } });
+    const { values } = parseArgs({ options: OPTIONS });
     if (!/^\d+$/.test(values.port) || values.port > 65535) throw new Error(`port ${values.port}: give a number from 0 to 65535; 0 is any that is free`);
     return values;
   } catch (error) {
-    console.error(`${error.message}\nusage: goodbot [--port NUMBER] [--no-open]`);
+    console.error(`${error.message}\n${USAGE}`);
     process.exit(2);
   }
 }
 
-const { port, 'no-open': stays } = given();
+const { port, 'no-open': stays, help } = given();
+if (help) {
+  console.log(USAGE);
+  process.exit();
+}
 const page = await readFile(new URL('../goodbot.html', import.meta.url));
 const server = createServer((request, response) => {
   const is = request.url === '/';
