@@ -102,13 +102,19 @@ test('in Firefox, a link brings a robot, a file saves it, and a file brings it b
   for (const tab of [page, other, third]) await close(tab);
 });
 
-test('in Firefox, the tour ends with a card of the robot', { skip }, async () => {
+test('in Firefox, the tour ends with a card of the robot, and a link opens in its secret language', { skip }, async () => {
   const page = await open(browser);
   await page.selectOption('#speed', 'once');
   await page.click('#watch');
   await page.locator('#card:visible').waitFor();
   const { name, bytes } = await downloaded(page, '#save-card');
   assert.deepEqual([name, bytes.toString('latin1', 1, 4), bytes.readUInt32BE(16)], ['my-robot.png', 'PNG', 1080]);
+  await page.click('#keep-guest');
+  await page.getByText('is kept, under').first().waitFor();
+  const { hash } = new URL(await linkOf(page, '#meet-secret'));
+  const friend = await open(browser, {}, hash);
+  await friend.locator('#secret:visible').waitFor();
+  await close(friend);
   await close(page);
 });
 
