@@ -145,14 +145,14 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         ("Rust, an arm of one's own (firmware/src/arm.rs)", arm),
         ("Rust, the arm when it only obeys (firmware/src/obey.rs)", obeying()?),
         ("Rust, three storeys with ways (firmware/src/ways.rs)", ways),
-        ("C, every function, all features", EVERY_FUNCTION.build()?),
-        ("C, a robot in homes (capi/examples/home.c), all features", HOME.build()?),
-        ("C, a table robot (capi/examples/lift.c), all features", LIFT.build()?),
+        ("C, every function, the default features and `talk`", EVERY_FUNCTION.build()?),
+        ("C, a robot in homes (capi/examples/home.c), the default features", HOME.build()?),
+        ("C, a table robot (capi/examples/lift.c), the default features", LIFT.build()?),
     ];
     if !is_check {
         binaries.push(("C, a table robot (capi/examples/lift.c), `--features checks,learning,table`", LIFT_ALONE.build()?));
         binaries.push(("C, a lift that only obeys (capi/examples/obey.c), `--features table`", OBEY.build()?));
-        binaries.push(("C, a robot that is talked to (capi/examples/talk.c), all features and `talk`", TALK.build()?));
+        binaries.push(("C, a robot that is talked to (capi/examples/talk.c), the default features and `talk`", TALK.build()?));
         let report = run_alone(&full()?)?;
         let calls = FULL.iter().map(|(name, _)| Ok(((*name).to_owned(), report.number(name)?))).collect::<Result<_>>()?;
         with_full_tables.insert("mps2-an386 (Cortex-M4F)".to_owned(), calls);
