@@ -44,6 +44,8 @@ export const learn = () => inParts(() => world.learn(LEARN_BUDGET));
  * @returns {Promise<T>} */
 export async function whileLearning(work) {
   const before = state.phase;
+  // The work that began to learn also ends it, even if this work takes longer: the page never stays in that phase.
+  if (before === 'learning') return work();
   state.phase = 'learning';
   render();
   try {

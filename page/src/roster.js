@@ -222,21 +222,20 @@ export async function loadLog(input) {
   const { content, name } = await readFile(input, 'text');
   if (!await leaveSession()) return;
   const home = world.environment();
-  state.phase = 'learning';
-  render();
-  try {
-    await change(t('undo.log', { name }), async () => {
-      const learned = await learnFrom(content.trimEnd().split('\n'));
-      return learned.length ? learned.join('\n') + '\n' : '';
-    });
-    tell(t('log.done', { sessions: sessionsWord() }));
-  } catch (error) {
-    world.forget();
-    await learn();
-    await open(state.robot);
-    tell(t('log.failed', { why: error.message }), true);
-  }
-  state.phase = 'none';
+  await whileLearning(async () => {
+    try {
+      await change(t('undo.log', { name }), async () => {
+        const learned = await learnFrom(content.trimEnd().split('\n'));
+        return learned.length ? learned.join('\n') + '\n' : '';
+      });
+      tell(t('log.done', { sessions: sessionsWord() }));
+    } catch (error) {
+      world.forget();
+      await learn();
+      await open(state.robot);
+      tell(t('log.failed', { why: error.message }), true);
+    }
+  });
   state.progress = '';
   state.settings.style = expectedNow();
   enterHome(home);

@@ -1,6 +1,6 @@
 // A micro:bit at the USB cable, by Web Serial: it goes along in each lesson of the page, and its own lessons can be fetched. Its requests are
 // in `docs/microbit.md`.
-import { learn, world } from './core.js';
+import { learn, whileLearning, world } from './core.js';
 import { t } from './language.js';
 import { homeRequests } from './microbit.js';
 import { takeStock } from './session.js';
@@ -154,28 +154,27 @@ export function followSession() {
 // Adds the lessons of the micro:bit to the robot's own.
 async function fetchLessons() {
   if (!await leaveSession()) return;
-  state.phase = 'learning';
-  render();
-  try {
-    // A lesson that was left here is left there too.
-    if (sent.length && sent.at(-1) !== 'finish') ask('again');
-    sent = [];
-    const digits = (await ask('model')).filter(line => /^([\da-f]{2})+$/.test(line)).join('');
-    const bytes = Uint8Array.from(digits.match(/../g) || [], pair => parseInt(pair, 16));
-    let n = 0;
-    await change('micro:bit', async () => {
-      try {
-        n = world.join(bytes);
-      } finally {
-        await learn();
-      }
-      return '';
-    });
-    tell('micro:bit: +' + sessionsWord(n));
-  } catch (error) {
-    fail(error);
-  }
-  state.phase = 'none';
+  await whileLearning(async () => {
+    try {
+      // A lesson that was left here is left there too.
+      if (sent.length && sent.at(-1) !== 'finish') ask('again');
+      sent = [];
+      const digits = (await ask('model')).filter(line => /^([\da-f]{2})+$/.test(line)).join('');
+      const bytes = Uint8Array.from(digits.match(/../g) || [], pair => parseInt(pair, 16));
+      let n = 0;
+      await change('micro:bit', async () => {
+        try {
+          n = world.join(bytes);
+        } finally {
+          await learn();
+        }
+        return '';
+      });
+      tell('micro:bit: +' + sessionsWord(n));
+    } catch (error) {
+      fail(error);
+    }
+  });
   takeStock(state.heat.now);
   render();
 }
