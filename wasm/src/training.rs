@@ -13,7 +13,7 @@ use goodbot::session::{self, Finished};
 use goodbot::talk::Conversation;
 use goodbot::task::GroundedTask;
 use goodbot_formats::environment::EnvironmentFile;
-use goodbot_lesson::live::{Acted, Judged, LiveError};
+use goodbot_lesson::live::{Acted, LiveError};
 use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
@@ -190,9 +190,9 @@ impl World {
         let Some(Acted { action, judgements, .. }) = self.lesson.acted().cloned() else { return Err(Refusal::from(LiveError::NoStep)) };
         let before = self.probabilities();
         let outcome = match self.lesson.judge(feedback).map_err(Refusal::from)? {
-            Judged::As(session::Evidence::Used) | Judged::AsBefore => "used",
-            Judged::As(session::Evidence::SaysNothing) => "says nothing",
-            Judged::As(session::Evidence::Impossible) => "impossible",
+            session::Evidence::Used => "used",
+            session::Evidence::SaysNothing => "says nothing",
+            session::Evidence::Impossible => "impossible",
         };
         self.lesson.go_on().map_err(Refusal::from)?;
         let judgements = judgements.iter().map(words).collect();

@@ -158,3 +158,34 @@ fn mark_present_place(words: &mut [Heard]) {
         }
     }
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::taught::for_each;
+    use super::*;
+
+    #[test]
+    fn a_word_keeps_its_class_only_where_it_has_its_meaning() {
+        let rows = [
+            ("en", "if you don't mind, go to the red room", (Class::Negation, false)),
+            ("en", "don't forget to go to the red room", (Class::Negation, false)),
+            ("en", "don't go to the red room", (Class::Negation, true)),
+            ("en", "sorry, but could you go to the red room", (Class::But, false)),
+            ("en", "take all but the purple bag to the red room", (Class::But, true)),
+            ("en", "go right away to the red room", (Class::Out, false)),
+            ("en", "go away from the red room", (Class::Out, true)),
+            ("en", "be so kind and go to the red room", (Class::Connective, false)),
+            ("en", "go to the red room and take the purple bag to the blue room", (Class::Connective, true)),
+            ("en", "leave the purple bag where it is", (Class::Here, true)),
+            ("en", "stay out of the red room", (Class::Here, false)),
+            ("de", "wenn es dir nichts ausmacht, geh ins rote Zimmer", (Class::Negation, false)),
+            ("de", "vergiss nicht, ins rote Zimmer zu gehen, geh", (Class::Negation, false)),
+            ("de", "lass die lila Tasche, wo sie ist", (Class::Here, true)),
+            ("fr", "si ça ne te dérange pas, va dans la salle rouge", (Class::Negation, false)),
+            ("fr", "n'oublie pas, apporte le sac violet dans la salle rouge", (Class::Negation, false)),
+            ("es", "no olvides, lleva el bolso morado a la sala roja", (Class::Negation, false)),
+            ("zh", "别忘了把紫色的包拿到红色房间", (Class::Negation, false)),
+        ];
+        for_each(&rows, &|sentence, words, (class, has)| assert_eq!(words.has(*class), *has, "{sentence}: {}", class.name()));
+    }
+}

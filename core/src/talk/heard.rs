@@ -53,7 +53,7 @@ pub(super) struct Heard {
     pub is_sign: bool,
     /// The number of its piece in the utterance, from 0.
     pub piece: u8,
-    /// The number of its phrase: of marks such as commas before it.
+    /// The number of its phrase, from 0. Marks such as commas end a phrase.
     pub phrase: u8,
     /// Whether some task explains it better than the background does.
     pub is_of_task: bool,

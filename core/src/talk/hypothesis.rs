@@ -7,6 +7,7 @@ use super::heard::{Heard, learned};
 use super::readings::{all, may_turn, negated};
 use super::several::{Parting, SEVERAL};
 use super::syntax::{is_past, new_names};
+use super::verdict::Judged;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -72,15 +73,6 @@ impl fmt::Display for Hypothesis {
     }
 }
 
-/// The likeliest hypothesis about some words.
-#[derive(Clone, Copy)]
-pub(super) struct Likeliest {
-    pub hypothesis: Hypothesis,
-    pub probability: f32,
-    /// The probability of a plain command.
-    pub command: f32,
-}
-
 /// The hypotheses that some words have, with their weights.
 struct Weighed(Vec<(Hypothesis, Scaled), 16>);
 
@@ -104,7 +96,7 @@ impl Weighed {
     }
 
     /// The likeliest hypothesis about words; after an earlier task if `is_known`.
-    fn likeliest(&self, words: Words<'_>, is_known: bool) -> Likeliest {
+    fn likeliest<'w>(&self, words: Words<'w>, is_known: bool) -> Judged<'w> {
         let whole = total(self.0.iter().map(|(_, weight)| *weight));
         let (mut hypothesis, most) = self.best(&|_| true).unwrap_or((Hypothesis::Command, Scaled::ZERO));
         // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on
@@ -114,7 +106,7 @@ impl Weighed {
             hypothesis = self.best(&is_talk).map_or(hypothesis, |(talk, _)| talk);
         }
         let command = self.0.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
-        Likeliest { hypothesis, probability: most.over(whole), command }
+        Judged::likely(hypothesis, words, most.over(whole), command)
     }
 }
 
@@ -145,14 +137,14 @@ fn add_talk(weighed: &mut Weighed, words: Words<'_>, context: Context<'_>) {
 impl<M: AgentMemory> Agent<M> {
     /// The likeliest hypothesis.
     #[inline(never)]
-    pub(super) fn hypotheses<D: Domain + ?Sized>(
+    pub(super) fn hypotheses<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'_>,
+        words: Words<'w>,
         explained: &Explained,
         context: Context<'_>,
         parting: Option<Parting<'_>>,
-    ) -> Result<Likeliest, AgentError> {
+    ) -> Result<Judged<'w>, AgentError> {
         let (wording, mut weighed) = (context.wording, Weighed(Vec::new()));
         // As probable as the command, and listed before it: waiting does no harm.
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {

@@ -39,6 +39,8 @@ mod reworded;
 mod several;
 mod slips;
 mod syntax;
+#[cfg(all(test, feature = "std"))]
+mod taught;
 mod told;
 mod verdict;
 mod voice;

@@ -29,7 +29,7 @@ impl<M: AgentMemory> Agent<M> {
             let _ = signs.push(sign);
             Ok(())
         })?;
-        let (mut of_word, mut number) = ((0, Classes::NONE), 0_usize);
+        let (mut of_word, mut number, mut start) = ((0, Classes::NONE), 0_usize, 0);
         for_each_piece(utterance, |piece| {
             let parts = elided(language, closed, piece);
             let (elided, text) = parts.unwrap_or(("", piece));
@@ -39,18 +39,19 @@ impl<M: AgentMemory> Agent<M> {
                 of_word = closed.of_signs(ahead).unwrap_or((1, closed.of(text)));
             }
             of_word.0 = usize::saturating_sub(of_word.0, 1);
+            let next = start_of_piece(utterance, number).unwrap_or(start);
             let piece = Piece {
                 text,
                 symbol: known.filter(|&symbol| !is_first(words) || !is_slip_for_name(language, text, symbol)),
                 classes: of_word.1,
                 elided: closed.of(elided),
-                before: utterance.get(..start_of_piece(utterance, number).unwrap_or(0)).unwrap_or(""),
+                before: utterance.get(start..next).unwrap_or(""),
                 number: number as u8,
                 is_sign: ahead.first().is_some_and(Option::is_some),
                 has_room: words.len().saturating_add(ahead.len()) < WORDS_PER_COMMAND,
             };
             piece.hear(language, closed, words);
-            number = number.saturating_add(1);
+            (number, start) = (number.saturating_add(1), next);
             Ok(())
         })?;
         excuse(words);
@@ -67,7 +68,7 @@ struct Piece<'p> {
     classes: Classes,
     /// The classes of the elided word in it: of "d" in "d'aller".
     elided: Classes,
-    /// The utterance before it.
+    /// The piece before it, with the marks between them.
     before: &'p str,
     /// Its number in the utterance, from 0.
     number: u8,
@@ -83,7 +84,7 @@ impl Piece<'_> {
         let elided = elided.map(|elided| Heard::new(language, None, elided));
         let (word, has_it) = self.word_and_it(language, closed, words.last());
         let it = has_it.then(|| Heard::joined(language));
-        let phrase = phrase_after(self.before);
+        let phrase = words.last().map_or(0, |last| last.phrase.saturating_add(u8::from(self.before.contains(ends_phrase))));
         for word in [elided, word, it].into_iter().flatten() {
             let _ = words.push(Heard { piece: self.number, phrase, is_sign: self.is_sign, ..word });
         }
@@ -139,13 +140,12 @@ fn mark_verbs_before_way(words: &mut [Heard]) {
     }
 }
 
-/// The number of a phrase: of the marks between phrases in the utterance before it.
-fn phrase_after(before: &str) -> u8 {
-    let parts = |letter: &char| matches!(letter, ',' | '.' | ';' | ':' | '!' | '?' | '…' | '，' | '。' | '；' | '！' | '？' | '、');
-    before.chars().filter(parts).count() as u8
+/// Whether a letter is a mark between phrases.
+const fn ends_phrase(letter: char) -> bool {
+    matches!(letter, ',' | '.' | ';' | ':' | '!' | '?' | '…' | '，' | '。' | '；' | '！' | '？' | '、')
 }
 
-/// Whether a hyphen joins a piece to the utterance before it.
+/// Whether a hyphen joins a piece to the one before it.
 fn is_joined(before: &str) -> bool {
     before.ends_with(['-', '\u{2010}', '\u{2011}'])
 }
@@ -177,4 +177,20 @@ fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: 
     let before_polite = |front: &str| closed.ends(Class::Polite, front).find_map(known);
     let with_it = closed.ends(Class::Clitic, word).find_map(|front| known(front).or_else(|| before_polite(front)));
     with_it.map(|verb| (verb, true)).or_else(|| Some((before_polite(word)?, false)))
+}
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::taught::for_each;
+
+    #[test]
+    fn a_phrase_has_a_number_of_its_own_after_any_number_of_marks() {
+        for marks in [1, 3, 64, 192, 255, 256, 512] {
+            let sentence = std::format!("not the yellow chair{} the purple bag, to the green room", "!".repeat(marks));
+            for_each(&[("en", sentence.as_str(), ())], &|_, words, ()| {
+                let phrases: std::vec::Vec<u8> = words.iter().map(|word| word.phrase).collect();
+                assert_eq!(phrases, [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2], "{marks} marks");
+            });
+        }
+    }
 }

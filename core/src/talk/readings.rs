@@ -219,3 +219,71 @@ fn has_one_article(words: Words<'_>) -> bool {
 pub(super) fn may_turn(words: Words<'_>, has_new_verb: bool) -> bool {
     words.iter().filter(|word| word.is_new_word()).count() > usize::from(has_new_verb)
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::taught::{for_each, left};
+    use super::*;
+    use std::string::String;
+
+    #[test]
+    fn a_prohibition_is_read_without_its_cue() {
+        let rows = [
+            ("en", "never go to the red room", "go to the red room"),
+            ("en", "don't take the purple bag to the red room", "take the purple bag to the red room"),
+            ("en", "get out of the red room", "get the red room"),
+            ("en", "clear the purple chairs from the red room", "clear the purple chairs the red room"),
+            ("en", "go to the red room", ""),
+            ("de", "geh nicht ins rote Zimmer", "geh ins rote zimmer"),
+            ("de", "raus aus dem roten Zimmer", "dem roten zimmer"),
+            ("fr", "ne va pas dans la salle rouge", "va dans la salle rouge"),
+            ("fr", "sors de la salle rouge", "la salle rouge"),
+            ("es", "no entres en la sala roja", "entres en la sala roja"),
+            ("es", "sal de la sala roja", "la sala roja"),
+            ("zh", "不要去红色房间", "去 红 色 房 间"),
+            ("zh", "离开红色房间", "红 色 房 间"),
+        ];
+        for_each(&rows, &|sentence, words, rest| {
+            let words = negated(words).map_or(String::new(), |reading| left(sentence, reading.words));
+            assert_eq!(words, *rest, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn a_prohibition_is_clear_only_if_it_asks_for_nothing_else() {
+        let rows = [
+            ("en", "don't go to the red room", true),
+            ("en", "why don't you go to the red room", false),
+            ("en", "go to the red room ... no", false),
+            ("en", "do not go anywhere but to the red room", false),
+            ("en", "don't move the purple bag, it has to stay here", false),
+            ("en", "you are not allowed to go to the red room", true),
+            ("de", "geh nicht ins rote Zimmer", true),
+            ("fr", "ne va que dans la salle rouge", false),
+            ("es", "no entres en la sala roja", true),
+        ];
+        for_each(&rows, &|sentence, words, clear| {
+            assert_eq!(negated(words).is_some_and(|reading| reading.is_clear), *clear, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn a_command_for_all_things_is_read_without_all_with_exceptions_and_present_place() {
+        let rows = [
+            ("en", "take all chairs to the red room", ["take chairs to the red room", "", ""]),
+            ("en", "take the chairs to the red room", ["take the chairs to the red room", "", ""]),
+            ("en", "take everything but the purple bag to the red room", ["take to the red room", "the purple bag", ""]),
+            ("en", "take all chairs from the blue room to the red room", ["take chairs to the red room", "", "the blue room"]),
+            ("en", "take the purple chair to the red room", ["", "", ""]),
+            ("de", "bring alle Stühle ins rote Zimmer", ["bring stühle ins rote zimmer", "", ""]),
+            ("fr", "apporte toutes les chaises dans la salle rouge", ["apporte les chaises dans la salle rouge", "", ""]),
+            ("es", "lleva todas las sillas a la sala roja", ["lleva las sillas a la sala roja", "", ""]),
+            ("zh", "把所有的椅子拿到红色房间", ["把 椅子 拿 到 红 色 房 间", "", ""]),
+        ];
+        for_each(&rows, &|sentence, words, parts| {
+            let read =
+                all(words).map_or([(); 3].map(|()| String::new()), |it| [it.words, it.except, it.from].map(|part| left(sentence, part)));
+            assert_eq!(read, *parts, "{sentence}");
+        });
+    }
+}

@@ -308,3 +308,70 @@ pub(super) fn reversed<'w>(words: Words<'w>) -> Option<(Words<'w>, Words<'w>)> {
     let start = if is_before(mark) && is_near(at) { at } else { begin };
     of_both(words.from(start), words.before(begin))
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::taught::{for_each, left};
+    use super::*;
+    use std::string::String;
+
+    /// Sentences with the rule for them and the words that it leaves; none if it does not apply.
+    const SIMPLER: [(&str, &str, (Rewording, &str)); 26] = [
+        ("en", "I have to mop, go to the red room", (without_asides, "go to the red room")),
+        ("en", "if you have time, go to the red room", (without_asides, "go to the red room")),
+        ("en", "take the purple bag to the red room, don't touch it", (without_asides, "take the purple bag to the red room")),
+        ("de", "he Kumpel, geh ins rote Zimmer", (without_asides, "geh ins rote zimmer")),
+        ("es", "hola amigo, ve a la sala roja", (without_asides, "ve a la sala roja")),
+        ("en", "go to the red room, no, the green one", (corrected, "go to the room the green one")),
+        ("en", "go to the green room, not the red one", (corrected, "go to the green room")),
+        ("en", "go to the red room, no, go to the green room", (corrected, "go to the green room")),
+        ("en", "not the yellow chair, the purple bag to the green room", (corrected, "the purple bag to the green room")),
+        ("en", "go to the room with no chairs", (corrected, "")),
+        ("de", "geh ins rote Zimmer, nein, ins grüne", (corrected, "geh ins grüne")),
+        ("fr", "va dans la salle rouge, non, la verte", (corrected, "va dans la salle la verte")),
+        ("es", "ve a la sala roja, no, a la verde", (corrected, "ve a la verde")),
+        ("fr", "prends le sac violet et apporte-le dans la salle rouge", (without_taking_up, "le sac violet apporte dans la salle rouge")),
+        ("es", "coge el bolso morado y llévalo a la sala roja", (without_taking_up, "bolso morado llévalo a la sala roja")),
+        ("en", "leave the purple bag in the red room", (without_leaving, "the purple bag in the red room")),
+        ("en", "the purple bag must not end up in the red room", (without_demand, "the purple bag not in the red room")),
+        ("de", "die lila Tasche muss ins rote Zimmer", (without_demand, "die lila tasche ins rote zimmer")),
+        ("es", "el bolso morado tiene que ir a la sala roja", (without_demand, "el bolso morado a la sala roja")),
+        ("de", "geh doch mal bitte ins rote Zimmer", (without_polite_words, "geh ins rote zimmer")),
+        ("fr", "va donc s'il te plaît dans la salle rouge", (without_polite_words, "va dans la salle rouge")),
+        ("zh", "把紫色的包拿到红色房间去", (without_polite_words, "把 紫 色 的 包 拿 到 红 色 房 间")),
+        ("en", "go to the red room and wait there", (without_other_clauses, "go to the red room")),
+        ("en", "the purple bag, put it in the red room", (from_verb_on, "put in the red room the purple bag")),
+        ("de", "ins rote Zimmer bring die lila Tasche", (from_verb_on, "bring die lila tasche ins rote zimmer")),
+        ("zh", "紫色的包，把它拿到红色房间", (from_verb_on, "把 拿 到 红 色 房 间 紫 色 的 包")),
+    ];
+
+    #[test]
+    fn a_simpler_wording_keeps_the_words_of_the_task() {
+        for_each(&SIMPLER, &|sentence, words, (rule, rest)| {
+            let words = rule(words).map_or(String::new(), |words| left(sentence, words));
+            assert_eq!(words, *rest, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn the_command_to_do_first_is_found_wherever_it_is_told() {
+        let rows = [
+            ("en", "before you go to the red room, take the purple bag to the blue room", "take the purple bag to the blue room"),
+            ("en", "go to the red room, but first take the purple bag to the blue room", "take the purple bag to the blue room"),
+            ("en", "go to the red room after taking the purple bag to the blue room", "taking the purple bag to the blue room"),
+            ("en", "go to the red room, take the purple bag to the blue room", ""),
+            ("de", "bevor du ins rote Zimmer gehst, bring die lila Tasche ins blaue Zimmer", "bring die lila tasche ins blaue zimmer"),
+            (
+                "fr",
+                "avant d'aller dans la salle rouge, apporte le sac violet dans la salle bleue",
+                "apporte le sac violet dans la salle bleue",
+            ),
+            ("es", "antes de ir a la sala roja, lleva el bolso morado a la sala azul", "lleva el bolso morado a la sala azul"),
+            ("zh", "去红色房间之前，把紫色的包拿到蓝色房间", "把 紫 色 的 包 拿 到 蓝 色 房 间"),
+        ];
+        for_each(&rows, &|sentence, words, first| {
+            let found = reversed(words).map_or(String::new(), |(first, _)| left(sentence, first));
+            assert_eq!(found, *first, "{sentence}");
+        });
+    }
+}

@@ -217,3 +217,64 @@ fn has_question_word(words: Words<'_>) -> bool {
     let mut is_after_way = false;
     words.before(end).iter().any(|word| !core::mem::replace(&mut is_after_way, word.is_toward) && asks(word))
 }
+
+#[cfg(all(test, feature = "std"))]
+mod tests {
+    use super::super::taught::for_each;
+    use super::*;
+
+    type Rule = fn(Words<'_>) -> bool;
+
+    /// Sentences with a rule, and whether it holds for them.
+    const SENTENCES: [(&str, &str, (Rule, bool)); 44] = [
+        ("en", "is the purple bag in the red room?", (is_question, true)),
+        ("en", "where is the purple bag", (is_question, true)),
+        ("en", "could you go to the red room?", (is_question, false)),
+        ("en", "shall I go to the red room?", (is_question, true)),
+        ("de", "ist die lila Tasche im roten Zimmer?", (is_question, true)),
+        ("de", "kannst du ins rote Zimmer gehen?", (is_question, false)),
+        ("fr", "où est le sac violet", (is_question, true)),
+        ("fr", "peux-tu entrer dans la salle rouge?", (is_question, false)),
+        ("es", "dónde está el bolso morado", (is_question, true)),
+        ("es", "puedes ir a la sala roja?", (is_question, false)),
+        ("zh", "紫色的包在哪里", (is_question, true)),
+        ("zh", "请把紫色的包拿到红色房间好吗", (is_question, false)),
+        ("en", "if it rains, go to the red room", (has_condition, true)),
+        ("en", "go to the red room tomorrow", (has_condition, true)),
+        ("en", "if you like, go to the red room", (has_condition, false)),
+        ("en", "I'd be glad if you went to the red room", (has_condition, false)),
+        ("de", "wenn es regnet, geh ins rote Zimmer", (has_condition, true)),
+        ("fr", "s'il pleut, va dans la salle rouge", (has_condition, true)),
+        ("fr", "si tu veux, va dans la salle rouge", (has_condition, false)),
+        ("es", "si llueve, ve a la sala roja", (has_condition, true)),
+        ("zh", "如果下雨，去红色房间", (has_condition, true)),
+        ("en", "when you've put the purple bag in the red room, go to the green room", (is_past, true)),
+        ("en", "go to the green room", (is_past, false)),
+        ("de", "wenn du die lila Tasche ins rote Zimmer gebracht hast, geh ins grüne Zimmer", (is_past, true)),
+        ("en", "my sister went to the red room", (tells, true)),
+        ("en", "I go to the red room", (tells, true)),
+        ("en", "you went to the red room", (tells, true)),
+        ("en", "the dog takes the purple bag to the red room", (tells, true)),
+        ("en", "I want you to go to the red room", (tells, false)),
+        ("en", "zounds, go to the red room", (tells, false)),
+        ("de", "ich gehe ins rote Zimmer", (tells, true)),
+        ("de", "der Hund bringt die lila Tasche ins rote Zimmer", (tells, true)),
+        ("de", "ich will, dass du ins rote Zimmer gehst", (tells, false)),
+        ("fr", "je vais dans la salle rouge", (tells, true)),
+        ("fr", "je veux que tu ailles dans la salle rouge", (tells, false)),
+        ("es", "yo voy a la sala roja", (tells, true)),
+        ("es", "quiero que vayas a la sala roja", (tells, false)),
+        ("zh", "我去红色房间", (tells, true)),
+        ("zh", "爸爸去红色房间", (tells, true)),
+        ("en", "leave the purple bag here", (stays_by_name, true)),
+        ("en", "leave this red room", (stays_by_name, false)),
+        ("de", "lass die lila Tasche hier", (stays_by_name, true)),
+        ("fr", "laisse le sac violet ici", (stays_by_name, true)),
+        ("es", "deja el bolso morado aquí", (stays_by_name, true)),
+    ];
+
+    #[test]
+    fn questions_conditions_and_reports_are_told_from_commands() {
+        for_each(&SENTENCES, &|sentence, words, (rule, holds)| assert_eq!(rule(words), *holds, "{sentence}"));
+    }
+}

@@ -4,8 +4,8 @@ use super::classes::Class;
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
-use super::hypothesis::{Hypothesis, Likeliest};
-use super::readings::{WithoutCues, all, is_of_several, negated};
+use super::hypothesis::Hypothesis;
+use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
 use super::several::has_more;
 use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_past, is_question, new_names, tells};
@@ -33,14 +33,17 @@ pub enum Verdict {
     None,
 }
 
-/// The decision on some words.
+/// The decision on some words: the likeliest hypothesis, and then its tasks.
+#[derive(Clone, Copy)]
 pub(super) struct Judged<'w> {
     pub hypothesis: Hypothesis,
-    /// The words that name the tasks.
+    /// The words that name the tasks; all words before the tasks are known.
     pub words: Words<'w>,
     pub task: usize,
     pub tasks: TaskSet,
+    /// The probability of the tasks; of the hypothesis before they are known.
     pub probability: f32,
+    /// The probability that one of the session's tasks is meant; of a plain command before they are known.
     pub command: f32,
     /// Whether only the probability could speak against the tasks.
     pub is_clear: bool,
@@ -48,11 +51,10 @@ pub(super) struct Judged<'w> {
     pub rest: Option<usize>,
 }
 
-impl Judged<'_> {
-    /// The last task once more. No word of the utterance is learned for it.
-    fn again(task: usize, probability: f32) -> Self {
-        let (hypothesis, words, tasks) = (Hypothesis::Again, Words::NONE, TaskSet::of(task));
-        Self { hypothesis, words, task, tasks, probability, command: probability, is_clear: true, rest: None }
+impl<'w> Judged<'w> {
+    /// A hypothesis about words without its tasks. `command` is the probability of a plain command.
+    pub const fn likely(hypothesis: Hypothesis, words: Words<'w>, probability: f32, command: f32) -> Self {
+        Self { hypothesis, words, task: 0, tasks: TaskSet::EMPTY, probability, command, is_clear: false, rest: None }
     }
 }
 
@@ -79,7 +81,7 @@ impl<M: AgentMemory> Agent<M> {
         let parting = self.part(domain, words, context)?;
         let likeliest = self.hypotheses(domain, words, explained, context, parting)?;
         let (Hypothesis::Several, Some(parting)) = (likeliest.hypothesis, parting) else {
-            return self.judge_one(domain, words, explained, context, likeliest);
+            return self.judge_one(domain, likeliest, explained, context);
         };
         let part = self.judge_part(domain, parting.first, explained, context)?;
         // "Go there, but take the bag first" is in another order.
@@ -104,7 +106,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         self.explain_all(domain, words, View::PLAIN, context, explained)?;
         let likeliest = self.hypotheses(domain, words, explained, context, None)?;
-        self.judge_one(domain, words, explained, context, likeliest)
+        self.judge_one(domain, likeliest, explained, context)
     }
 
     /// The tasks of words that are not several commands, under their likeliest hypothesis.
@@ -112,37 +114,37 @@ impl<M: AgentMemory> Agent<M> {
     fn judge_one<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
+        likeliest: Judged<'w>,
         explained: &mut Explained,
         context: Context<'_>,
-        likeliest: Likeliest,
     ) -> Result<Judged<'w>, AgentError> {
-        let share = likeliest.probability;
-        if let (Hypothesis::Negated, Some(rest)) = (likeliest.hypothesis, negated(words)) {
-            return self.judge_negated(domain, words, &rest, explained, context, share);
-        }
-        if let (Hypothesis::All, Some(rest)) = (likeliest.hypothesis, all(words)) {
-            return self.judge_all(domain, words, &rest, explained, context, share);
-        }
-        if likeliest.hypothesis == Hypothesis::Talk(Class::Again)
+        let Judged { hypothesis, words, probability, .. } = likeliest;
+        if hypothesis == Hypothesis::Talk(Class::Again)
             && let Some(task) = self.again(words, context.earlier.before, explained)
         {
             explained.keep_only(task);
-            return Ok(Judged::again(task, share));
+            // No word of the utterance is learned for it.
+            let again = Judged::likely(Hypothesis::Again, Words::NONE, probability, probability);
+            return Ok(Judged { task, tasks: TaskSet::of(task), is_clear: true, ..again });
         }
-        Ok(self.judge_command(domain, words, explained, likeliest))
+        let judged = match hypothesis {
+            Hypothesis::Negated => self.judge_negated(domain, likeliest, explained, context)?,
+            Hypothesis::All => self.judge_all(domain, likeliest, explained, context)?,
+            _ => None,
+        };
+        Ok(judged.unwrap_or_else(|| self.judge_command(domain, likeliest, explained)))
     }
 
-    /// The state that words forbid, or the one to keep if they negate twice. `share` is the probability of the prohibition.
+    /// The state that words forbid, or the one to keep if they negate twice.
     fn judge_negated<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
-        rest: &WithoutCues<'w>,
+        likeliest: Judged<'w>,
         explained: &mut Explained,
         context: Context<'_>,
-        share: f32,
-    ) -> Result<Judged<'w>, AgentError> {
+    ) -> Result<Option<Judged<'w>>, AgentError> {
+        let Judged { words, probability, .. } = likeliest;
+        let Some(rest) = negated(words) else { return Ok(None) };
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
         let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
@@ -163,28 +165,27 @@ impl<M: AgentMemory> Agent<M> {
         };
         let is_possible = !holds || self.done(domain).contains(task);
         let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_task) };
-        Ok(Judged {
-            hypothesis: Hypothesis::Negated,
+        Ok(Some(Judged {
             words: rest.words,
             task,
             tasks,
-            probability: share * of_tasks,
-            command: share,
+            probability: probability * of_tasks,
+            command: probability,
             is_clear: rest.is_clear && is_told && is_possible && explained.fitting.contains(task) && !tells(words),
-            rest: None,
-        })
+            ..likeliest
+        }))
     }
 
-    /// The tasks about all things of a kind. `share` is the probability that all are meant.
+    /// The tasks about all things of a kind.
     fn judge_all<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
-        rest: &WithoutCues<'w>,
+        likeliest: Judged<'w>,
         explained: &mut Explained,
         context: Context<'_>,
-        share: f32,
-    ) -> Result<Judged<'w>, AgentError> {
+    ) -> Result<Option<Judged<'w>>, AgentError> {
+        let Judged { words, probability, .. } = likeliest;
+        let Some(rest) = all(words) else { return Ok(None) };
         let mut excepted = TaskSet::EMPTY;
         if !rest.except.is_empty() {
             self.explain_all(domain, rest.except, rest.view, context, explained)?;
@@ -199,26 +200,20 @@ impl<M: AgentMemory> Agent<M> {
         let (tasks, of_place) = self.all_that_fit(domain, explained);
         let is_there = |task: &usize| there.is_none_or(|there| there.iter().any(|other| self.thing(other) == self.thing(*task)));
         let tasks: TaskSet = tasks.without(excepted).iter().filter(is_there).collect();
-        Ok(Judged {
-            hypothesis: Hypothesis::All,
+        Ok(Some(Judged {
             words: explained.naming(rest.words),
             task: tasks.iter().next().unwrap_or(explained.best().0),
             tasks,
-            probability: share * of_place,
-            command: share,
+            probability: probability * of_place,
+            command: probability,
             is_clear: rest.is_clear && !tasks.is_empty() && !tells(words) && !has_condition(words),
-            rest: None,
-        })
+            ..likeliest
+        }))
     }
 
     /// The task of a plain command, and any objections to it.
-    fn judge_command<'w, D: Domain + ?Sized>(
-        &self,
-        domain: &D,
-        words: Words<'w>,
-        explained: &Explained,
-        Likeliest { hypothesis, command, .. }: Likeliest,
-    ) -> Judged<'w> {
+    fn judge_command<'w, D: Domain + ?Sized>(&self, domain: &D, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
+        let Judged { words, command, .. } = likeliest;
         let (task, of_command) = explained.best();
         let (is_whole, is_own) = (explained.whole.contains(task), explained.own.contains(task));
         // "This or that" leaves the choice to the robot.
@@ -232,14 +227,12 @@ impl<M: AgentMemory> Agent<M> {
         let is_told = !is_question(words) && !tells(words) && !has_condition(words) && !is_past(words);
         let is_one = !is_choice && !has_more(words) && !self.has_rival(domain, explained, task);
         Judged {
-            hypothesis,
             words: explained.naming(words),
             task,
             tasks: TaskSet::of(task),
             probability: command * of_command,
-            command,
             is_clear: is_named && has_verb && is_told && is_one,
-            rest: None,
+            ..likeliest
         }
     }
 

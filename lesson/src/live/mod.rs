@@ -99,15 +99,6 @@ impl Acted {
     }
 }
 
-/// The effect of feedback to a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judged {
-    /// It counted as this evidence.
-    As(Evidence),
-    /// The same feedback was given already.
-    AsBefore,
-}
-
 /// The data of a session besides its walk.
 #[derive(Clone, Debug)]
 pub struct Session<R = EnvironmentFile> {
@@ -404,11 +395,8 @@ impl<D: Place> Lesson<D> {
     ///
     /// # Errors
     /// [`LiveError::NoStep`], or the errors of [`Agent::feedback`].
-    pub fn judge(&mut self, feedback: Feedback) -> Result<Judged, LiveError> {
+    pub fn judge(&mut self, feedback: Feedback) -> Result<Evidence, LiveError> {
         let (Some((acted, step)), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
-        if acted.judged == Some(feedback) {
-            return Ok(Judged::AsBefore);
-        }
         let evidence = self.agent.feedback(feedback)?;
         if acted.judged.replace(feedback).is_none() {
             self.walk.steps.push(*step);
@@ -417,7 +405,7 @@ impl<D: Place> Lesson<D> {
         if let Some(last) = self.walk.steps.last_mut() {
             last.feedback = feedback;
         }
-        Ok(Judged::As(evidence))
+        Ok(evidence)
     }
 
     /// The last step is over. Without feedback, silence counts.
@@ -426,7 +414,7 @@ impl<D: Place> Lesson<D> {
     /// As [`judge`](Self::judge).
     pub fn go_on(&mut self) -> Result<(), LiveError> {
         if self.acted().is_some_and(|acted| acted.judged.is_none()) {
-            self.judge(Feedback::Neutral)?;
+            let _ = self.judge(Feedback::Neutral)?;
         }
         self.acted = None;
         Ok(())

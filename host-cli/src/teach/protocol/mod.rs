@@ -6,7 +6,6 @@ use crate::teach::classroom::Classroom;
 use crate::teach::kept::Kept;
 use crate::teach::lessons::random_home;
 use crate::teach::next_lesson::Next;
-use crate::teach::pupil::Judged;
 use crate::teach::pupil::{Meaning, Reaction};
 use crate::teach::table::Table;
 use goodbot::asking::{Answer, Asking};
@@ -336,7 +335,7 @@ impl Speaker<'_> {
             return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
         };
         let judged = pupil.lesson_mut().judge(feedback)?;
-        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": matches!(judged, Judged::As(Evidence::Used) | Judged::AsBefore)});
+        let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": judged == Evidence::Used});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
     }

@@ -14,7 +14,7 @@ mod mind;
 mod starter_sessions;
 mod thoughts;
 
-pub use goodbot_lesson::live::{Acted, Judged};
+pub use goodbot_lesson::live::Acted;
 pub use thoughts::{Idea, Meaning, WordSupport};
 
 use crate::ask::SURE;

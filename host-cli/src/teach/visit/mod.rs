@@ -11,7 +11,6 @@ use crate::teach::next_lesson::Next;
 use crate::teach::pace::Pace;
 use crate::teach::plain_names::percent;
 use crate::teach::prompt::Prompt;
-use crate::teach::pupil::Judged;
 use crate::teach::pupil::{Acted, Reaction, WordSupport};
 use goodbot::asking::{Answer, Asking};
 use goodbot::capacity::WORDS_PER_COMMAND;
@@ -350,11 +349,9 @@ impl Visit {
         };
         let waits = self.wait(acted).is_none();
         match self.classroom.pupil.lesson_mut().judge(feedback)? {
-            Judged::As(Evidence::Impossible) => {
-                self.message = "Your word is impossible under every task, so it was not counted.".to_owned()
-            }
-            Judged::As(Evidence::SaysNothing) => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
-            Judged::As(Evidence::Used) | Judged::AsBefore => self.message.clear(),
+            Evidence::Impossible => self.message = "Your word is impossible under every task, so it was not counted.".to_owned(),
+            Evidence::SaysNothing => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
+            Evidence::Used => self.message.clear(),
         }
         if let (true, Phase::Waiting(_)) = (waits, self.phase) {
             self.phase = Phase::Waiting(Some(now + SECOND_THOUGHTS));
