@@ -137,12 +137,12 @@ async function repair(chosen) {
   ask();
 }
 
+/** Whether this robot is being tricked: then the next lesson would be the answer. */
+export const isTricked = () => game?.robot === state.robot;
+
 export function renderTrick() {
   if (game && game.robot !== state.robot) game = null;
   $('trick').hidden = Boolean(state.secret);
-  // The next lesson would be the answer.
-  if (game) $('next-card').hidden = true;
-  $('own-tests').hidden = Boolean(game);
   const says = game ? game.says : [t('trick.about')];
   const choices = game ? game.choices : /** @type {[string, () => any][]} */ ([[t('trick.play'), () => beginLevel(0)]]);
   if (isDrawn('trick', says, choices.map(([words]) => words))) return;
