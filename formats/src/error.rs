@@ -98,7 +98,7 @@ pub enum Problem {
         known: Vec<String>,
     },
     /// A version other than [`KNOWN_VERSIONS`].
-    #[error("version {found} is not known, known is {}; write that, or use a newer goodbot", KNOWN_VERSIONS.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))]
+    #[error("version {found} is unknown; write {}, or use a newer goodbot", KNOWN_VERSIONS.iter().map(u32::to_string).collect::<Vec<_>>().join(", "))]
     UnknownVersion {
         /// The version as written.
         found: String,
@@ -271,7 +271,7 @@ pub enum Problem {
         name: String,
     },
     /// An effect that takes the value of one of the world's variables away.
-    #[error("{} is a variable, which always has a value; write the effect that gives it another", quoted(.name))]
+    #[error("{} is a variable and always has a value; write an effect that gives it another value", quoted(.name))]
     NegatedVariable {
         /// The variable.
         name: String,

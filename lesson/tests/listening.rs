@@ -81,7 +81,7 @@ fn walk(lesson: &mut Lesson, random: &mut Pcg32) {
         while !lesson.plan(10_000).expect("a plan") {}
         let acted = lesson.act(random).expect("a step").clone();
         let right = acted.is_right(lesson.agent.most_likely().expect("a task")).unwrap_or(false);
-        lesson.judge(if right { Feedback::Reward } else { Feedback::Punish }).expect("a word");
+        let _ = lesson.judge(if right { Feedback::Reward } else { Feedback::Punish }).expect("a word");
         if acted.plan.onward().is_none() {
             return;
         }
@@ -138,7 +138,7 @@ fn each_part_of_what_was_said_is_replayed_to_the_bit() {
         lesson.go_on().expect("it goes on");
         while !lesson.plan(10_000).expect("a plan") {}
         lesson.act(&mut random).expect("a step");
-        lesson.judge(Feedback::Punish).expect("a word");
+        let _ = lesson.judge(Feedback::Punish).expect("a word");
         assert!(lesson.take_back().expect("a step back"));
         lesson.walk_on().expect("walked again");
         assert_eq!(beliefs(&lesson.agent), before);

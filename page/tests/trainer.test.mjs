@@ -1,4 +1,4 @@
-// <goodbot-trainer>: the page in another one.
+// <goodbot-trainer>: the page inside another page.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';

@@ -17,7 +17,7 @@ pub enum Press {
     B,
     /// Both at one time.
     Both,
-    /// One of them, for a long time; reported while it is still held.
+    /// A long press of either, reported while it is still held.
     Long,
 }
 

@@ -99,7 +99,7 @@ fn every_field_is_missed_by_its_name() {
 
 #[test]
 fn another_version_is_told_of_before_its_unknown_fields() {
-    let wanted = "line 1: field \"version\": version 2 is not known, known is 1; write that, or use a newer goodbot";
+    let wanted = "line 1: field \"version\": version 2 is unknown; write 1, or use a newer goodbot";
     assert_eq!(refused(r#"{"things":[],"version":2}"#).to_string(), wanted);
     for version in ["1.0", "\"1\"", "null", "-1", "99999999999999999999", "[1]"] {
         let error = refused(&format!("{{\"version\":{version},\"objects\":[]}}"));

@@ -67,15 +67,11 @@ fn a_time_is_a_whole_number_of_milliseconds() {
 #[test]
 fn a_fault_is_told_with_line_and_field_and_what_to_do() {
     for (from, to, wanted) in [
-        (
-            "\"version\":1,\"id\"",
-            "\"version\":2,\"id\"",
-            "\"version\": version 2 is not known, known is 1; write that, or use a newer goodbot",
-        ),
+        ("\"version\":1,\"id\"", "\"version\":2,\"id\"", "\"version\": version 2 is unknown; write 1, or use a newer goodbot"),
         (
             "\"version\":1,\"objects\"",
             "\"version\":0,\"objects\"",
-            "\"environment.version\": version 0 is not known, known is 1; write that, or use a newer goodbot",
+            "\"environment.version\": version 0 is unknown; write 1, or use a newer goodbot",
         ),
         ("\"x\":4", "\"z\":4", "\"environment.objects[0].z\": is not known here; known are class, name, x, y"),
         ("\"feedback\"", "\"praise\"", "\"kind\": \"praise\" is not known; write feedback, demonstration or labelled"),

@@ -162,7 +162,7 @@ fn each_broken_session_is_one_error_and_all_others_are_read() {
         outline(&log),
         [
             "line 2: the text ends in the middle of a value",
-            "line 6: field \"version\": version 2 is not known, known is 1",
+            "line 6: field \"version\": version 2 is unknown",
             "9-11",
             "line 12: is not JSON (trailing characters)",
             "15-16"

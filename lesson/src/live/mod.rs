@@ -143,7 +143,7 @@ impl<R> Session<R> {
 /// lesson.hear("go to the green room", rooms)?;
 /// while !lesson.plan(10_000)? {}
 /// let toward_green = lesson.act(&mut random)?.action == "east";
-/// lesson.judge(if toward_green { Feedback::Reward } else { Feedback::Punish })?;
+/// let _ = lesson.judge(if toward_green { Feedback::Reward } else { Feedback::Punish })?;
 /// let recorded = lesson.recorded(true).unwrap();
 /// let _ = lesson.finish()?;
 /// lesson.agent.learn_fully();

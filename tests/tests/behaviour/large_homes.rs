@@ -15,8 +15,9 @@ use rand_pcg::Pcg32;
 struct Seen {
     /// Sets that are exact.
     exact: usize,
-    /// Single actions judged by approximate sets, and how many of them exact sets judge alike.
+    /// Single actions that approximate sets judge.
     judged: usize,
+    /// Those that exact sets judge alike.
     equal: usize,
     unknown: usize,
 }

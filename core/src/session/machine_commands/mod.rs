@@ -43,7 +43,7 @@ impl<M: AgentMemory> Agent<M> {
         self.options.language.model.in_use()
     }
 
-    /// Sets the priors of this session's grounded tasks by the changes that their goals make here, if the model uses that.
+    /// Lowers the priors of the session's tasks that ask a thing to stay where it is. Model 2 uses no such prior.
     pub(super) fn expect_change<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, count: usize) {
         match self.model() {
             Model::Model2 => {}

@@ -11,7 +11,7 @@ const NO_LINE: u64 = 64 << 20;
 /// Lines of bounded length.
 pub struct Lines<R> {
     input: R,
-    /// Whether the input turned out to have no line end.
+    /// Whether reading stopped in a line without an end.
     endless: bool,
 }
 

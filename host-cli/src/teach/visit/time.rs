@@ -59,7 +59,7 @@ impl Visit {
         if self.word_at.is_some_and(|at| at <= now) {
             self.word_at = None;
             if let Some(word) = self.classroom.pupil.simulated_word() {
-                self.classroom.pupil.lesson_mut().judge(word)?;
+                let _ = self.classroom.pupil.lesson_mut().judge(word)?;
             }
             return Ok(());
         }
