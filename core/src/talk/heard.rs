@@ -1,7 +1,6 @@
 //! A word of an utterance, with its probabilities in a command and beside one.
 
 use super::classes::{Class, Classes};
-use super::words::Words;
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::LanguageRef;
 use crate::language::bitext::BitextRef;
@@ -200,11 +199,6 @@ impl Heard {
             ..self
         }
     }
-}
-
-/// The divisor of a reading's prior: 1 plus the largest count of its cues in lessons. Words that commands have are weak cues.
-pub(super) fn learned(words: Words<'_>, of: &dyn Fn(&Heard) -> bool) -> f32 {
-    1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
 }
 
 /// The number of occurrences of a word in all lessons.

@@ -3,16 +3,16 @@
 use super::classes::Class;
 use super::context::Context;
 use super::explained::{Explained, FOREIGN};
-use super::heard::{Heard, learned};
+use super::heard::Heard;
 use super::readings::{all, may_turn, negated};
 use super::several::{Parting, SEVERAL};
 use super::syntax::{is_past, new_names};
-use super::verdict::Judged;
-use super::words::Words;
+use super::words::{Words, learned};
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
+use crate::task::TaskSet;
 use core::fmt;
 use heapless::Vec;
 
@@ -70,6 +70,31 @@ impl fmt::Display for Hypothesis {
             Self::Again => "the same again",
             Self::Talk(class) => class.name(),
         })
+    }
+}
+
+/// The decision on some words: the likeliest hypothesis, and then its tasks.
+#[derive(Clone, Copy)]
+pub(super) struct Judged<'w> {
+    pub hypothesis: Hypothesis,
+    /// The words that name the tasks; all words before the tasks are known.
+    pub words: Words<'w>,
+    pub task: usize,
+    pub tasks: TaskSet,
+    /// The probability of the tasks; of the hypothesis before they are known.
+    pub probability: f32,
+    /// The probability that one of the session's tasks is meant; of a plain command before they are known.
+    pub command: f32,
+    /// Whether only the probability could speak against the tasks.
+    pub is_clear: bool,
+    /// The piece of the utterance where the rest begins.
+    pub rest: Option<usize>,
+}
+
+impl<'w> Judged<'w> {
+    /// A hypothesis about words without its tasks. `command` is the probability of a plain command.
+    pub const fn likely(hypothesis: Hypothesis, words: Words<'w>, probability: f32, command: f32) -> Self {
+        Self { hypothesis, words, task: 0, tasks: TaskSet::EMPTY, probability, command, is_clear: false, rest: None }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::classes::Class;
 use super::context::View;
-use super::heard::{Heard, learned};
+use super::heard::Heard;
 use super::syntax::{begins_with_way, is_question, stays_by_name};
 use super::told::place_of_all;
-use super::words::Words;
+use super::words::{Words, learned};
 
 /// The priors of a negation, and of all things of a kind.
 const NEGATED: f32 = 0.1;

@@ -5,8 +5,7 @@
 
 use super::classes::Class;
 use super::conversation::{Before, Fact};
-use super::heard::learned;
-use super::words::Words;
+use super::words::{Words, learned};
 use crate::oomdp::Domain;
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};

@@ -4,7 +4,7 @@ use super::classes::Class;
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
-use super::hypothesis::Hypothesis;
+use super::hypothesis::{Hypothesis, Judged};
 use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
 use super::several::has_more;
@@ -31,31 +31,6 @@ pub enum Verdict {
     Done,
     /// No task that the robot can do here is meant.
     None,
-}
-
-/// The decision on some words: the likeliest hypothesis, and then its tasks.
-#[derive(Clone, Copy)]
-pub(super) struct Judged<'w> {
-    pub hypothesis: Hypothesis,
-    /// The words that name the tasks; all words before the tasks are known.
-    pub words: Words<'w>,
-    pub task: usize,
-    pub tasks: TaskSet,
-    /// The probability of the tasks; of the hypothesis before they are known.
-    pub probability: f32,
-    /// The probability that one of the session's tasks is meant; of a plain command before they are known.
-    pub command: f32,
-    /// Whether only the probability could speak against the tasks.
-    pub is_clear: bool,
-    /// The piece of the utterance where the rest begins.
-    pub rest: Option<usize>,
-}
-
-impl<'w> Judged<'w> {
-    /// A hypothesis about words without its tasks. `command` is the probability of a plain command.
-    pub const fn likely(hypothesis: Hypothesis, words: Words<'w>, probability: f32, command: f32) -> Self {
-        Self { hypothesis, words, task: 0, tasks: TaskSet::EMPTY, probability, command, is_clear: false, rest: None }
-    }
 }
 
 impl<M: AgentMemory> Agent<M> {

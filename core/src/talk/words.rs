@@ -154,6 +154,11 @@ impl<'w> Words<'w> {
     }
 }
 
+/// The divisor of a reading's prior: 1 plus the largest count of its cues in lessons. Words that commands have are weak cues.
+pub(super) fn learned(words: Words<'_>, of: &dyn Fn(&Heard) -> bool) -> f32 {
+    1.0 + words.iter().filter(|word| of(word)).map(|word| word.count).fold(0.0, f32::max)
+}
+
 /// Iterates over words. It is one type for all callers; iterator adapters would be compiled for each.
 #[derive(Clone)]
 pub(super) struct Iter<'w> {
