@@ -1,8 +1,8 @@
-// Expands the parts that page/builder/src/pack.rs has packed: literals and copies, as in LZMA without a header. The probability of a bit is learned
-// from earlier bits at the same place of a literal, a length or a distance; whether there is a copy, also from the bytes before.
+// Expands the LZMA stream without a header that page/builder/src/pack.rs has packed: literals and copies. The probability of a bit is learned
+// from earlier bits at the same place of a literal, a length or a distance.
 
 // How many bits of the previous byte predict a literal.
-const LC = 5;
+const LC = 3;
 const EVEN = 1 << 10;
 const even = length => new Uint16Array(length).fill(EVEN);
 
@@ -11,13 +11,14 @@ const even = length => new Uint16Array(length).fill(EVEN);
 export function expanded(packed, size) {
   const whole = new Uint8Array(size);
   const literals = even(768 << LC);
-  const [isNotLast, isLong, isOlder, isOldest] = Array.from({ length: 4 }, () => even(12));
+  const [isCopy, isAgain, isNotLast, isLong, isOlder, isOldest] = Array.from({ length: 6 }, () => even(12));
   const slots = Array.from({ length: 4 }, () => even(64));
   const [near, aligned] = [even(128), even(16)];
   const [lengths, lengthsAgain] = [0, 0].map(() => ({ choice: even(2), short: even(8), middle: even(8), long: even(256) }));
   let [range, code, at] = [2 ** 32 - 1, 0, 0];
   const next = () => { code = (code << 8 | packed[at++]) >>> 0; };
-  while (at < 4) next();
+  // The first byte is 0.
+  while (at < 5) next();
   // A bit that is 0 in this part of the range.
   const decide = bound => {
     const is = code >= bound ? 1 : 0;
@@ -39,31 +40,6 @@ export function expanded(packed, size) {
   // `state` stands for the last few symbols: from 7 on the last one was a copy.
   let [state, end] = [0, 0];
   const distances = [0, 0, 0, 0];
-  // For sums of odds, as logarithms, the chance that a bit is 0, of 4096. Only sums and products: they are the same in every browser.
-  const chances = Uint16Array.from({ length: 4096 }, (_, sum) => {
-    let odds = 1 + (2048 - sum) / 32768;
-    for (let squared = 0; squared < 10; squared += 1) odds *= odds;
-    return 1 + 4094 * odds / (1 + odds);
-  });
-  const odds = new Float32Array(1 << 19);
-  const rates = new Float32Array(1 << 19).fill(0.4);
-  const learn = (which, error) => {
-    odds[which] += error * rates[which];
-    rates[which] += 0.15 * (0.1 - rates[which]);
-  };
-  // A bit whose odds are those at its place alone, after one byte and after two bytes, together.
-  const guess = place => {
-    const last = whole[end - 1] | 0;
-    const one = (1 + last) << 5 | place;
-    const two = 1 << 18 | (whole[end - 2] << 8 | last) << 2 | place >> 4 << 1 | Number(state > 6);
-    const chance = chances[2048 + 32 * (odds[place] + odds[one] + odds[two]) & 4095];
-    const is = decide((range >>> 12) * chance);
-    const error = is - 1 + chance / 4096;
-    learn(place, error);
-    learn(one, error);
-    learn(two, error);
-    return is;
-  };
 
   const number = (chances, bits) => {
     let node = 1;
@@ -87,12 +63,16 @@ export function expanded(packed, size) {
     const bits = (slot >> 1) - 1;
     let distance = (2 | slot & 1) << bits;
     if (slot < 14) return distance + reversed(near, bits, distance - slot);
-    for (let place = bits - 1; place > 3; place -= 1) distance += decide(range >>> 1) << place;
+    for (let place = bits - 1; place > 3; place -= 1) {
+      // Both halves are equal.
+      range -= range & 1;
+      distance += decide(range / 2) << place;
+    }
     return distance + reversed(aligned, 4, 0);
   };
 
   while (end < size) {
-    if (!guess(state)) {
+    if (!bit(isCopy, state)) {
       // After a copy, the byte is mostly another one than the copy would have continued with.
       const offset = 768 * ((end && whole[end - 1]) >> 8 - LC);
       let [node, model] = [1, state > 6 ? 256 | whole[end - distances[0] - 1] : 0];
@@ -106,7 +86,7 @@ export function expanded(packed, size) {
       continue;
     }
     let length = 1;
-    if (guess(16 + state)) {
+    if (bit(isAgain, state)) {
       const which = !bit(isNotLast, state) ? 0 : !bit(isOlder, state) ? 1 : 2 + bit(isOldest, state);
       const isOne = which === 0 && !bit(isLong, state);
       if (which) distances.unshift(...distances.splice(which, 1));
