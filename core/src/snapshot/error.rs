@@ -147,7 +147,7 @@ impl fmt::Display for RestoreError {
                 super::record::OLDEST_VERSION,
                 super::record::LAYERED_VERSION
             ),
-            Self::Length { stated, given } => write!(f, "the model says that it has {stated} bytes, and {given} are here"),
+            Self::Length { stated, given } => write!(f, "the model has {stated} bytes, and {given} are here; take another copy"),
             Self::Damaged => f.write_str("the model is damaged: its check does not match; take another copy"),
             Self::Inconsistent(part) => write!(f, "the model's {} cannot be; it was not written by goodbot", part.name()),
             Self::OtherDomain => f.write_str("the model was learned in a domain of another vocabulary"),

@@ -44,15 +44,14 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     let shown = if meanings.len() > height { height.saturating_sub(1) } else { meanings.len() };
     let mut lines: Vec<Line<'_>> = Vec::new();
     let longest = meanings.iter().take(shown).map(|meaning| meaning.words.chars().count()).max().unwrap_or(0);
-    let number = shown.to_string().len() + 1;
-    let words = longest.min(width.saturating_sub(number + 7 + LEAST_BAR));
+    let words = longest.min(width.saturating_sub(7 + LEAST_BAR));
     let steps: Vec<_> = visit.done().collect();
     let marks = steps.len().min(MARKS);
-    let rest = width.saturating_sub(number + words + 7);
+    let rest = width.saturating_sub(words + 7);
     let marks = if rest > LEAST_BAR + marks { marks } else { 0 };
     let bar_width = rest.saturating_sub(if marks > 0 { marks + 1 } else { 0 }).min(24);
     for (rank, meaning) in meanings.iter().take(shown).enumerate() {
-        lines.push(belief(rank, meaning, [number, words, bar_width, marks], &steps, palette));
+        lines.push(belief(rank, meaning, [words, bar_width, marks], &steps, palette));
     }
     if shown < meanings.len() {
         let left: f32 = meanings.iter().skip(shown).map(|meaning| meaning.probability).sum();
@@ -64,13 +63,13 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
 fn belief<'a>(
     rank: usize,
     meaning: &Meaning,
-    [number, words, bar_width, marks]: [usize; 4],
+    [words, bar_width, marks]: [usize; 3],
     steps: &[(Feedback, &[Judgement])],
     palette: Palette,
 ) -> Line<'a> {
     let best = if rank == 0 { Style::new().add_modifier(Modifier::BOLD) } else { Style::new() };
     let mut spans = vec![
-        Span::styled(format!("{:<number$}{:<words$} {:>5} ", rank + 1, cut(&meaning.words, words), percent(meaning.probability)), best),
+        Span::styled(format!("{:<words$} {:>5} ", cut(&meaning.words, words), percent(meaning.probability)), best),
         Span::styled(
             format!("{:<bar_width$}", bar(meaning.probability, bar_width)),
             if rank == 0 { palette.strong() } else { palette.quiet() },
