@@ -13,8 +13,8 @@ use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::Paragraph;
 
-/// The most tasks in the table of words.
-const TABLED: usize = 3;
+/// The tasks in the table of words, the likeliest first. They have letters, since the choices of a question have numbers.
+const TABLED: [char; 3] = ['A', 'B', 'C'];
 /// The most steps with a mark beside a task.
 const MARKS: usize = 8;
 /// A word supports a task if the task's share is this many times an even share.
@@ -26,7 +26,7 @@ const LEAST_BAR: usize = 5;
 
 /// The rows of the table of words.
 pub fn wanted(visit: &Visit) -> u16 {
-    let tasks = visit.classroom.pupil.meanings().len().min(TABLED);
+    let tasks = visit.classroom.pupil.meanings().len().min(TABLED.len());
     u16::try_from(tasks.max(2)).unwrap_or(2) + 2
 }
 
@@ -44,10 +44,10 @@ pub fn draw_beliefs(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: P
     let shown = if meanings.len() > height { height.saturating_sub(1) } else { meanings.len() };
     let mut lines: Vec<Line<'_>> = Vec::new();
     let longest = meanings.iter().take(shown).map(|meaning| meaning.words.chars().count()).max().unwrap_or(0);
-    let words = longest.min(width.saturating_sub(7 + LEAST_BAR));
+    let words = longest.min(width.saturating_sub(9 + LEAST_BAR));
     let steps: Vec<_> = visit.done().collect();
     let marks = steps.len().min(MARKS);
-    let rest = width.saturating_sub(words + 7);
+    let rest = width.saturating_sub(words + 9);
     let marks = if rest > LEAST_BAR + marks { marks } else { 0 };
     let bar_width = rest.saturating_sub(if marks > 0 { marks + 1 } else { 0 }).min(24);
     for (rank, meaning) in meanings.iter().take(shown).enumerate() {
@@ -68,8 +68,9 @@ fn belief<'a>(
     palette: Palette,
 ) -> Line<'a> {
     let best = if rank == 0 { Style::new().add_modifier(Modifier::BOLD) } else { Style::new() };
+    let letter = TABLED.get(rank).unwrap_or(&' ');
     let mut spans = vec![
-        Span::styled(format!("{:<words$} {:>5} ", cut(&meaning.words, words), percent(meaning.probability)), best),
+        Span::styled(format!("{letter} {:<words$} {:>5} ", cut(&meaning.words, words), percent(meaning.probability)), best),
         Span::styled(
             format!("{:<bar_width$}", bar(meaning.probability, bar_width)),
             if rank == 0 { palette.strong() } else { palette.quiet() },
@@ -131,7 +132,7 @@ pub fn draw_words(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Pal
     }
     let width = usize::from(inner.width);
     let (mut used, mut head) = (2, vec![Span::raw("  ")]);
-    let mut rows: Vec<Vec<Span<'_>>> = (1..=meanings.len().min(TABLED)).map(|number| vec![Span::raw(format!("{number} "))]).collect();
+    let mut rows: Vec<Vec<Span<'_>>> = meanings.iter().zip(TABLED).map(|(_, letter)| vec![Span::raw(format!("{letter} "))]).collect();
     for word in &visit.support {
         let column = word.word.chars().count().clamp(3, 12) + 2;
         used += column;
