@@ -122,6 +122,7 @@ impl Witness {
             intended,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
             readings: readings.into(),
+            numbers: std::sync::Arc::default(),
             beliefs,
             world: None,
             acts: true,

@@ -5,6 +5,7 @@ use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::Fault;
 use goodbot_lesson::first_words::FirstWords;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A machine command: its tokens.
@@ -44,6 +45,8 @@ pub struct Lesson {
     pub intended: Option<usize>,
     /// The possible tasks. Lessons in the same state of the same world share them.
     pub readings: Arc<[Reading]>,
+    /// The tokens of a world's [numbers](goodbot_lesson::world::numbers), with their digits.
+    pub numbers: Arc<BTreeMap<String, String>>,
     /// The probability of each task without words: from the steps, or from the label.
     pub beliefs: Vec<f32>,
     /// The machine commands of the possible tasks, with their probabilities.
@@ -73,6 +76,7 @@ impl Lesson {
             intended: None,
             beliefs: readings.iter().map(|reading| reading.prior).collect(),
             readings,
+            numbers: Arc::default(),
             pairs: vec![],
             shown: vec![],
             walk: String::new(),

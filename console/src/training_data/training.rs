@@ -14,6 +14,7 @@ use goodbot::symbols::Symbol;
 use goodbot::task::{Marker, is_marker};
 use goodbot_lesson::first_words::heard;
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// Memory for a language model of these lessons, without planning.
 pub fn memory(lessons: &[Lesson], settings: &Settings) -> AgentHeap {
@@ -25,11 +26,31 @@ pub fn tasks(lessons: &[Lesson]) -> usize {
     lessons.iter().map(|lesson| lesson.readings.len()).sum()
 }
 
+/// A lesson for each number of the worlds of these lessons: its digits mean each task with it. So "75" is understood in every language
+/// before it was taught. The lessons have no possible tasks, because the layer understood less when it learned from them.
+fn numbers<'l>(lessons: impl IntoIterator<Item = &'l Lesson>) -> Vec<Lesson> {
+    let (mut known, mut numbers) = (BTreeSet::new(), Vec::new());
+    for lesson in lessons {
+        for (token, digits) in lesson.numbers.iter().filter(|(token, _)| known.insert(*token)) {
+            let commands = lesson.readings.iter().filter_map(|reading| reading.commands.first());
+            let with_it: Vec<&MachineCommand> = commands.filter(|command| command.contains(token)).collect();
+            if with_it.is_empty() {
+                continue;
+            }
+            let share = 1.0 / with_it.len() as f32;
+            let pairs = with_it.into_iter().map(|command| (command.clone(), share)).collect();
+            numbers.push(Lesson { command: digits.clone(), pairs, beliefs: vec![], readings: Arc::default(), ..lesson.clone() });
+        }
+    }
+    numbers
+}
+
 /// Capacities for these lessons, and at least `least`.
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut commands) = (BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
-    for lesson in lessons {
+    let numbers = numbers(lessons);
+    for lesson in lessons.iter().chain(&numbers) {
         // The words as each model reads them. A command that is too long has only its first words here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
             let heard = heard(model, &lesson.command).unwrap_or_default();
@@ -53,7 +74,7 @@ pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
         token_bytes: least.token_bytes.max(named.token_bytes + 32 * spare),
         commands: least.commands.max(commands.len()),
         command_tokens: least.command_tokens.max(commands.iter().map(|command| command.len()).sum()),
-        sessions: least.sessions.max(lessons.len()),
+        sessions: least.sessions.max(lessons.len() + numbers.len()),
         sentence_words: least.sentence_words.max(sentence_words),
         pairs: least.pairs.max(pairs),
         translations: least.translations.max((token_count + 1) * word_count),
@@ -91,7 +112,7 @@ pub fn train<'m, 'l>(
     Ok(model)
 }
 
-/// A model with these lessons, before training.
+/// A model with these lessons and their [`numbers`], before training.
 ///
 /// # Errors
 /// The errors of [`train`].
@@ -102,7 +123,9 @@ pub fn data<'m, 'l>(
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
     let mut model = LanguageModel::new(memory, settings)?;
     let mut interned = Interned::of(&model);
-    for lesson in lessons.filter(|lesson| lesson.learn) {
+    let lessons: Vec<&Lesson> = lessons.filter(|lesson| lesson.learn).collect();
+    let numbers = if settings.model == Model::Roles { numbers(lessons.iter().copied()) } else { vec![] };
+    for lesson in lessons.into_iter().chain(&numbers) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
             .pairs
@@ -316,4 +339,44 @@ pub fn best_command<'r>(
     }
     model.forget_unlearned();
     Ok(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::learner::Learner;
+    use crate::training_data::worlds;
+    use goodbot_formats::world::{Line, WorldReader};
+
+    /// Two heaters, which can be set to 10, 20.5, 30 or 40.
+    const WORLD: &str = r#"{"type":"world","name":"flat","classes":["heater","number"],"attributes":{"room":["heater"],"value":["number"]},"propositions":{"heatAt":["heater","number"]},"objects":[{"name":"a","class":"heater","attributes":{"room":"kitchen"}},{"name":"b","class":"heater","attributes":{"room":"bath"}},{"name":"low","class":"number","attributes":{"value":"number10"}},{"name":"half","class":"number","attributes":{"value":"number20_5"}},{"name":"warm","class":"number","attributes":{"value":"number30"}},{"name":"hot","class":"number","attributes":{"value":"40"}}],"task_kinds":["heatAt(?x,?y)"]}"#;
+
+    #[test]
+    fn a_number_is_understood_before_it_was_taught() {
+        let said = [("a", "küche"), ("b", "bad")].map(|(heater, room)| {
+            format!(r#"{{"type":"command","world":"flat","command":"{room} auf 10","intended":["heatAt({heater},low)"]}}"#)
+        });
+        let (mut lessons, mut left) = (vec![], usize::MAX);
+        let options = Learner::Default.options();
+        let log = [WORLD, &said[0], &said[1]].join("\n");
+        worlds::read("log", log.as_bytes(), options, None, false, &mut left, |lesson| {
+            lessons.extend(lesson?);
+            Ok::<(), goodbot_lesson::Fault>(())
+        })
+        .unwrap();
+        let mut memory = memory(&lessons, &options.language);
+        let mut model = train(&mut memory, lessons.iter(), options.language).unwrap();
+        let Some(Ok(Line::World(world))) = WorldReader::new(WORLD.as_bytes()).next() else { panic!("a world") };
+        for (command, meant) in [
+            ("küche auf 20.5", "heatAt(a,half)"),
+            ("bad auf 30%", "heatAt(b,warm)"),
+            ("bad auf 40", "heatAt(b,hot)"),
+            ("küche 10", "heatAt(a,low)"),
+        ] {
+            let asked = worlds::question("world", &world, command, options).unwrap();
+            let posterior = posterior(&mut model, &asked).unwrap();
+            let best = posterior.iter().zip(&*asked.readings).max_by(|one, other| one.0.total_cmp(other.0)).unwrap();
+            assert_eq!(best.1.name.to_string(), meant, "{command}");
+        }
+    }
 }

@@ -15,15 +15,16 @@ use goodbot_lesson::fault::quoted;
 use goodbot_lesson::first_words::{self, too_long};
 use goodbot_lesson::world::before::{self, Step};
 use goodbot_lesson::world::robot::{self, Robot, Tables, WorldFlaw};
-use goodbot_lesson::world::{TooMany, meanings};
-use std::collections::HashMap;
+use goodbot_lesson::world::{TooMany, meanings, numbers};
 use std::collections::hash_map::Entry;
+use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use std::sync::Arc;
 
 /// A state of a world without a robot: its tasks, and the position of each.
 struct Scene {
     readings: Arc<[Reading]>,
+    numbers: Arc<BTreeMap<String, String>>,
     positions: HashMap<Vec<GroundAtomText>, usize>,
 }
 
@@ -227,6 +228,7 @@ impl Worlds<'_> {
             intended: Some(intended),
             pairs: readings.get(intended).map(told_pairs).unwrap_or_default(),
             beliefs,
+            numbers: Arc::clone(&scene.numbers),
             learn: true,
             long: read.long().map(|long| at("command", &long)),
             ..Lesson::told(id, place, &read, header(command), readings)
@@ -265,6 +267,6 @@ impl Scene {
             atoms
         };
         let positions = readings.iter().enumerate().map(|(position, reading)| (sorted(&reading.name), position)).collect();
-        Ok(Self { readings, positions })
+        Ok(Self { readings, numbers: Arc::new(numbers(world)), positions })
     }
 }

@@ -95,18 +95,20 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     // A world names its own kinds of task.
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
+    let numbers = model.bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
     let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": lessons.len() - own, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": lessons.len() - own, "numbers": numbers, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {
         let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
-        let beside = match lessons.len() - own {
-            0 => String::new(),
-            count => format!(" and {} of the starter", counted(count, "sentence")),
+        let beside = match (lessons.len() - own, numbers) {
+            (0, 0) => String::new(),
+            (0, numbers) => format!(" and {}", counted(numbers, "number")),
+            (count, _) => format!(" and {} of the starter", counted(count, "sentence")),
         };
         writeln!(out, "{sessions}{beside}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
     }

@@ -23,7 +23,7 @@ use goodbot::capacity::{NAME_BYTES, TOKENS_PER_COMMAND};
 use goodbot::oomdp::PropositionId;
 use goodbot::task::{Marker, Role, RoleKind, VALUE_SORTS};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText, LiftedTaskText};
-use goodbot_formats::world::WorldFile;
+use goodbot_formats::world::{ObjectOfWorld, WorldFile};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
@@ -165,7 +165,7 @@ impl<'w> Scene<'w> {
             }
         }
         let last = VALUE_SORTS - step;
-        let said = |object: &'w goodbot_formats::world::ObjectOfWorld| {
+        let said = |object: &'w ObjectOfWorld| {
             let mut said: Vec<(usize, String)> = Vec::new();
             for (attribute, value) in &object.attributes {
                 let sort = sorts.get(attribute.as_str()).copied().unwrap_or(last);
@@ -235,6 +235,18 @@ fn token(attribute: &str, value: &str) -> String {
         token.pop();
     }
     token
+}
+
+/// The values of a world that are numbers, alone or after their class: `30`, or `number30` of the class `number`. Each token
+/// with its digits, which name the value in every language.
+pub fn numbers(world: &WorldFile) -> BTreeMap<String, String> {
+    let values = world.objects.iter().flat_map(|object| object.attributes.iter().map(move |it| (object, it)));
+    let number = |(object, (attribute, value)): (&ObjectOfWorld, &(String, String))| {
+        let digits = value.strip_prefix(&object.class).unwrap_or(value).replacen('_', ".", 1);
+        let is_number = digits.split('.').all(|part| !part.is_empty() && part.bytes().all(|digit| digit.is_ascii_digit()));
+        is_number.then(|| (token(attribute, value), digits))
+    };
+    values.filter_map(number).collect()
 }
 
 /// The parts of a name, each from a capital letter to the next.
