@@ -1363,6 +1363,23 @@ enum goodbot_status goodbot_restore_on(struct goodbot *robot,
                                        struct goodbot_restoring *restoring,
                                        uint32_t budget);
 
+// Gives the robot everyday sentences to begin with, from a starter: a model that
+// `goodbot learn --starter en --learner roles --out starter.goodbot` writes. The sentences are learned from beside the robot's own sessions,
+// and the more of these there are, the fewer sentences: beside n sessions, the part 1 / (1 + n / 4). Call it once the robot is made or has its model back, and again after `goodbot_finish`; each call replaces the
+// sentences of the one before. Then call `goodbot_learn` until it is done. A session under way ends unlearned.
+//
+// If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first.
+//
+// `added` is null, or receives the number of sentences. `FULL` if there is no room for them: the robot then has none. A session that gives
+// way may be one of them; if more than seven give way at once, those that are left become the robot's own.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.
+enum goodbot_status goodbot_join_starter(struct goodbot *robot,
+                                         const uint8_t *model,
+                                         size_t bytes,
+                                         uint32_t *added);
+
 // Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
 // with `BUFFER`, if `bytes` are too few. `STILL_LEARNING` until `goodbot_learn` is done.
 //
