@@ -21,8 +21,8 @@
    - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
      it and calls goodbot_feedback.
    - A function with a budget does about as much work as the budget says and no more. goodbot_hear, goodbot_hear_one_of, goodbot_listen,
-     goodbot_finish, goodbot_home_build, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once; the others are short,
-     as docs/footprint.md counts. */
+     goodbot_finish, goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once;
+     the others are short, as docs/footprint.md counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
