@@ -54,6 +54,15 @@ fn leave(robot: *mut Goodbot) {
     assert_eq!(unsafe { goodbot_join_starter(robot, null(), 0, null_mut()) }, GoodbotStatus::Ok);
 }
 
+/// A robot that keeps this many sessions.
+fn with_room_for(sessions: u32) -> Owned {
+    let mut capacities = small();
+    capacities.entries[GoodbotCapacity::Sessions as usize] = sessions;
+    let robot = in_homes(capacities);
+    assert_eq!(describe(robot.robot), GoodbotStatus::Ok);
+    robot
+}
+
 /// The sentences of a starter, eight.
 fn starter() -> (Owned, Vec<u8>) {
     let robot = at_home();
@@ -102,10 +111,7 @@ fn a_starter_does_not_take_the_robots_own_sessions_with_it() {
 #[test]
 fn sentences_that_gave_way_are_not_taken_for_the_robots_own() {
     let (_first, model) = starter();
-    let mut capacities = small();
-    capacities.entries[GoodbotCapacity::Sessions as usize] = 9;
-    let robot = in_homes(capacities);
-    assert_eq!(describe(robot.robot), GoodbotStatus::Ok);
+    let robot = with_room_for(9);
     assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 8));
     for _ in 0..3 {
         assert_eq!(lesson(robot.robot, c"go to the green room"), GoodbotStatus::Ok);
@@ -118,10 +124,7 @@ fn sentences_that_gave_way_are_not_taken_for_the_robots_own() {
 #[test]
 fn a_starter_without_room_is_refused_and_the_robot_goes_on_without() {
     let (_first, model) = starter();
-    let mut capacities = small();
-    capacities.entries[GoodbotCapacity::Sessions as usize] = 4;
-    let robot = in_homes(capacities);
-    assert_eq!(describe(robot.robot), GoodbotStatus::Ok);
+    let robot = with_room_for(4);
     assert_eq!((join(robot.robot, &model).0, sessions(robot.robot)), (GoodbotStatus::Full, 0));
     assert_eq!(join(robot.robot, &model[1..]).0, GoodbotStatus::BadModel);
     assert_eq!(unsafe { goodbot_join_starter(null_mut(), null(), 0, null_mut()) }, GoodbotStatus::Null);
