@@ -21,8 +21,8 @@
    - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
      it and calls goodbot_feedback.
    - A function with a budget does about as much work as the budget says and no more. goodbot_hear, goodbot_hear_one_of, goodbot_listen,
-     goodbot_finish, goodbot_home_build, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once; the others are short,
-     as docs/footprint.md counts. */
+     goodbot_finish, goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once;
+     the others are short, as docs/footprint.md counts. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -1362,6 +1362,24 @@ enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
 enum goodbot_status goodbot_restore_on(struct goodbot *robot,
                                        struct goodbot_restoring *restoring,
                                        uint32_t budget);
+
+// Gives the robot everyday sentences to begin with, from a starter: a model that
+// `goodbot learn --starter en --learner roles --out starter.goodbot` writes. The sentences are learned from beside the robot's own sessions,
+// and the more of these there are, the fewer sentences: beside n sessions, the part 1 / (1 + n / 4). Call it once the robot is made or has
+// its model back, and again after `goodbot_finish`; each call replaces the sentences of the one before. Then call `goodbot_learn` until it
+// is done. A session under way ends unlearned.
+//
+// If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first.
+//
+// `added` is null, or receives the number of sentences. `FULL` if there is no room for them: the robot then has none. A session that gives
+// way may be one of them; if more than seven give way at once, those that are left become the robot's own.
+//
+// The caller sees to it:
+// `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.
+enum goodbot_status goodbot_join_starter(struct goodbot *robot,
+                                         const uint8_t *model,
+                                         size_t bytes,
+                                         uint32_t *added);
 
 // Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
 // with `BUFFER`, if `bytes` are too few. `STILL_LEARNING` until `goodbot_learn` is done.

@@ -215,6 +215,11 @@ public:
         return goodbot_restore_parameters(handle_, parameters.data(), parameters.size());
     }
     outcome<void> restore(span<const std::uint8_t> model) { return goodbot_restore(handle_, model.data(), model.size()); }
+    /* Returns the number of sentences; an empty model takes them away. */
+    outcome<std::uint32_t> join_starter(span<const std::uint8_t> model) {
+        std::uint32_t added = 0;
+        return finish(goodbot_join_starter(handle_, model.size() ? model.data() : nullptr, model.size(), &added), added);
+    }
 
 private:
     template <class T> static outcome<T> finish(goodbot_status status, T &value) {

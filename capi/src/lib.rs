@@ -20,6 +20,7 @@
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
+//! - [`starter`]: everyday sentences to begin with;
 //! - [`storage`]: a model in flash, safe from power cuts;
 //! - [`drive`]: from wheels to cells and back.
 
@@ -46,6 +47,8 @@ pub mod model;
 pub mod options;
 pub mod parameters;
 pub mod robot;
+#[cfg(feature = "learning")]
+pub mod starter;
 pub mod status;
 #[cfg(feature = "learning")]
 pub mod storage;

@@ -3,6 +3,7 @@
 use crate::robot::{Goodbot, give, with};
 use crate::status::{Failure, GoodbotStatus};
 use goodbot::planning::Progress;
+use goodbot::session::Phase;
 use goodbot::snapshot::{Restoring, Saving};
 
 /// Bytes that `goodbot_save` would write now.
@@ -48,6 +49,7 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
                 return Err(GoodbotStatus::Null.into());
             }
             robot.agent.restore(core::slice::from_raw_parts(model, bytes))?;
+            robot.forget_starter();
             Ok(GoodbotStatus::Ok)
         })
     }
@@ -178,10 +180,11 @@ pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut
     unsafe {
         with(robot, |robot| {
             let work = begun(restoring.cast::<OfRestoring>())?;
-            Ok(match robot.agent.restore_on(work, budget)? {
-                Progress::Working => GoodbotStatus::Working,
-                Progress::Done => GoodbotStatus::Ok,
-            })
+            let progress = robot.agent.restore_on(work, budget)?;
+            if matches!(robot.agent.phase(), Phase::Restoring) || progress == Progress::Done {
+                robot.forget_starter();
+            }
+            Ok(if progress == Progress::Done { GoodbotStatus::Ok } else { GoodbotStatus::Working })
         })
     }
 }

@@ -44,6 +44,8 @@ pub unsafe extern "C" fn goodbot_restore_parameters(robot: *mut Goodbot, paramet
                 return Err(GoodbotStatus::Null.into());
             }
             robot.agent.restore_parameters(core::slice::from_raw_parts(parameters, bytes))?;
+            #[cfg(feature = "learning")]
+            robot.forget_starter();
             Ok(GoodbotStatus::Ok)
         })
     }

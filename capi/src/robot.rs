@@ -10,6 +10,8 @@ use goodbot::capacity::CapacityError;
 use goodbot::memory::{AgentTables, HomeTables};
 #[cfg(feature = "home")]
 use goodbot::oomdp::Either;
+#[cfg(feature = "learning")]
+use goodbot::snapshot::Places;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
@@ -24,6 +26,8 @@ pub struct Goodbot {
     pub(crate) random: Pcg32,
     pub(crate) agent: Agent<AgentTables<'static>>,
     pub(crate) world: World,
+    #[cfg(feature = "learning")]
+    pub(crate) starter: Places,
 }
 
 #[cfg(feature = "home")]
@@ -88,7 +92,15 @@ pub(crate) unsafe fn settle(
     let world = world(plot.home)?;
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
-        plot.at.write(Goodbot { magic: MAGIC, full: None, random: Pcg32::new(0, 0x2014), agent, world });
+        plot.at.write(Goodbot {
+            magic: MAGIC,
+            full: None,
+            random: Pcg32::new(0, 0x2014),
+            agent,
+            world,
+            #[cfg(feature = "learning")]
+            starter: Places::default(),
+        });
         robot.write(plot.at.as_ptr());
     }
     Ok(GoodbotStatus::Ok)

@@ -139,6 +139,7 @@ pub unsafe extern "C" fn goodbot_load(robot: *mut Goodbot, flash: *const Goodbot
             let buffer = core::slice::from_raw_parts_mut(buffer, bytes);
             let length = slots.load(buffer)?.ok_or(GoodbotStatus::NothingStored)?;
             robot.agent.restore(buffer.get(..length).unwrap_or(&[]))?;
+            robot.forget_starter();
             Ok(GoodbotStatus::Ok)
         })
     }

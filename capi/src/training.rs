@@ -412,6 +412,7 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
 /// `gave_way` is null or room for a number.
 #[cfg(feature = "learning")]
 unsafe fn tell(robot: &mut Goodbot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
+    robot.starter.find_after(&finished);
     if let Some(table) = finished.gave_way.full() {
         let limit = robot.agent.capacities().get(table);
         robot.full = Some(CapacityError::new(table, limit, limit.saturating_add(1)));

@@ -10,9 +10,11 @@ mod fault;
 mod stack;
 
 use board::report;
+use goodbot::feedback::Feedback;
 use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeError, HomeState, Moves};
 use goodbot::memory::HomeMemory;
 use goodbot::planning::Progress;
+use goodbot::snapshot::{Restoring, Saving};
 use goodbot::{Agent, AgentError, Capacities, Options};
 
 /// Sessions that it keeps.
@@ -95,7 +97,8 @@ fn command(number: usize) -> heapless::String<64> {
 
 fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     let no_task = AgentError::NoTask;
-    let [mut built, mut begun, mut heard, mut planned, mut ended, mut learned, mut saved, mut restored] = [0; 8];
+    let [mut built, mut begun, mut heard, mut planned, mut decided, mut acted] = [0; 6];
+    let [mut ended, mut learned, mut saved, mut restored] = [0; 4];
     let made = build(&mut memory.home, &mut built);
     let (home, start) = made.as_ref().map_err(|_| no_task)?;
     report("build", built);
@@ -112,10 +115,16 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
     while longest(&mut ended, || agent.finish_on(home, 1))?.is_none() {}
     report("finish", ended);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
-    let length = longest(&mut saved, || agent.save(model)).map_err(|_| no_task)?;
+    let mut saving = Saving::new();
+    let length = loop {
+        if let Some(length) = longest(&mut saved, || agent.save_on(&mut saving, model, 1)).map_err(|_| no_task)? {
+            break length;
+        }
+    };
     report("save", saved);
     report("model", length as u32);
-    longest(&mut restored, || agent.restore(model.get(..length).unwrap_or(&[]))).map_err(|_| no_task)?;
+    let mut restoring = Restoring::of(model.get(..length).unwrap_or(&[]));
+    while longest(&mut restored, || agent.restore_on(&mut restoring, 1)).map_err(|_| no_task)? == Progress::Working {}
     report("restore", restored);
     while longest(&mut learned, || agent.learn(16)) == Progress::Working {}
     report("learn", learned);
@@ -128,6 +137,14 @@ fn run(memory: &mut RobotMemory, model: &mut [u8]) -> Result<u32, AgentError> {
         calls += 1;
     }
     report("plan", planned);
+    agent.plan_fully(home, start)?;
+    let decision = longest(&mut decided, || agent.decide(home, start))?;
+    longest(&mut acted, || agent.acted(home, start, decision.action))?;
+    for feedback in [Feedback::Reward, Feedback::Punish] {
+        let _ = longest(&mut acted, || agent.feedback(feedback))?;
+    }
+    report("decide", decided);
+    report("act", acted);
     Ok(agent.tasks().len() as u32)
 }
 

@@ -4,17 +4,12 @@
 //! in a home that has the things it names. Beside n sessions of the user, the share 1 / (1 + n / 4) of the sentences is learned from: with
 //! many sessions, the user's own words count alone.
 
-use goodbot::Agent;
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
-use goodbot::memory::AgentMemory;
 use goodbot::oomdp::PropositionId;
-use goodbot::session::Finished;
+use goodbot::snapshot::is_beside;
 use goodbot::task::LiftedTask;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
-use std::ops::Range;
 
-/// With this many sessions of the user, half of the starter's sentences are left.
-const HALF: usize = 4;
 /// How often each sentence is used, with other things each time.
 const TIMES: usize = 2;
 
@@ -50,47 +45,9 @@ pub fn sentences(language: &str, lifted: &[LiftedTask]) -> Vec<Sentence> {
     numbered.filter(|(_, (kind, _))| kind.is_of(lifted)).map(|(number, (kind, said))| text.sentence(*kind, said, number)).collect()
 }
 
-/// The items of a starter to learn from beside this many sessions of the user, taken evenly from all.
+/// The items of a starter to learn from beside this many sessions of the user.
 pub fn beside<T>(all: &[T], own: usize) -> impl Iterator<Item = &T> {
-    let left = (all.len() * HALF).div_ceil(HALF + own).min(all.len());
-    (0..left).filter_map(move |position| all.get(position * all.len() / left.max(1)))
-}
-
-/// The places of a starter's sentences in an agent's training data: behind its own sessions.
-#[derive(Clone, Debug, Default)]
-pub struct Places(Range<usize>);
-
-impl Places {
-    /// The last sessions of an agent, this many.
-    pub fn last(agent: &Agent<impl AgentMemory>, count: usize) -> Self {
-        let sessions = agent.language().bitext().sessions();
-        Self(sessions.saturating_sub(count)..sessions)
-    }
-
-    /// The number of sentences.
-    pub fn count(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Removes the sentences from the agent's training data.
-    pub fn leave(&mut self, agent: &mut Agent<impl AgentMemory>) {
-        for place in std::mem::take(&mut self.0).rev() {
-            agent.unlearn(place as u16);
-        }
-    }
-
-    /// Removes the sentences after the agent has learned from a session of its own. Older sessions may have given way. `false` if there
-    /// are too many of these to tell: the sentences that are left then stay, as sessions like all others.
-    pub fn leave_after(&mut self, finished: &Finished, agent: &mut Agent<impl AgentMemory>) -> bool {
-        let gone = finished.gave_way.positions();
-        let now = |place: usize| place - gone.iter().filter(|&&gone| usize::from(gone) < place).count();
-        self.0 = now(self.0.start)..now(self.0.end);
-        let are_known = gone.len() == finished.gave_way.count();
-        if are_known {
-            self.leave(agent);
-        }
-        are_known
-    }
+    all.iter().enumerate().filter(move |(position, _)| is_beside(*position, all.len(), own)).map(|(_, item)| item)
 }
 
 /// The task of a sentence.
@@ -261,13 +218,5 @@ mod tests {
         for told in [format!("thus {} sessions", list(&whole)), format!("leaves out {} of the sessions", list(&left_out))] {
             assert!(card.contains(&told), "{told}");
         }
-    }
-
-    #[test]
-    fn own_sessions_take_the_starters_place() {
-        let all: Vec<usize> = (0..124).collect();
-        let left = |own| beside(&all, own).count();
-        assert_eq!([left(0), left(4), left(28)], [124, 62, 16]);
-        assert!(left(400) < 3 && beside(&[0; 0], 0).count() == 0);
     }
 }

@@ -4,11 +4,12 @@ use goodbot::home::Moves;
 use goodbot::language::LanguageModel;
 use goodbot::memory::AgentHeap;
 use goodbot::session::Finished;
+use goodbot::snapshot::Places;
 use goodbot::symbols::SymbolsRef;
 use goodbot::task::{GroundedTask, LiftedTask, ground, is_marker};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_lesson::machine_command::description;
-use goodbot_lesson::starter::{Places, beside, sentences};
+use goodbot_lesson::starter::{beside, sentences};
 
 use crate::cells::{MIND, ROOMS};
 use crate::replay::with_names;
@@ -34,7 +35,8 @@ impl Starter {
 
     /// Leaves fewer sentences after the mind has learned from a session of its own, and begins training.
     pub(crate) fn fade(&mut self, mind: &mut Agent<AgentHeap>, finished: &Finished) {
-        if self.places.leave_after(finished, mind) {
+        if self.places.find_after(finished) {
+            self.places.leave(mind);
             self.join(mind);
         } else {
             *self = Self::default();

@@ -112,6 +112,11 @@ pub const LIFT_ALONE: Example = Example { features: &["checks", "learning", "tab
 pub const OBEY: Example = Example { name: "obey", features: &["table"], every_function: false };
 /// With every function, because the examples do not call all of them.
 pub const EVERY_FUNCTION: Example = Example { features: FEATURES_AND_TALK, every_function: true, ..HOME };
+/// With every function of the packages for boards.
+pub const EVERY_FUNCTION_OF_BOARDS: Example = Example { every_function: true, ..HOME };
+/// With every function of a library for both kinds of robot that learn, in memory of any size.
+pub const EVERY_FUNCTION_OF_LEARNERS: Example =
+    Example { features: &["checks", "forgetting", "home", "learning", "table"], every_function: true, ..LIFT };
 
 impl Example {
     /// Builds it. Returns its path.

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use clap::Args;
 use serde_json::{Value, json};
 
-use crate::capi::{EVERY_FUNCTION, HOME, LIFT, LIFT_ALONE, OBEY, TALK};
+use crate::capi::{EVERY_FUNCTION, EVERY_FUNCTION_OF_BOARDS, EVERY_FUNCTION_OF_LEARNERS, HOME, LIFT, LIFT_ALONE, OBEY, TALK};
 use crate::firmware::{FLASH, STATICS, Trial, alone, bytes, full, obeying, run_alone, trials};
 use crate::process::shell;
 use crate::toolchain::compiler;
@@ -51,11 +51,13 @@ const CALLS: [(&str, &str); 5] = [
     ("longest-learn-call", "`learn`, 16 cells"),
 ];
 /// The calls with full tables, on one board.
-const FULL: [(&str, &str); 8] = [
+const FULL: [(&str, &str); 10] = [
     ("build", "`find_cells`, 1 cell, and `build`"),
     ("begin-hearing", "`begin_hearing`"),
     ("hear", "`hear_on`, 1 cell"),
     ("plan", "`plan`, 8 expansions"),
+    ("decide", "`decide`"),
+    ("act", "`acted`, `feedback`"),
     ("finish", "`finish_on`, 1 cell"),
     ("learn", "`learn`, 16 cells"),
     ("save", "`save_on`, 1 byte"),
@@ -146,10 +148,13 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         ("Rust, the arm when it only obeys (firmware/src/obey.rs)", obeying()?),
         ("Rust, three storeys with ways (firmware/src/ways.rs)", ways),
         ("C, every function, the default features and `talk`", EVERY_FUNCTION.build()?),
+        ("C, every function, the default features", EVERY_FUNCTION_OF_BOARDS.build()?),
         ("C, a robot in homes (capi/examples/home.c), the default features", HOME.build()?),
         ("C, a table robot (capi/examples/lift.c), the default features", LIFT.build()?),
     ];
     if !is_check {
+        let learners = EVERY_FUNCTION_OF_LEARNERS.build()?;
+        binaries.push(("C, every function, `--features checks,forgetting,home,learning,table`", learners));
         binaries.push(("C, a table robot (capi/examples/lift.c), `--features checks,learning,table`", LIFT_ALONE.build()?));
         binaries.push(("C, a lift that only obeys (capi/examples/obey.c), `--features table`", OBEY.build()?));
         binaries.push(("C, a robot that is talked to (capi/examples/talk.c), the default features and `talk`", TALK.build()?));

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources of the header's items, in the header's order.
-const SOURCES: [&str; 19] = [
+const SOURCES: [&str; 20] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 19] = [
     "asking.rs",
     "talk.rs",
     "model.rs",
+    "starter.rs",
     "parameters.rs",
     "storage.rs",
     "drive.rs",

@@ -11,6 +11,7 @@ mod memory;
 mod options;
 mod recorded;
 mod sensing;
+mod starter;
 mod statuses;
 mod storage;
 mod trainers;

@@ -260,7 +260,12 @@ fn what_a_robot_used_on_a_host_is_enough_on_a_controller() {
     let roomy = vacuum(preset(GOODBOT_STANDARD));
     let mut used = robots::small();
     assert_eq!(teach(roomy.robot, LESSONS), 0);
-    assert_eq!(unsafe { goodbot_usage(roomy.robot, &raw mut used) }, GoodbotStatus::Ok);
+    unsafe {
+        // The last command has fewer tasks than the lessons: all rooms are clean.
+        assert_eq!(goodbot_table_set_state(roomy.robot, Vacuum { dirty: 0, ..START }.number()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear(roomy.robot, c"go to the hall".as_ptr()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_usage(roomy.robot, &raw mut used), GoodbotStatus::Ok);
+    }
     let owned = vacuum(used);
     assert!(owned.bytes < GOODBOT_OWN_BYTES_64 || FOR_HOSTS, "{}", owned.bytes);
     assert_eq!((teach(owned.robot, LESSONS), sessions(owned.robot)), (0, 16));

@@ -142,7 +142,7 @@ pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bo
     if no_task > 0 {
         say!("{} left out: their task is of no kind of their world, or holds already", counted(no_task, "command"));
     }
-    if lessons.is_empty() {
+    if lessons.is_empty() && !files.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
     }
     Ok(Lessons { lessons, skipped, with_way, no_task, long })

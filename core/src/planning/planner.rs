@@ -213,6 +213,11 @@ impl Planner {
         Ok(())
     }
 
+    /// The number of distinct ground propositions of the tasks.
+    pub(crate) fn ground_propositions(&self) -> usize {
+        self.goals.parts()
+    }
+
     /// The needs of planning for these tasks: the number of distinct ground propositions, and the number of states for which every plan is
     /// exact.
     ///

@@ -693,6 +693,7 @@ impl<M: AgentMemory> Agent<M> {
             beliefs: belief.strategies().len().saturating_mul(belief.tasks()),
             candidates: self.candidates().entries().len(),
             candidate_tokens: self.candidates().all_tokens().len(),
+            ground_propositions: self.planner.ground_propositions(),
             ..Capacities::NONE
         };
         self.language().usage(&mut used);
@@ -711,12 +712,11 @@ impl<M: AgentMemory> Agent<M> {
         let (most, rooms) = (self.most_used(), self.capacities());
         let mut session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);
-        let planned = Planner::needs(&mut session.goals, domain, &self.lifted, tasks).ok().filter(|&(_, states)| states <= rooms.states);
-        let (ground_propositions, states) = planned.unwrap_or((rooms.ground_propositions, rooms.states));
+        let planned = Planner::needs(&mut session.goals, domain, &self.lifted, tasks).ok();
+        let states = planned.map(|(_, states)| states).filter(|&states| states <= rooms.states);
         Capacities {
-            ground_propositions,
-            states,
-            hashed_states: if planned.is_some() { 0 } else { rooms.hashed_states },
+            states: states.unwrap_or(rooms.states),
+            hashed_states: if states.is_some() { 0 } else { rooms.hashed_states },
             words: with_free_part(most.words),
             word_bytes: with_free_part(most.word_bytes),
             tokens: with_free_part(most.tokens),

@@ -6,6 +6,7 @@ use super::error::RestoreError;
 use super::possible::Possible;
 use super::record::{CommandRecord, PairRecord, SessionRecord, marker};
 use super::section::Index;
+use super::starter::is_beside;
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::Pair;
 use crate::language::{LanguageMut, LanguageRef};
@@ -23,6 +24,15 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`RestoreError`]; the training data are then unchanged.
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
+        self.join_beside(bytes, 0)
+    }
+
+    /// Adds the sessions of a model file as [`join`](Self::join) does, but only those to learn from beside this many own sessions:
+    /// [`is_beside`] chooses them. So a robot begins with a model of everyday sentences.
+    ///
+    /// # Errors
+    /// As [`join`](Self::join).
+    pub fn join_beside(&mut self, bytes: &[u8], own: usize) -> Result<usize, RestoreError> {
         let contents = Contents::read(bytes)?;
         if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
             return Err(RestoreError::OtherDomain);
@@ -30,7 +40,7 @@ impl<M: AgentMemory> Agent<M> {
         self.language().check_forms(&contents)?;
         self.end_session();
         self.workspace_to_training();
-        Ok(self.language_mut().join_contents(&contents)?)
+        Ok(self.language_mut().join_contents(&contents, own)?)
     }
 }
 
@@ -50,12 +60,13 @@ impl LanguageRef<'_> {
 }
 
 impl LanguageMut<'_> {
-    pub(super) fn join_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
+    /// Adds the sessions to learn from beside this many own ones.
+    pub(super) fn join_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
         self.forget_unlearned();
         let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
         #[cfg(feature = "layer")]
         let tasks = self.possible_mut().map(|possible| possible.extent());
-        let added = self.add_contents(contents).and_then(|added| self.data_replaced().map(|()| added));
+        let added = self.add_contents(contents, beside).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
             self.bitext_mut().rewind(extent);
             #[cfg(feature = "layer")]
@@ -71,7 +82,7 @@ impl LanguageMut<'_> {
         added
     }
 
-    fn add_contents(&mut self, contents: &Contents<'_>) -> Result<usize, CapacityError> {
+    fn add_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
         let texts = Texts { words: contents.words.index(), tokens: contents.tokens.index(), commands: contents.commands.index() };
         let own = self.read().bitext().sessions() as u16;
         let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
@@ -81,8 +92,14 @@ impl LanguageMut<'_> {
             let count = session.pairs as usize;
             #[cfg(feature = "layer")]
             let tasks = counts.next().unwrap_or(0) as usize;
+            if !is_beside(position, contents.sessions.len(), beside) {
+                #[cfg(feature = "layer")]
+                possible.pass(tasks);
+                let _ = (heard_again.next(), pairs.by_ref().take(count).count());
+                continue;
+            }
             let mut same = (0..own).filter(|&own| self.has_session(own, &session, pairs.clone().take(count), &texts)).peekable();
-            let known = same.peek().is_some().then(|| times_before(contents, position)).and_then(|times| same.nth(times));
+            let known = same.peek().is_some().then(|| times_before(contents, position, beside)).and_then(|times| same.nth(times));
             let at = match known {
                 Some(known) => {
                     #[cfg(feature = "layer")]
@@ -162,8 +179,8 @@ struct Texts<'a> {
     commands: Index<'a, CommandRecord>,
 }
 
-/// How often the session at `position` of a model file occurs before it.
-fn times_before(contents: &Contents<'_>, position: usize) -> usize {
+/// How often the session at `position` of a model file occurs before it, among those to learn from.
+fn times_before(contents: &Contents<'_>, position: usize, beside: usize) -> usize {
     let mut sessions = contents.sessions.iter();
     let mut pairs = contents.pairs.iter();
     for session in sessions.by_ref().take(position) {
@@ -171,9 +188,10 @@ fn times_before(contents: &Contents<'_>, position: usize) -> usize {
     }
     let Some(wanted) = sessions.next() else { return 0 };
     let (mut times, mut before) = (0_usize, contents.pairs.iter());
-    for session in contents.sessions.iter().take(position) {
+    for (earlier, session) in contents.sessions.iter().enumerate().take(position) {
         let same_pairs = || before.clone().take(session.pairs as usize).eq(pairs.clone().take(wanted.pairs as usize));
-        if session.words == wanted.words && session.pairs == wanted.pairs && same_pairs() {
+        let is_same = session.words == wanted.words && session.pairs == wanted.pairs && same_pairs();
+        if is_same && is_beside(earlier, contents.sessions.len(), beside) {
             times = times.saturating_add(1);
         }
         let _ = before.by_ref().take(session.pairs as usize).count();

@@ -58,7 +58,7 @@ impl<M: AgentMemory> LanguageModel<M> {
     pub fn join(&mut self, bytes: &[u8]) -> Result<usize, RestoreError> {
         let contents = Contents::read(bytes)?;
         self.read().check_forms(&contents)?;
-        Ok(self.lend().join_contents(&contents)?)
+        Ok(self.lend().join_contents(&contents, 0)?)
     }
 }
 

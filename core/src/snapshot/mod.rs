@@ -9,6 +9,7 @@
 //! - `restoring`, `saving`: read or write a model in parts;
 //! - `contents`: a checked model file, to inspect without restoring it;
 //! - `record`: the records of a file; `section`: those of one kind, in order;
+//! - `joining`: joins the sessions of two robots; `starter`: sentences to begin with;
 //! - `parameters`: the parameters alone, for a robot that only obeys;
 //! - `error`: why a model could not be saved or restored.
 
@@ -33,6 +34,8 @@ mod restoring;
 mod saving;
 #[cfg(feature = "learning")]
 mod section;
+#[cfg(feature = "learning")]
+mod starter;
 
 #[cfg(feature = "learning")]
 pub use contents::Contents;
@@ -48,3 +51,5 @@ pub use restoring::Restoring;
 pub use saving::Saving;
 #[cfg(feature = "learning")]
 pub use section::Section;
+#[cfg(feature = "learning")]
+pub use starter::{Places, is_beside};

@@ -23,10 +23,11 @@ Sessions that are marked not to be learned from are checked and left out. The mo
 
 Example:
   goodbot learn turk-simplified.jsonl --out words.goodbot
-  goodbot learn few.jsonl --starter en --out words.goodbot")]
+  goodbot learn few.jsonl --starter en --out words.goodbot
+  goodbot learn --starter en --learner roles --out starter.goodbot")]
 pub struct LearnOptions {
     /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
-    #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    #[arg(required_unless_present = "starter", value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<String>,
     /// The model file to write; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
@@ -70,7 +71,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     }
     lessons.retain(|lesson| !options.without.contains(&lesson.id));
     let learned = lessons.iter().filter(|lesson| lesson.learn).count();
-    if learned == 0 {
+    if learned == 0 && !options.starter.is_given() {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
     }
     let starter = options.starter.read(&lifted, options.learner.options())?;

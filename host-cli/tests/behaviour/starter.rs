@@ -3,7 +3,7 @@
 use crate::program::goodbot;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::memory::AgentHeap;
-use goodbot::snapshot::Contents;
+use goodbot::snapshot::{Contents, Places};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_lesson::home;
 use goodbot_lesson::name::task_name;
@@ -55,4 +55,24 @@ fn a_board_that_only_obeys_understands_everyday_sentences() {
     assert!(agent.belief().probability(task) > 0.8);
     let task = agent.tasks()[task];
     assert_eq!(task_name(&home, &agent.lifted()[usize::from(task.lifted)], &task).unwrap().to_string(), "blockInRoom(block0,room1)");
+}
+
+#[test]
+fn a_robot_that_joins_a_starters_model_learns_what_the_command_line_does() {
+    let folder = TempDir::new().unwrap();
+    let learned = |arguments: &[&str]| written(&folder, "a.goodbot", &[&["learn"], arguments].concat()).0;
+    let (own, starter, both) = (learned(&[LOG]), learned(&["--starter", "en"]), learned(&[LOG, "--starter", "en"]));
+    let capacities = Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD };
+    let robot = |model: &[u8]| {
+        let mut agent = Agent::new(AgentHeap::new(&capacities), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.restore(model).unwrap();
+        agent
+    };
+    let mut joined = robot(&own);
+    let sessions = joined.language().bitext().sessions();
+    let added = joined.join_beside(&starter, sessions).unwrap();
+    assert!(added > 0 && added < Contents::read(&starter).unwrap().sessions.len(), "{added}");
+    assert_eq!(joined.saved().unwrap(), robot(&both).saved().unwrap());
+    Places::last(&joined, added).leave(&mut joined);
+    assert_eq!(joined.language().bitext().sessions(), sessions);
 }

@@ -180,6 +180,9 @@ fn program(sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result
     pack(sh, &folder, &to.join(name_of(&folder)?))
 }
 
+/// The pages that the C header names.
+const PAGES: [&str; 3] = ["docs/footprint.md", "docs/robot.md", "docs/talk.md"];
+
 fn c(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
     let mut targets = std::iter::once(None).chain(TARGETS.into_iter().filter(|target| *target != WASM).map(Some));
     targets.try_for_each(|target| c_archive(sh, texts, target, to).map(drop))
@@ -208,6 +211,8 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>, to: &Path) -> Resu
         texts.copy(sh, &sources.join(file), &lib.join("cmake/goodbot").join(file))?;
     }
     texts.copy(sh, &sources.join("goodbot.pc"), &lib.join("pkgconfig/goodbot.pc"))?;
+    let docs = sh.create_dir(folder.join("docs"))?;
+    PAGES.iter().try_for_each(|page| sh.copy_file(page, &docs))?;
     texts.copy_all(sh, Path::new("capi/examples"), &folder.join("examples"))?;
     licences(sh, &folder)?;
     let packed = to.join(name_of(&folder)?);
@@ -326,6 +331,14 @@ fn name_of(folder: &Path) -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_pages_that_the_header_names_are_packed_with_it() {
+        let header = shell().unwrap().read_file(HEADERS[0]).unwrap();
+        let names = header.split(|c: char| c.is_whitespace() || "`,()".contains(c));
+        let named: std::collections::BTreeSet<_> = names.filter(|name| name.starts_with("docs/")).collect();
+        assert!(named.into_iter().eq(PAGES));
+    }
 
     #[test]
     fn a_package_that_names_a_folder_of_this_machine_is_refused() {

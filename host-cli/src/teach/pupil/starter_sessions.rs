@@ -4,11 +4,11 @@
 
 use goodbot::memory::AgentHeap;
 use goodbot::session::Finished;
+use goodbot::snapshot::Places;
 use goodbot::{Agent, Capacities};
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
 use goodbot_console::training_data::training;
-use goodbot_lesson::starter::Places;
 
 /// The sentences, and their places in the agent's training data.
 #[derive(Debug, Default)]
@@ -66,10 +66,11 @@ impl StarterSessions {
         if !self.is_on() {
             return Ok(());
         }
-        if !self.places.leave_after(finished, mind) {
+        if !self.places.find_after(finished) {
             *self = Self::default();
             return Ok(());
         }
+        self.places.leave(mind);
         self.join(mind)
     }
 }
