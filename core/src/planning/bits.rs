@@ -31,15 +31,15 @@ pub(super) const fn entry_words(entries: usize) -> usize {
 /// An entry of an array of 16-bit entries.
 #[inline]
 pub(super) fn entry(words: &[u64], at: usize) -> u16 {
-    (words.get(at / 4).copied().unwrap_or(0) >> (at % 4 * 16)) as u16
+    bytemuck::try_cast_slice(words).ok().and_then(|entries: &[u16]| entries.get(at)).copied().unwrap_or(0)
 }
 
 /// Sets an entry of an array of 16-bit entries.
 #[inline]
 pub(super) fn set_entry(words: &mut [u64], at: usize, value: u16) {
-    let shift = at % 4 * 16;
-    if let Some(word) = words.get_mut(at / 4) {
-        *word = *word & !(0xffff << shift) | u64::from(value) << shift;
+    let entries: &mut [u16] = bytemuck::try_cast_slice_mut(words).unwrap_or(&mut []);
+    if let Some(entry) = entries.get_mut(at) {
+        *entry = value;
     }
 }
 

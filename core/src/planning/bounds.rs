@@ -14,10 +14,10 @@ mod a_star;
 mod relaxation;
 
 use self::a_star::{AStar, Outcome, Scene};
-use self::relaxation::{Bound, Relaxation, piece_of};
+use self::relaxation::{Bound, Relaxation, others, piece_of};
 use super::goals::Goals;
 use super::plan::Results;
-use crate::oomdp::{PushGrid, own_actions};
+use crate::oomdp::{CellId, Piece, PushGrid, own_actions};
 use crate::task::TaskSet;
 
 /// The most expansions of A* for one task.
@@ -36,6 +36,7 @@ pub(super) struct Bounds {
     /// The tasks that get the full work.
     likely: TaskSet,
     relaxation: Option<Relaxation>,
+    /// The last search of the group, which may have left a sharper bound.
     search: Option<AStar>,
 }
 
@@ -75,14 +76,17 @@ impl Bounds {
             if !relaxation.search(marks, grid, left) {
                 continue;
             }
-            let scene = Scene { grid, goals, relaxation, start: state };
-            if let Some(search) = &mut self.search {
-                if search.advance(marks, results, &scene, left) == Outcome::Working {
-                    continue;
-                }
-                self.search = None;
+            let scene = Scene { grid, goals, relaxation, start: state, rest: self.group.common(self.likely) };
+            if let Some(search) = self.search.as_mut().filter(|search| search.is_open())
+                && search.advance(marks, results, &scene, left) == Outcome::Working
+            {
+                continue;
             }
-            let Some(task) = self.group.iter().next() else {
+            // The likely tasks come first: the others then have their sharper bound.
+            let Some(task) = scene.rest.iter().chain(self.group.iter()).next() else {
+                if let Some(search) = self.search.take() {
+                    search.clear(marks);
+                }
                 relaxation.clear(marks);
                 self.relaxation = None;
                 continue;
@@ -98,7 +102,12 @@ impl Bounds {
                 }
                 Bound::AtLeast(distance) => {
                     let most = if self.likely.contains(task) { MOST_EXPANSIONS } else { FEW_EXPANSIONS };
-                    self.search = AStar::new(&scene, marks.len(), (task, piece), distance, most);
+                    let earlier = self.search.take();
+                    let bound = earlier.and_then(|search| search.bound_for(marks, piece, grid.cell(state, piece)));
+                    if let Some(search) = earlier.filter(|_| bound.is_none()) {
+                        search.clear(marks);
+                    }
+                    self.search = Some(AStar::new(&scene, marks.len(), (task, piece), (distance, most), bound));
                 }
                 Bound::Unknown => {}
             }
@@ -111,7 +120,12 @@ impl Bounds {
         let Some(first) = self.waiting.iter().next() else { return false };
         self.relaxation = Relaxation::begin(marks, grid, goals, state, first, 0);
         let is_shared = |&task: &usize| task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task));
-        self.group = self.waiting.iter().filter(is_shared).collect();
+        // A look at one goal cell rules out most other tasks.
+        let piece = piece_of(grid, goals, state, first).unwrap_or(Piece::ROBOT);
+        let goal = grid.floor().ids().find(|&cell| goals.allowed(grid, state, piece, cell).contains(first));
+        let allowed = |other| goals.allowed(grid, state, other, goal.unwrap_or(CellId::NONE));
+        let near = others(grid, Piece::ROBOT).map(allowed).fold(self.waiting, TaskSet::common);
+        self.group = near.with(first).iter().filter(is_shared).collect();
         self.waiting = self.waiting.without(self.group);
         true
     }

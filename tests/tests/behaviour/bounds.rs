@@ -81,6 +81,21 @@ fn most_sets_are_exact_in_homes_whose_joint_states_do_not_fit() {
     }
 }
 
+#[test]
+fn likely_tasks_of_one_room_share_the_search_for_pieces_in_the_way() {
+    let size = Size { columns: 5, rows: 2, side: 3, blocks: 20 };
+    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let (home, state) = random_home(&mut Pcg32::new(1, 3), size, Moves::Push, &mut memory.home);
+    let lifted = home::paper_tasks().unwrap();
+    let mut tasks = [GroundedTask::UNUSED; TaskSet::MOST];
+    let count = ground(&home, &lifted, &state, &mut tasks).unwrap();
+    let mut planner = OwnPlanner::new(&Capacities::STANDARD, &home, &lifted, &tasks[..count]);
+    // Four of these ten tasks bring a block to the same room. Alone, each would take a lower bound of 43 thousand expansions.
+    let likely: TaskSet = (0..count).step_by(count / 10).take(10).collect();
+    let expansions = planner.plan_expecting(&home, &state, likely).expansions();
+    assert!(expansions < 170_000, "{expansions}");
+}
+
 /// A floor that counts how often it is asked whether pieces can be swapped: once for each expansion, and once for each search of a task.
 struct Asked<'d, D> {
     domain: &'d D,

@@ -7,14 +7,14 @@
 //!
 //! It proceeds breadth first, from one distance g to the next, and leaves out states whose g and lower bound h together exceed a threshold
 //! (breadth-first iterative-deepening A*: Zhou and Hansen, 2004). So a goal is met first at its true distance, even if the threshold is
-//! greater. The first threshold is the start's own bound. Then it grows to the least sum that was left out, or further if it has grown
-//! before. If nothing was left out, no goal can be reached.
+//! greater. The first threshold is the start's own bound. Then it grows to the least sum that was left out, or further if the last growth
+//! added few states. If nothing was left out, no goal can be reached.
 //!
 //! A state takes two words. One has the robot's cell, that of the task's piece, the arrangement of the others and the distance g; the other
 //! describes the plans that lead to the state. An arrangement is a chain of the pieces that have moved, in order, each with its new cell.
 //! It needs no number of the joint state, so homes may have more states than can be numbered.
 
-use super::relaxation::{MOST_LASTING, Relaxation, others};
+use super::relaxation::{MOST_LASTING, Relaxation, others, piece_of};
 use crate::oomdp::{Action, ActionSet, CellId, Piece, PushGrid, own_actions};
 use crate::planning::bits::{entry, set_entry};
 use crate::planning::goals::Goals;
@@ -36,9 +36,11 @@ pub(super) enum Outcome {
 /// The most arrangements of other pieces, and the most states; 16 bits identify them.
 const MOST_ARRANGEMENTS: usize = 1 << 14;
 const MOST_STATES: usize = u16::MAX as usize - 1;
+/// An expansion meets at most this many states.
+const SUCCESSORS: usize = 8;
 /// A search counts as long after one expansion per this many states of the lower bound.
 const STATES_AN_EXPANSION: usize = 16;
-/// A task gets a lower bound of its own only if it leaves the states this many times the memory of a shared one.
+/// A sharper lower bound is made only if it leaves the states this many times the memory of the first one.
 const LEAST_ROOM: usize = 4;
 /// To clear this many words costs about as much as to find one place.
 const WORDS_A_PLACE: usize = 16;
@@ -50,7 +52,7 @@ const PROBES: usize = 32;
 pub(super) struct AStar {
     task: usize,
     piece: Piece,
-    /// The lower bound of this task alone, once the search is long, and the start of the memory of the bound in use in the marks.
+    /// A lower bound that knows pieces in the way, once the search is long, and the start of the memory of the bound in use in the marks.
     sharper: Option<Relaxation>,
     bound_at: usize,
     /// The start of its memory in the marks: the arrangements, the states in the order in which they were met, and an index of them.
@@ -60,8 +62,8 @@ pub(super) struct AStar {
     room: usize,
     met: usize,
     expanded: usize,
-    /// The start's own bound.
-    lower: u32,
+    /// The states met in the last round with a smaller threshold.
+    last: u32,
     threshold: u32,
     /// The least sum above the threshold.
     beyond: u32,
@@ -125,7 +127,8 @@ struct Ahead {
     piece: CellId,
     /// Another piece, and its new cell.
     moved: Option<(Piece, CellId)>,
-    bound: Option<u32>,
+    /// Its entry in the table of lower bounds.
+    bound: u16,
     /// The removed pieces whose cells are entered.
     hit: u32,
 }
@@ -152,6 +155,13 @@ impl Reached {
         self.first.0 as u64 | (self.sure.0 as u64) << 16 | (self.blockers as u64) << 32
     }
 
+    /// The same plans, continued by an action to this distance.
+    #[inline]
+    fn by(self, action: Action, distance: u32) -> Self {
+        let first = ActionSet::of(action);
+        if distance == 1 { Self { first, sure: first, blockers: 0 } } else { self }
+    }
+
     /// The same plans, continued into the cells of these removed pieces.
     fn through(self, hit: u32) -> Self {
         if hit == 0 { self } else { Self { sure: ActionSet::EMPTY, blockers: self.blockers | hit, ..self } }
@@ -173,6 +183,8 @@ pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
     pub(super) relaxation: &'d Relaxation,
     /// The planned state.
     pub(super) start: &'d G::State,
+    /// The likely tasks to come that share the lower bound.
+    pub(super) rest: TaskSet,
 }
 
 /// The parts of the memory.
@@ -193,6 +205,9 @@ const fn key(arrangement: u16, robot: CellId, piece: CellId) -> u64 {
 
 /// The bits of an arrangement that hold its piece, the piece's cell, and the arrangement of the pieces before.
 const CHAIN: u64 = 0xffff_ffff_ffff;
+
+/// The entry of a state at the goal in the table of lower bounds.
+const AT_GOAL: u16 = 1;
 
 /// The bits of a key that hold the distance.
 const DISTANCE: u64 = 0xffff;
@@ -223,29 +238,32 @@ fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
 }
 
 impl AStar {
-    /// The search for a task with at least this distance, in at most `most` expansions; `None` if there is no memory for one.
+    /// The search for a task with at least this distance, in at most `most` expansions; closed if there is no memory for one. It takes over
+    /// the sharper lower bound of an earlier task.
     pub(super) fn new<G: PushGrid + ?Sized>(
         scene: &Scene<'_, G>,
         words: usize,
         (task, piece): (usize, Piece),
-        distance: u32,
-        most: u32,
-    ) -> Option<Self> {
+        (distance, most): (u32, u32),
+        sharper: Option<Relaxation>,
+    ) -> Self {
         // If pieces can be pulled, another piece behind one may be needed.
         let swaps = scene.grid.swaps();
         let asked = if swaps { u32::MAX } else { scene.goals.pieces_of(task).unwrap_or(0) };
+        let asked = asked | sharper.map_or(0, |bound| bound.lasting_pieces());
         let present = asked & others(scene.grid, piece).fold(0, |all, other| all | other.bit());
+        let shared = scene.relaxation.words();
         let mut it = Self {
             task,
             piece,
-            sharper: None,
-            bound_at: 0,
+            sharper,
+            bound_at: sharper.map_or(0, |_| shared),
             at: 0,
             arrangements: 0,
             room: 0,
             met: 0,
             expanded: 0,
-            lower: distance,
+            last: 0,
             threshold: distance,
             beyond: u32::MAX,
             left: most,
@@ -255,8 +273,8 @@ impl AStar {
             present,
             arranged: 0,
         };
-        it.lay_out(scene.relaxation.words(), words);
-        (it.room > 0).then_some(it)
+        it.lay_out(shared.saturating_add(sharper.map_or(0, |bound| bound.words())), words);
+        it
     }
 
     /// Lays out its memory from a word on, up to another.
@@ -265,7 +283,8 @@ impl AStar {
         self.at = at;
         self.arrangements = (words / 8).min(MOST_ARRANGEMENTS);
         // Two words a state, and half a word for its two places in the index.
-        self.room = (words.saturating_sub(self.arrangements).saturating_mul(2) / 5).min(MOST_STATES);
+        let most = (self.left as usize).saturating_mul(SUCCESSORS).min(MOST_STATES);
+        self.room = (words.saturating_sub(self.arrangements).saturating_mul(2) / 5).min(most);
     }
 
     /// How many pieces in the way its lower bound knows.
@@ -288,8 +307,12 @@ impl AStar {
             return;
         }
         self.clear(marks);
-        (self.met, self.arranged) = (0, 0);
-        let first = pieces(self.present).take(fits).fold(0, |first, piece| first | piece.bit());
+        (self.met, self.arranged, self.last) = (0, 0, 0);
+        // Without the pieces of the tasks to come, they can use the bound as well.
+        let of_tasks = scene.rest.iter().filter_map(|task| piece_of(scene.grid, scene.goals, scene.start, task));
+        let of_tasks = of_tasks.fold(0, |all, piece| all | piece.bit());
+        let candidates = pieces(self.present & !of_tasks).chain(pieces(self.present & of_tasks));
+        let first = candidates.take(fits.min(MOST_LASTING)).fold(0, |first, piece| first | piece.bit());
         let rest = marks.get_mut(from..).unwrap_or(&mut []);
         self.sharper = Relaxation::begin(rest, scene.grid, scene.goals, scene.start, self.task, first);
         let words = self.sharper.map(|bound| bound.words());
@@ -311,12 +334,28 @@ impl AStar {
 
     /// Fills its memory with zeros.
     pub(super) fn clear(&self, marks: &mut [u64]) {
-        if let Some(mut parts) = self.parts(marks) {
-            self.clear_states(&mut parts);
-        }
+        self.clear_own(marks);
         if let Some(bound) = &self.sharper {
             bound.clear(marks.get_mut(self.bound_at..).unwrap_or(&mut []));
         }
+    }
+
+    /// Fills its memory with zeros, but for a lower bound of its own.
+    fn clear_own(&self, marks: &mut [u64]) {
+        if let Some(mut parts) = self.parts(marks) {
+            self.clear_states(&mut parts);
+        }
+    }
+
+    /// Whether the search is not at its end.
+    pub(super) const fn is_open(&self) -> bool {
+        self.room > 0
+    }
+
+    /// Its sharper lower bound, if that also serves a task of this piece, on this cell, with the same goal cells.
+    pub(super) fn bound_for(&self, marks: &[u64], piece: Piece, cell: CellId) -> Option<Relaxation> {
+        let rest = marks.get(self.bound_at..)?;
+        self.sharper.filter(|bound| bound.is_whole() && bound.lasting_pieces() & piece.bit() == 0 && !bound.is_wall(rest, cell))
     }
 
     /// Fills the memory of the states with zeros.
@@ -347,7 +386,7 @@ impl AStar {
         (self.room / 2).saturating_mul(4)
     }
 
-    /// Continues, with at most `left` expansions. At the end it leaves zeros in its memory.
+    /// Continues, with at most `left` expansions. At the end it is closed, and leaves zeros in its memory but for a lower bound of its own.
     pub(super) fn advance<G: PushGrid + ?Sized>(
         &mut self,
         marks: &mut [u64],
@@ -375,7 +414,8 @@ impl AStar {
                 Outcome::Unreachable => results.found.rule_out(TaskSet::of(self.task)),
                 Outcome::Working | Outcome::GivenUp => {}
             }
-            self.clear(marks);
+            self.clear_own(marks);
+            (self.met, self.arranged, self.room) = (0, 0, 0);
             return if outcome == Outcome::Working { Outcome::GivenUp } else { outcome };
         }
         Outcome::Working
@@ -423,6 +463,15 @@ impl AStar {
 
     /// Begins at the start: for the first time, with pieces that were in the way, or with the next threshold.
     fn next_round<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>) -> Outcome {
+        // A bound that ends before all states are told says nothing.
+        if !scene.relaxation.is_whole() {
+            return Outcome::GivenUp;
+        }
+        let (robot, piece) = (scene.grid.cell(scene.start, Piece::ROBOT), self.cell_of_piece(scene.grid, scene.start));
+        let Some(lower) = Relaxation::distance(parts.bounds, scene.relaxation.number(0, robot, piece)) else {
+            return Outcome::Unreachable;
+        };
+        self.threshold = self.threshold.max(lower);
         if self.met > 0 {
             self.clear_states(parts);
             self.arranged = 0;
@@ -435,19 +484,11 @@ impl AStar {
             } else if self.beyond == u32::MAX {
                 return Outcome::Unreachable;
             } else {
-                self.threshold = self.beyond.max(self.threshold.saturating_add(self.threshold.saturating_sub(self.lower) / 2));
+                let met = self.met as u32;
+                let has_grown = met.saturating_mul(4) >= self.last.saturating_mul(7);
+                let further = if has_grown { 0 } else { self.threshold.saturating_sub(lower) / 2 };
+                (self.last, self.threshold) = (met, self.beyond.max(self.threshold.saturating_add(further)));
             }
-        }
-        let (robot, piece) = (scene.grid.cell(scene.start, Piece::ROBOT), self.cell_of_piece(scene.grid, scene.start));
-        if self.met == 0 {
-            // A bound that ends before all states are told says nothing.
-            if !scene.relaxation.is_whole() {
-                return Outcome::GivenUp;
-            }
-            let Some(bound) = Relaxation::distance(parts.bounds, scene.relaxation.number(0, robot, piece)) else {
-                return Outcome::Unreachable;
-            };
-            (self.lower, self.threshold) = (self.lower.max(bound), self.threshold.max(bound));
         }
         (self.met, self.expanded, self.beyond, self.distance, self.reached) = (1, 0, u32::MAX, u32::MAX, Reached::NOT);
         let (key, places) = (key(0, robot, piece), self.places());
@@ -480,12 +521,12 @@ impl AStar {
             link = (moved >> 32) as u16;
         }
         let lasting = relaxation.lasting_cells(&from.cells.of);
-        let moved = relaxation.moved(&lasting, CellId::NONE, CellId::NONE);
-        let row = relaxation.number(moved, CellId(0), piece);
-        let distance = ((key & DISTANCE) as u32).saturating_add(1);
+        let row = relaxation.number(relaxation.moved(&lasting, CellId::NONE, CellId::NONE), CellId(0), piece);
+        let distance = ((key & DISTANCE) as u32).wrapping_add(1);
         let floor = grid.floor();
+        let neighbours = &floor.cells.get(robot.index())?.neighbours;
         for direction in 0..4 {
-            let ahead = floor.neighbour(robot, direction);
+            let (Some(&ahead), Some(&action)) = (neighbours.get(direction), floor.directions.get(direction)) else { break };
             if ahead == CellId::NONE {
                 continue;
             }
@@ -499,38 +540,30 @@ impl AStar {
             } else {
                 row.wrapping_add(ahead.index())
             };
-            let bound = Relaxation::distance(parts.bounds, number);
-            if self.is_within(distance, bound) {
-                self.step(parts, scene, removed, &from, (direction, ahead, bound))?;
+            let bound = entry(parts.bounds, number);
+            if !self.is_within(distance, bound) {
+                continue;
             }
+            let hit = if relaxation.has_piece(parts.relaxed, ahead) { removed.at(ahead) } else { 0 };
+            let other = from.cells.at(ahead);
+            if ahead != piece && other == 0 && bound != AT_GOAL {
+                let reached = from.reached.by(action, distance).through(hit);
+                self.meet(parts, self::key(arrangement, ahead, piece), u64::from(distance), reached)?;
+                continue;
+            }
+            let mut to = Ahead { action, robot: ahead, piece, moved: None, bound, hit };
+            if ahead == piece || other != 0 {
+                let beyond = floor.neighbour(ahead, direction);
+                if beyond == CellId::NONE || beyond == piece || from.cells.at(beyond) != 0 || relaxation.is_wall(parts.relaxed, beyond) {
+                    continue;
+                }
+                to.hit |= if relaxation.has_piece(parts.relaxed, beyond) { removed.at(beyond) } else { 0 };
+                to.piece = if ahead == piece { beyond } else { piece };
+                to.moved = pieces(other).next().map(|other| (other, beyond));
+            }
+            self.open(parts, scene, &from, &to)?;
         }
         if grid.swaps() { self.swap(parts, scene, &from) } else { Some(()) }
-    }
-
-    /// Opens the state that a direction leads to, if pieces are not in the way; `None` if there is no room for it.
-    #[inline(never)]
-    fn step<G: PushGrid + ?Sized>(
-        &mut self,
-        parts: &mut Parts<'_>,
-        scene: &Scene<'_, G>,
-        removed: &Cells,
-        from: &Here,
-        (direction, ahead, bound): (usize, CellId, Option<u32>),
-    ) -> Option<()> {
-        let (floor, relaxation, piece) = (scene.grid.floor(), scene.relaxation, CellId((from.key >> 16) as u16));
-        let other = pieces(from.cells.at(ahead)).next();
-        let entered = |cell: CellId| if relaxation.has_piece(parts.relaxed, cell) { removed.at(cell) } else { 0 };
-        let mut to = Ahead { action: *floor.directions.get(direction)?, robot: ahead, piece, moved: None, bound, hit: entered(ahead) };
-        if ahead == piece || other.is_some() {
-            let beyond = floor.neighbour(ahead, direction);
-            if beyond == CellId::NONE || beyond == piece || from.cells.at(beyond) != 0 || relaxation.is_wall(parts.relaxed, beyond) {
-                return Some(());
-            }
-            to.hit |= entered(beyond);
-            to.piece = if ahead == piece { beyond } else { piece };
-            to.moved = other.map(|other| (other, beyond));
-        }
-        self.open(parts, scene, from, &to)
     }
 
     /// Opens the states that the other actions lead to: swaps of the robot with a piece. `None` if there is no room for one.
@@ -542,7 +575,7 @@ impl AStar {
         for action in own_actions(grid).filter(|action| !directions.contains(action)) {
             let Some(next) = grid.step(&state, action).filter(|next| *next != state) else { continue };
             let (robot, piece) = (grid.cell(&next, Piece::ROBOT), self.cell_of_piece(grid, &next));
-            let bound = Relaxation::distance(parts.bounds, scene.relaxation.number(0, robot, piece));
+            let bound = entry(parts.bounds, scene.relaxation.number(0, robot, piece));
             if self.is_within(distance, bound) {
                 let moved = pieces(self.present).map(|other| (other, grid.cell(&next, other)));
                 let moved = moved.into_iter().find(|(other, cell)| from.cells.of.get(other.index()) != Some(cell));
@@ -561,31 +594,30 @@ impl AStar {
     }
 
     /// Opens the state that an action leads to, or records its goal; `None` if there is no room for it.
-    #[inline]
+    #[inline(never)]
     fn open<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
-        let (first, distance) = (ActionSet::of(to.action), (from.key & DISTANCE).wrapping_add(1));
-        let reached = if distance == 1 { Reached { first, sure: first, blockers: 0 } } else { from.reached }.through(to.hit);
-        let mut arrangement = (from.key >> 48) as u16;
-        if to.moved.is_some() || to.bound == Some(0) {
-            let mut cells = from.cells;
-            if let Some((other, cell)) = to.moved {
-                cells.put(other, cell)?;
-            }
-            let is_goal = || {
-                let state = self.state(scene, &cells.of, to.robot, to.piece);
-                !scene.goals.satisfied(scene.grid, &state, TaskSet::of(self.task)).is_empty()
-            };
-            if to.bound == Some(0) && is_goal() {
-                (self.distance, self.reached) = (distance as u32, self.reached.or(reached));
-                return Some(());
-            }
-            if to.moved.is_some() {
-                arrangement = self.arrange(parts.arrangements, scene, &cells)?;
-            }
+        let distance = (from.key & DISTANCE).wrapping_add(1);
+        let reached = from.reached.by(to.action, distance as u32).through(to.hit);
+        let mut cells = from.cells;
+        if let Some((other, cell)) = to.moved {
+            cells.put(other, cell)?;
         }
-        let (places, Parts { states, index, .. }) = (self.places(), parts);
-        let key = key(arrangement, to.robot, to.piece);
-        for place in self::places(key, places) {
+        let is_goal = || {
+            let state = self.state(scene, &cells.of, to.robot, to.piece);
+            !scene.goals.satisfied(scene.grid, &state, TaskSet::of(self.task)).is_empty()
+        };
+        if to.bound == AT_GOAL && is_goal() {
+            (self.distance, self.reached) = (distance as u32, self.reached.or(reached));
+            return Some(());
+        }
+        let arrangement = if to.moved.is_some() { self.arrange(parts.arrangements, scene, &cells)? } else { (from.key >> 48) as u16 };
+        self.meet(parts, key(arrangement, to.robot, to.piece), distance, reached)
+    }
+
+    /// Opens a state at a distance, unless it is known; `None` if there is no room for it.
+    #[inline]
+    fn meet(&mut self, Parts { states, index, .. }: &mut Parts<'_>, key: u64, distance: u64, reached: Reached) -> Option<()> {
+        for place in places(key, self.places()) {
             let number = usize::from(entry(index, place));
             let Some(at) = number.checked_sub(1) else {
                 // If there is no room left, it replaces the state that was expanded first.
@@ -634,8 +666,9 @@ impl AStar {
 
     /// Whether a state at this distance with this lower bound can be on a plan within the threshold. If not, records the sum.
     #[inline]
-    fn is_within(&mut self, distance: u32, bound: Option<u32>) -> bool {
-        let Some(sum) = bound.map(|bound| distance.saturating_add(bound)) else { return false };
+    fn is_within(&mut self, distance: u32, bound: u16) -> bool {
+        let Some(bound) = bound.checked_sub(1) else { return false };
+        let sum = distance.wrapping_add(u32::from(bound));
         if sum > self.threshold {
             self.beyond = self.beyond.min(sum);
         }

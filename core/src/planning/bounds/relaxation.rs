@@ -3,12 +3,13 @@
 //! No other piece is in the way, so the distance is a lower bound of the real one. Pieces that can never move again are walls.
 //!
 //! For a hard task, a few other pieces (the lasting ones) are in the way until the robot first pushes them; then they are removed. This bound is
-//! greater, and still a lower bound: each plan of the floor is also one here. Each lasting piece doubles the states.
+//! greater, and still a lower bound: each plan of the floor is also one here. Each lasting piece doubles the states. Later tasks with the same
+//! goal cells share this bound as well.
 //!
 //! A state is one bit in each of three sets: closed, open at the current distance, and open at the next. If there is memory, an array stores
 //! the distances of all states, for A*. Otherwise the search ends at the planned state.
 
-use crate::oomdp::{ActionSet, CellId, Floor, Piece, PushGrid, own_actions};
+use crate::oomdp::{ActionSet, CellId, Piece, PushGrid, own_actions};
 use crate::planning::bits::{entry, entry_words, insert, set_entry};
 use crate::planning::goals::Goals;
 
@@ -183,16 +184,29 @@ impl Relaxation {
             insert(parts.pieces, grid.cell(state, other).index());
         }
         freeze(parts.walls, grid, state);
-        if piece != Piece::ROBOT {
+        let asked = |piece, cell| goals.allowed(grid, state, piece, cell).contains(task);
+        if piece != Piece::ROBOT && asked(piece, grid.cell(state, piece)) {
             remove(parts.walls, grid.cell(state, piece).index());
         }
-        let asked = |piece, cell| goals.allowed(grid, state, piece, cell).contains(task);
-        for (moved, row) in (0..sets).flat_map(|moved| (0..rows).map(move |row| (moved, CellId(row as u16)))) {
-            if piece != Piece::ROBOT && (!asked(piece, row) || has(parts.walls, row.index()) || it.lasts(moved, row)) {
-                continue;
-            }
-            for robot in grid.floor().ids().filter(|&robot| piece == Piece::ROBOT || robot != row) {
-                if asked(Piece::ROBOT, robot) && !has(parts.walls, robot.index()) && !it.lasts(moved, robot) {
+        for moved in 0..sets {
+            it.take(parts.taken, parts.walls, moved);
+            let taken = if it.is_sharp() { &*parts.taken } else { &*parts.walls };
+            for row in (0..rows).map(|row| CellId(row as u16)) {
+                // States with the robot on a taken cell count as closed, so that none is opened.
+                let first = it.number(moved, CellId(0), row);
+                for (at, word) in taken.iter().enumerate() {
+                    let mut word = *word;
+                    while let Some(bit) = take_bit(&mut word) {
+                        insert(parts.met.closed, first.wrapping_add(at.wrapping_mul(64)).wrapping_add(bit));
+                    }
+                }
+                if piece != Piece::ROBOT {
+                    insert(parts.met.closed, first.wrapping_add(row.index()));
+                    if !asked(piece, row) || has(taken, row.index()) {
+                        continue;
+                    }
+                }
+                for robot in grid.floor().ids().filter(|&robot| asked(Piece::ROBOT, robot)) {
                     parts.met.open(it.number(moved, robot, row), 0);
                 }
             }
@@ -218,7 +232,10 @@ impl Relaxation {
         let is_alike = |own: Piece, other: Piece, cell: CellId| {
             goals.allowed(grid, state, own, cell).contains(self.task) == goals.allowed(grid, state, other, cell).contains(task)
         };
-        (piece == Piece::ROBOT || !self.is_wall(marks, grid.cell(state, piece)))
+        let is_at_goal = |cell| goals.allowed(grid, state, piece, cell).contains(task);
+        // A piece that never moves again and is not at its goal never gets there.
+        let is_free = |cell| !self.is_wall(marks, cell) || !is_at_goal(cell);
+        (piece == Piece::ROBOT || is_free(grid.cell(state, piece)))
             && grid.floor().ids().all(|cell| is_alike(Piece::ROBOT, Piece::ROBOT, cell) && is_alike(self.piece, piece, cell))
     }
 
@@ -268,6 +285,11 @@ impl Relaxation {
     /// How many pieces are lasting.
     pub(super) fn lasting(&self) -> usize {
         self.lasting.iter().filter(|(_, cell)| *cell != CellId::NONE).count()
+    }
+
+    /// Them, one bit each.
+    pub(super) fn lasting_pieces(&self) -> u32 {
+        self.lasting.iter().filter(|(_, cell)| *cell != CellId::NONE).fold(0, |all, (piece, _)| all | piece.bit())
     }
 
     /// Whether any are.
@@ -322,13 +344,13 @@ impl Relaxation {
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
             let Parts { walls, taken, here, met, .. } = &mut parts;
+            let distance = self.level.saturating_add(1);
             // Which lasting pieces have moved, the piece's cell, and the number of the first state of both; numbers only grow.
-            let (mut moved, mut row, mut first) = (0_usize, 0_usize, 0_usize);
+            let (mut moved, mut row, mut first, mut cursor) = (0_usize, 0_usize, 0_usize, self.cursor);
             self.take(taken, walls, moved);
-            while let Some(word) = here.get_mut(self.cursor) {
-                while *word != 0 {
-                    let number = self.cursor.wrapping_mul(64).wrapping_add(word.trailing_zeros() as usize);
-                    *word &= word.wrapping_sub(1);
+            while let Some(word) = here.get_mut(cursor) {
+                while let Some(bit) = take_bit(word) {
+                    let number = cursor.wrapping_mul(64).wrapping_add(bit);
                     while number.wrapping_sub(first) >= size {
                         (row, first) = (row.wrapping_add(1), first.wrapping_add(size));
                         if row >= self.rows {
@@ -338,18 +360,29 @@ impl Relaxation {
                     }
                     let piece = if self.piece == Piece::ROBOT { CellId::NONE } else { CellId(row as u16) };
                     let robot = CellId(number.wrapping_sub(first) as u16);
-                    let cells = (moved, robot, piece);
-                    if is_sharp {
-                        self.expand::<true>(taken, met, &floor, grid.swaps(), cells, first);
-                    } else {
-                        self.expand::<false>(walls, met, &floor, grid.swaps(), cells, first);
+                    let (cells, swaps) = ((moved, robot, piece), grid.swaps());
+                    let Some(neighbours) = floor.cells.get(robot.index()).map(|cell| &cell.neighbours) else { continue };
+                    // Most actions only move the robot.
+                    for &before in neighbours {
+                        if before != CellId::NONE {
+                            met.open(first.wrapping_add(before.index()), distance);
+                        }
+                    }
+                    let is_beside = piece != CellId::NONE && neighbours.contains(&piece);
+                    // The lasting piece that the robot may have pushed from this cell.
+                    let came_from = |&(at, &(_, place)): &(usize, &(Piece, CellId))| place == robot && moved >> at & 1 == 1;
+                    let pushed = if moved != 0 { self.lasting.iter().enumerate().find(came_from) } else { None };
+                    if is_beside || pushed.is_some() {
+                        let taken = if is_sharp { &**taken } else { &**walls };
+                        self.push(taken, met, neighbours, swaps, cells, pushed.map(|(at, _)| moved & !(1 << at)));
                     }
                     *left = left.saturating_sub(1);
                     if *left == 0 {
+                        self.cursor = cursor;
                         return false;
                     }
                 }
-                self.cursor = self.cursor.wrapping_add(1);
+                cursor = cursor.wrapping_add(1);
             }
             let is_near = !self.tabled && has(parts.met.closed, self.start);
             // Beyond this distance, far goals cannot be distinguished from unreachable ones: then the bound is unknown.
@@ -368,36 +401,6 @@ impl Relaxation {
         self.lasting.iter().map(|&(_, place)| place).filter(|&place| self.lasts(moved, place)).for_each(|place| {
             insert(taken, place.index());
         });
-    }
-
-    /// Opens the states from which an action leads to this one. `first` is the number of the first state with the same cell of the piece, and
-    /// `taken` are the cells that nothing can be on.
-    #[inline]
-    fn expand<const IS_SHARP: bool>(
-        &self,
-        taken: &[u64],
-        met: &mut Met<'_>,
-        floor: &Floor<'_>,
-        swaps: bool,
-        (moved, robot, piece): (usize, CellId, CellId),
-        first: usize,
-    ) {
-        let distance = self.level.saturating_add(1);
-        let Some(neighbours) = floor.cells.get(robot.index()).map(|cell| &cell.neighbours) else { return };
-        // Most actions only move the robot.
-        let mut is_beside = false;
-        for &before in neighbours {
-            is_beside |= before == piece;
-            if before != CellId::NONE && before != piece && !has(taken, before.index()) {
-                met.open(first.wrapping_add(before.index()), distance);
-            }
-        }
-        // The lasting piece that the robot may have pushed from this cell.
-        let came_from = |&(at, &(_, place)): &(usize, &(Piece, CellId))| place == robot && moved >> at & 1 == 1;
-        let pushed = if IS_SHARP && moved != 0 { self.lasting.iter().enumerate().find(came_from) } else { None };
-        if is_beside && piece != CellId::NONE || pushed.is_some() {
-            self.push(taken, met, neighbours, swaps, (moved, robot, piece), pushed.map(|(at, _)| moved & !(1 << at)));
-        }
     }
 
     /// Opens the states from which an action that moves a piece leads to this one. `earlier` are the lasting pieces that had moved before the
@@ -473,6 +476,14 @@ impl Relaxation {
 
 /// The greatest distance that is searched.
 const FARTHEST: u16 = u16::MAX - 2;
+
+/// Takes the first bit of a word.
+#[inline]
+fn take_bit(word: &mut u64) -> Option<usize> {
+    let bit = word.trailing_zeros();
+    *word &= word.wrapping_sub(1);
+    (bit < 64).then_some(bit as usize)
+}
 
 fn remove(bits: &mut [u64], at: usize) {
     if let Some(word) = bits.get_mut(at / 64) {
