@@ -54,7 +54,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
          *language* learns words from it. Up to {} kinds of trainers teach every pair of both, in {} courses. Each number covers {} seeds \
          ({first} to {last}); each seed has its own homes and trainers, the same for all agents. Intervals are 95 %.\n\n\
          `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work; `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
+         share the work; `--merge` joins their parts to the same bytes.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
