@@ -6,6 +6,7 @@ import doctest
 import json
 import runpy
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -34,6 +35,10 @@ def data(tmp_path: Path) -> datasets.Dataset:
 
 def test_its_own_examples_run() -> None:
     assert doctest.testmod(datasets, optionflags=doctest.ELLIPSIS).failed == 0
+
+
+def test_the_datasets_are_there_once_goodbot_is_imported() -> None:
+    subprocess.run([sys.executable, "-c", "import goodbot; goodbot.datasets.load"], check=True)
 
 
 def test_a_file_that_was_changed_is_refused_with_both_checksums(log: Path, tmp_path: Path) -> None:

@@ -94,7 +94,7 @@ impl Totals {
             if let Some(last) = outcome.beliefs.last().filter(|_| reward + punish > 0) {
                 let probabilities: Vec<f64> = last.tasks.iter().map(|&(_, probability)| f64::from(probability)).collect();
                 if let Some(intended) = last.tasks.iter().position(|(task, _)| task.is_same(intended)) {
-                    self.rightness.add(&probabilities, intended);
+                    self.rightness.add(&probabilities, intended, false);
                 }
             }
         }

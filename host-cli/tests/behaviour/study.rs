@@ -140,6 +140,56 @@ fn names_that_are_none_are_refused_with_those_that_are_alike() {
     refused(&["--plot", "a.svg", "--column", "certain"], "wrongly_certain");
 }
 
+/// A program that answers every command with these numbers: `ZEROS` is a zero for each task.
+#[cfg(unix)]
+fn language(name: &str, answer: &str) -> String {
+    let file = folder(name).join("language.sh");
+    let zeros = r#"$(printf %s "$line" | grep -o '\],\[' | sed 's/.*/,0/' | tr -d '\n')"#;
+    let answer = answer.replace("ZEROS", &format!("0{zeros}"));
+    let script = format!(r#"while read -r line; do case "$line" in *'"hear"'*) echo "[{answer}]";; esac; done"#);
+    std::fs::write(&file, script).expect("a script");
+    format!("sh {}", file.display())
+}
+
+#[test]
+#[cfg(unix)]
+fn a_program_is_a_language_and_one_that_knows_nothing_is_as_good_as_none() {
+    let ask = |agent: &str, more: &[&str]| {
+        let text = output(&[&["--courses", "told", "--trainers", "balanced", "--runs", "4", "--json", "--agents", agent], more].concat());
+        text.lines().filter(|line| line.contains(r#""type":"run""#)).map(|line| line.replace(agent, "AGENT")).collect::<Vec<_>>()
+    };
+    let zeros = language("study-zeros", "ZEROS");
+    let asked = ask("sabl+program", &["--program", &zeros]);
+    assert_eq!((asked.len(), &asked), (4, &ask("sabl+none", &[])));
+    // The file names the program, and so the parts of a study with it can be joined.
+    let part = folder("study-program").join("part.jsonl");
+    let run =
+        output(&["--runs", "2", "--courses", "told", "--trainers", "mute", "--agents", "sabl+program", "--program", &zeros, "--json"]);
+    std::fs::write(&part, &run).expect("a part");
+    assert_eq!(output(&["--merge", part.to_str().unwrap(), "--json"]), run);
+}
+
+#[test]
+#[cfg(unix)]
+fn a_program_that_is_missing_or_answers_wrongly_is_a_fault_with_its_name() {
+    refused(
+        &["--agents", "sabl+program", "--runs", "1"],
+        "the language of sabl+program is a program of yours; give its command by --program",
+    );
+    refused(&["--agents", "sabl+roles", "--runs", "1", "--program", "sh"], "no agent asks the program; name one, such as sabl+program");
+    for (program, fault) in [
+        ("no-such-program".to_owned(), "cannot be started"),
+        ("true".to_owned(), "its own messages say why"),
+        (language("study-few", "0"), "which is no list of 9 finite numbers"),
+        (language("study-huge", "1e99,ZEROS"), "which is no list of 9 finite numbers"),
+        (language("study-text", "x"), "which is no list of 9 finite numbers"),
+    ] {
+        let run = study(&["--agents", "sabl+program", "--courses", "told", "--runs", "1", "--program", &program]);
+        assert_eq!(run.code, 1, "{program}: {}", run.messages);
+        assert!(run.messages.contains(fault) && run.messages.contains(&program), "{program}: {}", run.messages);
+    }
+}
+
 #[test]
 fn numbers_that_are_none_are_refused_with_what_to_give() {
     refused(&["--runs", "0"], "give a whole number from 1 to 100000");

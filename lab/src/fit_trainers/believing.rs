@@ -33,30 +33,30 @@ pub struct Rightness {
     ends: Vec<(f64, bool)>,
     /// The probability of each task, and whether it was the intended one.
     tasks: Vec<(f64, bool)>,
-    /// The number of tasks of each session.
-    counts: Vec<usize>,
+    /// The number of tasks of each session, and whether it continued the command of the one before.
+    sessions: Vec<(usize, bool)>,
 }
 
 impl Rightness {
-    /// Adds the belief at the end of a session.
-    pub fn add(&mut self, probabilities: &[f64], intended: usize) {
+    /// Adds the belief at the end of a session, which may continue the command of the one before.
+    pub fn add(&mut self, probabilities: &[f64], intended: usize, continues: bool) {
         let Some(&probability) = probabilities.get(intended) else { return };
         let others = probabilities.iter().enumerate().filter(|&(task, _)| task != intended);
         self.ends.push((probability, others.clone().all(|(_, &other)| probability > other)));
         self.tasks.extend(probabilities.iter().enumerate().map(|(task, &other)| (other, task == intended)));
-        self.counts.push(probabilities.len());
+        self.sessions.push((probabilities.len(), continues));
     }
 
     /// Adds the sessions of another.
     pub fn extend(&mut self, other: Self) {
         self.ends.extend(other.ends);
         self.tasks.extend(other.tasks);
-        self.counts.extend(other.counts);
+        self.sessions.extend(other.sessions);
     }
 
     /// The number of sessions.
     pub fn sessions(&self) -> usize {
-        self.ends.len()
+        self.sessions.len()
     }
 
     fn mean(&self, value: impl Fn(&(f64, bool)) -> f64) -> f64 {
@@ -88,23 +88,28 @@ impl Rightness {
         calibration::error(&self.reliability())
     }
 
-    /// The calibration error that perfectly calibrated beliefs would have: its mean, and its 97.5 % quantile.
+    /// The calibration error that perfectly calibrated beliefs would have: its mean, and its 97.5 % quantile. Sessions with one command have
+    /// one intended task, drawn from the belief at the end of the last one.
     pub fn calibration_error_of_chance(&self) -> (f64, f64) {
         let mut random = generator(1);
         let mut errors = [0.0; DRAWS].map(|_: f64| {
-            let mut from = 0;
-            let drawn = self.counts.iter().flat_map(|&count| {
-                let tasks = self.tasks.get(from..from + count).unwrap_or_default();
-                from += count;
-                let mut left = f64::from(unit(&mut random));
-                let passed = |&&(probability, _): &&(f64, bool)| {
-                    left -= probability;
-                    left > 0.0
-                };
-                let meant = tasks.iter().take_while(passed).count();
-                tasks.iter().enumerate().map(move |(task, &(probability, _))| (probability, task == meant))
-            });
-            calibration::error(&ranges(drawn))
+            let (mut left, mut meant, mut goes_on) = (self.tasks.as_slice(), 0, false);
+            let mut drawn = Vec::with_capacity(left.len());
+            for &(count, continues) in self.sessions.iter().rev() {
+                let (before, tasks) = left.split_at(left.len() - count);
+                left = before;
+                if !goes_on {
+                    let mut above = f64::from(unit(&mut random));
+                    let passed = |&&(probability, _): &&(f64, bool)| {
+                        above -= probability;
+                        above > 0.0
+                    };
+                    meant = tasks.iter().take_while(passed).count();
+                }
+                goes_on = continues;
+                drawn.extend(tasks.iter().enumerate().map(|(task, &(probability, _))| (probability, task == meant)));
+            }
+            calibration::error(&ranges(drawn.into_iter()))
         });
         errors.sort_by(f64::total_cmp);
         (errors.iter().sum::<f64>() / DRAWS as f64, errors[DRAWS - 1 - DRAWS / 40])
@@ -149,6 +154,8 @@ pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectati
         BeliefTables { joint: &mut joint, settled: &mut settled, priors: &mut priors, strategies: &mut known, expected: &mut expected };
     let mut belief = Belief::new(tables, &mut count);
     let (mut rightness, mut trainer) = (Rightness::default(), None);
+    // Whether the command of the last session in `rightness` goes on.
+    let mut same = false;
     for walk in walks {
         if trainer != Some(&walk.trainer) {
             trainer = Some(&walk.trainer);
@@ -157,11 +164,13 @@ pub fn replay<'a>(walks: impl Iterator<Item = &'a Walk>, expectation: &Expectati
         }
         if !walk.continues {
             let _ = belief.restart(walk.prior.iter().map(|&prior| Scaled::new(prior)), expectation.drift);
+            same = false;
         }
         walk_through(&mut belief, walk, &expectation.ending);
         if let (Some(intended), true) = (walk.intended, walk.has_feedback()) {
             let probabilities: Vec<f64> = (0..walk.prior.len()).map(|task| f64::from(belief.read().probability(task))).collect();
-            rightness.add(&probabilities, intended);
+            rightness.add(&probabilities, intended, same);
+            same = true;
         }
     }
     rightness
@@ -184,5 +193,23 @@ fn walk_through(belief: &mut Belief<'_>, walk: &Walk, ending: &Ending) {
             let _ = belief.observe(&|_, task| Some(ending.probability(ends, step.at_goal.get(task).copied().flatten()?, step.moment)));
             belief.settle();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chance_draws_one_task_for_all_sessions_with_one_command() {
+        let chance = |continues: bool| {
+            let mut rightness = Rightness::default();
+            (0..100).for_each(|session| rightness.add(&[0.7, 0.3], 0, continues && session > 0));
+            rightness.calibration_error_of_chance()
+        };
+        let ((apart, _), (together, most)) = (chance(false), chance(true));
+        assert!(apart < 0.05, "{apart}");
+        // One draw: the whole difference is .3 seven times in ten, else .7.
+        assert!((together - 0.42).abs() < 0.03 && (most - 0.7).abs() < 1e-6, "{together} {most}");
     }
 }

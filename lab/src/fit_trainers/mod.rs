@@ -111,7 +111,7 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         writeln!(out, "{place:21}   {moved:6.3}  {rested:6.3}  {resting:11.3}  {praised:19.3}  {scolded:11.3}")?;
     }
     writeln!(out, "\nleaving each trainer out  sessions  on top  log loss            below 5 %    ECE                 words")?;
-    for Compared { name, rightness, intervals: [[least_loss, most_loss], [least, most]], words } in &compared {
+    for Compared { name, rightness, intervals: [[least_loss, most_loss], [least, most]], words, .. } in &compared {
         let (sessions, top, loss, low) = (rightness.sessions(), rightness.on_top(), rightness.log_loss(), 100.0 * rightness.given_up());
         let ece = rightness.calibration_error();
         let words = words.map_or_else(String::new, |words| format!("{words:9.1}"));
@@ -121,6 +121,9 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
     if let Some(last) = compared.last() {
         let (mean, most) = last.rightness.calibration_error_of_chance();
         writeln!(out, "\nbeliefs that are exactly right, as often: ECE {mean:.3}, at most {most:.3} in 39 of 40 draws")?;
+        if let [(least, one), .., (most, other)] = last.without.as_slice() {
+            writeln!(out, "without one trainer's sessions: ECE {least:.3} (without {one}) to {most:.3} (without {other})")?;
+        }
     }
     Ok(out.flush()?)
 }
@@ -165,26 +168,36 @@ struct Compared {
     rightness: Rightness,
     /// The 95 % intervals of the log loss and of the calibration error.
     intervals: [[f64; 2]; 2],
+    /// The calibration error without the sessions of one trainer, and that trainer; the least first.
+    without: Vec<(f64, String)>,
     /// The logarithm of the probability of all words.
     words: Option<f64>,
 }
 
 impl Compared {
-    fn of(name: &'static str, mut trainers: Vec<Rightness>, words: Option<f64>) -> Self {
-        trainers.retain(|rightness| rightness.sessions() > 0);
-        let intervals = believing::intervals(&trainers);
-        let mut rightness = Rightness::default();
-        trainers.into_iter().for_each(|of_one| rightness.extend(of_one));
-        Self { name, rightness, intervals, words }
+    fn of(name: &'static str, names: &[&str], trainers: Vec<Rightness>, words: Option<f64>) -> Self {
+        let (names, trainers): (Vec<&str>, Vec<Rightness>) =
+            names.iter().copied().zip(trainers).filter(|(_, rightness)| rightness.sessions() > 0).unzip();
+        let all_but = |out: usize| {
+            let mut all = Rightness::default();
+            trainers.iter().enumerate().filter(|&(at, _)| at != out).for_each(|(_, one)| all.extend(one.clone()));
+            all
+        };
+        let mut without: Vec<(f64, String)> =
+            names.iter().enumerate().map(|(out, &name)| (all_but(out).calibration_error(), name.to_owned())).collect();
+        without.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Self { name, rightness: all_but(trainers.len()), intervals: believing::intervals(&trainers), without, words }
     }
 
     fn json(&self) -> Value {
         let [log_loss, calibration_error] = self.intervals;
         let (mean, most) = self.rightness.calibration_error_of_chance();
+        let without: Value = self.without.iter().map(|(error, trainer)| (trainer.clone(), json!(error))).collect();
         json!({
             "settings": self.name, "held_out": self.rightness.json(), "log_probability_of_words": self.words,
             "intervals": {"mean_log_loss": log_loss, "calibration_error": calibration_error},
             "calibration_error_of_chance": {"mean": mean, "most": most},
+            "calibration_error_without": without,
         })
     }
 }
@@ -195,8 +208,9 @@ fn compare(walks: &[Walk]) -> Vec<Compared> {
     let paper = Expectation { strategies: vec![(Strategy::BALANCED, 1.0)], drift: 0.0, ending: Ending::NO_EVIDENCE };
     let trainers = fit::by_trainer(walks);
     let believed = |trainer: &str, expected: &Expectation| believing::replay(walks.iter().filter(|walk| walk.trainer == trainer), expected);
-    let papers = trainers.keys().map(|trainer| believed(trainer, &paper)).collect();
-    let mut compared = vec![Compared::of("the paper's balanced one", papers, None)];
+    let names: Vec<&str> = trainers.keys().copied().collect();
+    let papers = names.iter().map(|trainer| believed(trainer, &paper)).collect();
+    let mut compared = vec![Compared::of("the paper's balanced one", &names, papers, None)];
     let progress = bar(COMPARED.len() * trainers.len(), "leaving each trainer out");
     for settings in COMPARED {
         let parts: Vec<(Rightness, f64)> = trainers
@@ -212,7 +226,7 @@ fn compare(walks: &[Walk]) -> Vec<Compared> {
             })
             .collect();
         let words: f64 = parts.iter().map(|(_, words)| words).sum();
-        compared.push(Compared::of(settings.name, parts.into_iter().map(|(rightness, _)| rightness).collect(), Some(words)));
+        compared.push(Compared::of(settings.name, &names, parts.into_iter().map(|(rightness, _)| rightness).collect(), Some(words)));
     }
     progress.finish_and_clear();
     compared

@@ -6,6 +6,7 @@
 //! - [`trainer`]: the trainers: their feedback to right and wrong actions, its delay, and when they leave;
 //! - [`place`]: a command in a home: its tasks, their facts, and the right actions in each state;
 //! - [`agent`]: the agents: each inference with each language, and goodbot as it is used;
+//! - [`fault`]: why a run could not continue;
 //! - [`trial`]: one agent with one trainer: lessons, then tests;
 //! - [`tuning`]: how the settings of the other methods were chosen.
 //!
@@ -31,11 +32,12 @@
 //! let habits = trainer.habits(&Population::fitted(), seed);
 //! let outcome = run(&agent.learns, habits, &mut CoursePlaces::new(Course::Paper, seed)?, seed)?;
 //! assert_eq!(outcome.tests_right(), 5);
-//! # Ok::<(), goodbot_course::CourseError>(())
+//! # Ok::<(), goodbot_lab::study::fault::StudyError>(())
 //! ```
 
 pub mod agent;
 pub mod course;
+pub mod fault;
 mod likeness;
 mod picture;
 pub mod place;
@@ -52,7 +54,7 @@ pub mod trial;
 mod tune;
 pub mod tuning;
 
-use crate::study::agent::{AGENTS, Contestant, Learns};
+use crate::study::agent::{Contestant, Learns, every};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
@@ -71,7 +73,8 @@ use summary::Column;
 
 const EXAMPLES: &str = "\
 An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
-model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named. The courses free \
+model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named, as do those whose \
+language is a program of yours (--program; docs/study.md says what it reads and answers). The courses free \
 and told are taught by balanced, population, mute, contrary and shuffled only.
 
 Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \
@@ -104,6 +107,9 @@ pub struct StudyOptions {
     /// Only these agents, separated by commas [default: each inference with each language]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
+    /// The command of the program that is the language of the agents NAME+program
+    #[arg(long, value_name = "COMMAND", requires = "agents", conflicts_with = "merge")]
+    pub program: Option<String>,
     /// Only these trainers, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
     pub trainers: Vec<String>,
@@ -150,7 +156,7 @@ fn courses() -> PossibleValuesParser {
 }
 
 fn agents() -> PossibleValuesParser {
-    PossibleValuesParser::new(AGENTS.iter().map(|agent| PossibleValue::new(agent.name).help(agent.is)))
+    PossibleValuesParser::new(every().map(|agent| PossibleValue::new(agent.name).help(agent.is)))
 }
 
 fn trainers() -> PossibleValuesParser {
@@ -172,9 +178,10 @@ impl StudyOptions {
         Plan {
             courses: named(&Course::ALL, &self.courses, |course| course.name()),
             // goodbot as it is used plans by itself, which takes much longer.
-            agents: named(AGENTS, &self.agents, |agent: &Contestant| agent.name)
+            agents: named(&every().copied().collect::<Vec<_>>(), &self.agents, |agent: &Contestant| agent.name)
                 .into_iter()
-                .filter(|agent| !self.agents.is_empty() || matches!(agent.learns, Learns::Factors(..)))
+                .filter(|agent| !self.agents.is_empty() || (matches!(agent.learns, Learns::Factors(..)) && agent.program().is_none()))
+                .map(|agent| agent.with_program(self.program.as_deref().unwrap_or_default()))
                 .collect(),
             trainers: named(&TRAINERS, &self.trainers, |trainer: &Trainer| trainer.name),
             population: Population::fitted(),
@@ -191,6 +198,13 @@ impl StudyOptions {
             if plan.taught().is_empty() {
                 let known = COMPARED.join(", ");
                 return Err(Failure::Input(format!("only {known} teach the courses free and told; name one of them, or the course paper")));
+            }
+            if let Some(agent) = plan.agents.iter().find(|agent| agent.program().is_some_and(|command| command.trim().is_empty())) {
+                let name = agent.name;
+                return Err(Failure::Input(format!("the language of {name} is a program of yours; give its command by --program")));
+            }
+            if self.program.is_some() && plan.agents.iter().all(|agent| agent.program().is_none()) {
+                return Err(Failure::Input("no agent asks the program; name one, such as sabl+program".to_owned()));
             }
             let runs = runs::run_all(&plan)?;
             Ok((plan, runs))

@@ -3,7 +3,8 @@
 use super::plan::Plan;
 use super::runs::Run;
 use super::shard::Shard;
-use crate::study::agent::AGENTS;
+use crate::study::agent::every;
+use crate::study::agent::language::PROGRAM;
 use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
@@ -68,12 +69,14 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
     let list = |name: &str| line[name].as_array().ok_or_else(|| format!("has no list {name:?}"));
     let mut agents = Vec::new();
     for agent in list("agents")? {
-        let known = AGENTS.iter().find(|known| agent["name"] == known.name);
+        let known = every().find(|known| agent["name"] == known.name);
         let known = known.ok_or_else(|| format!("names an agent {} that is not known", agent["name"]))?;
+        let command = agent["settings"].as_str().and_then(|settings| settings.split_once(PROGRAM));
+        let known = known.with_program(command.map_or("", |(_, command)| command));
         if agent["settings"] != known.learns.to_string() {
             return Err(format!("has other settings of {}: {}; run it again with this version", known.name, agent["settings"]));
         }
-        agents.push(*known);
+        agents.push(known);
     }
     let mut trainers = Vec::new();
     for trainer in list("trainers")? {

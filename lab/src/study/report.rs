@@ -5,7 +5,7 @@ use super::runs::Run;
 use super::summary::{self, Column, Row};
 use super::{StudyOptions, likeness, picture};
 use crate::mean::Mean;
-use crate::study::agent::Learns;
+use crate::study::agent::{Contestant, Learns};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trial::{CERTAIN, MOST_STEPS, TEST_STEPS};
 use crate::study::tuning::{SEEDS, TRAINED_BY, TUNED};
@@ -45,13 +45,16 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
 
 fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
+    // With a program the agents are named.
+    let program = plan.agents.iter().find_map(Contestant::program);
+    let program = program.map_or_else(String::new, |command| format!(" --agents NAMES --program \"{command}\""));
     let mut text = format!(
         "# Comparison with other agents\n\n\
          This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
          *language* learns words from it. Up to {} kinds of trainers teach every pair of both, in {} courses. Each number covers {} seeds \
          ({first} to {last}); each seed has its own homes and trainers, the same for all agents. Intervals are 95 %.\n\n\
-         `goodbot study --runs {} --seed {first}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work; `--merge` joins their parts to the same bytes. `--csv`, `--json` and `--plot` give all columns.\n\n",
+         `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
+         share the work; `--merge` joins their parts to the same bytes.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
@@ -92,6 +95,9 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         SEEDS.end - 1,
         TRAINED_BY.join(", "),
     );
+    text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
+             each of the `tasks`; the answer is a list of log likelihoods. `learn` also has `beliefs`. \
+             [gru.py](../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
     let mut told: Vec<&str> = Vec::new();
     for agent in &plan.agents {
         let Learns::Factors(inference, _) = agent.learns else { continue };

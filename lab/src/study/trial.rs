@@ -6,6 +6,7 @@
 use crate::questions::simulation::answer;
 use crate::study::agent::{Learner, Learns, Now};
 use crate::study::course::Course;
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use crate::study::trainer::habits::{Habits, Listening};
 use goodbot::AgentError;
@@ -13,7 +14,7 @@ use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::oomdp::{Action, ActionSet, apply};
 use goodbot::planning::OptimalSet;
-use goodbot_course::{CourseError, generator};
+use goodbot_course::generator;
 use rand_pcg::Pcg32;
 
 /// The lesson ends after this many rests in a row at the intended goal.
@@ -121,8 +122,8 @@ impl CoursePlaces {
     /// The places of a course.
     ///
     /// # Errors
-    /// [`CourseError`].
-    pub fn new(course: Course, seed: u64) -> Result<Self, CourseError> {
+    /// [`StudyError`].
+    pub fn new(course: Course, seed: u64) -> Result<Self, StudyError> {
         let [lessons, tests] = course.exercises(seed)?;
         Ok(Self { lessons: Place::all(&lessons)?, tests: Place::all(&tests)? })
     }
@@ -131,8 +132,8 @@ impl CoursePlaces {
 /// Takes an agent through a course, with a trainer of these habits.
 ///
 /// # Errors
-/// [`CourseError`].
-pub fn run(learns: &Learns, habits: Habits, places: &mut CoursePlaces, seed: u64) -> Result<Outcome, CourseError> {
+/// [`StudyError`].
+pub fn run(learns: &Learns, habits: Habits, places: &mut CoursePlaces, seed: u64) -> Result<Outcome, StudyError> {
     let mut words = chance(seed, Chance::Words);
     let mut learner = learns.begin(chance(seed, Chance::Agent))?;
     let mut lesson = |place| lesson(&mut *learner, place, habits, &mut words);
@@ -149,7 +150,7 @@ struct Step {
 }
 
 /// Lets the agent act; `None` if the intended task has become impossible.
-fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test: bool) -> Result<Option<(Action, Step)>, CourseError> {
+fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test: bool) -> Result<Option<(Action, Step)>, StudyError> {
     let outlook = place.outlook(state)?;
     let meant = outlook.optimal[place.intended];
     if matches!(meant, OptimalSet::DeadEnd(_)) {
@@ -164,7 +165,7 @@ fn act(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, is_test:
 
 /// Lets the agent ask until it has no more questions. Returns how many were answered. The trainer answers with its own error; one who never
 /// speaks does not answer.
-fn ask(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, habits: &Habits, random: &mut Pcg32) -> Result<u16, CourseError> {
+fn ask(learner: &mut dyn Learner, place: &mut Place, state: &HomeState, habits: &Habits, random: &mut Pcg32) -> Result<u16, StudyError> {
     let Some(mistaken) = habits.mistaken() else { return Ok(0) };
     let outlook = place.outlook(state)?;
     let now = Now { place, state, outlook: &outlook, is_test: false };
@@ -181,7 +182,7 @@ fn is_wrongly_certain(learner: &dyn Learner, place: &Place) -> bool {
     learner.belief().iter().enumerate().any(|(task, &probability)| task != place.intended && probability > CERTAIN)
 }
 
-fn lesson(learner: &mut dyn Learner, place: &mut Place, habits: Habits, random: &mut Pcg32) -> Result<LessonOutcome, CourseError> {
+fn lesson(learner: &mut dyn Learner, place: &mut Place, habits: Habits, random: &mut Pcg32) -> Result<LessonOutcome, StudyError> {
     let mut trainer = Listening::new(habits);
     learner.hear(place)?;
     let mut state = place.start;
@@ -211,7 +212,7 @@ fn lesson(learner: &mut dyn Learner, place: &mut Place, habits: Habits, random: 
     Ok(LessonOutcome { ending, steps, words: words + answers, answers, wrongly_certain })
 }
 
-fn test(learner: &mut dyn Learner, place: &mut Place) -> Result<TestOutcome, CourseError> {
+fn test(learner: &mut dyn Learner, place: &mut Place) -> Result<TestOutcome, StudyError> {
     learner.hear(place)?;
     let wrongly_certain = is_wrongly_certain(learner, place);
     let mut state = place.start;

@@ -5,10 +5,10 @@
 
 use crate::study::agent::Learns;
 use crate::study::course::Course;
+use crate::study::fault::StudyError;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
 use crate::study::trial::{CoursePlaces, MOST_STEPS, run};
-use goodbot_course::CourseError;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -23,10 +23,10 @@ pub const TUNED: [&str; 4] = ["tamer+roles", "coach+roles", "shaping+roles", "sa
 /// The scores of settings, from -1 to 1.
 ///
 /// # Errors
-/// [`CourseError`].
-pub fn scores(grid: &[Learns]) -> Result<Vec<f64>, CourseError> {
+/// [`StudyError`].
+pub fn scores(grid: &[Learns]) -> Result<Vec<f64>, StudyError> {
     let population = Population::fitted();
-    let of_seed = |seed: u64| -> Result<Vec<f64>, CourseError> {
+    let of_seed = |seed: u64| -> Result<Vec<f64>, StudyError> {
         let mut places = CoursePlaces::new(Course::Paper, seed)?;
         let mut scores = vec![0.0; grid.len()];
         for (learns, score) in grid.iter().zip(&mut scores) {

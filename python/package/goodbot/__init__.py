@@ -30,6 +30,7 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `goodbot.gym`: the homes as Gymnasium environments.
 """
 
+from . import datasets
 from ._native import (
     Agent,
     CapacityError,
@@ -89,6 +90,7 @@ __all__ = [
     "Worlds",
     "__version__",
     "capacities",
+    "datasets",
     "evaluate",
     "exercises",
     "hear",

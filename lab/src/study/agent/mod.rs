@@ -6,12 +6,12 @@ pub mod language;
 pub mod pick;
 pub mod whole;
 
+use crate::study::fault::StudyError;
 use crate::study::place::{Outlook, Place};
 use goodbot::asking::{Answer, Question};
 use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::oomdp::Action;
-use goodbot_course::CourseError;
 use inference::{Infer, Inference, coach, shaping, tamer};
 use language::{Language, Speak, loglinear};
 use rand_pcg::Pcg32;
@@ -38,34 +38,34 @@ pub trait Learner {
     /// Hears a command.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn hear(&mut self, place: &Place) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn hear(&mut self, place: &Place) -> Result<(), StudyError>;
 
     /// Chooses an action.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError>;
+    /// [`StudyError`].
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError>;
 
     /// Takes the trainer's feedback to the action.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError>;
 
     /// The agent's question before it acts, if it has one. This is called again after each answer.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn asks(&mut self, _now: &Now<'_>) -> Result<Option<Question>, CourseError> {
+    /// [`StudyError`].
+    fn asks(&mut self, _now: &Now<'_>) -> Result<Option<Question>, StudyError> {
         Ok(None)
     }
 
     /// Takes the answer to its question.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn answered(&mut self, _answer: Answer) -> Result<(), CourseError> {
+    /// [`StudyError`].
+    fn answered(&mut self, _answer: Answer) -> Result<(), StudyError> {
         Ok(())
     }
 
@@ -75,8 +75,8 @@ pub trait Learner {
     /// Ends the lesson, and learns from it.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn finish(&mut self, place: &Place) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn finish(&mut self, place: &Place) -> Result<(), StudyError>;
 }
 
 /// How an agent learns.
@@ -92,8 +92,8 @@ impl Learns {
     /// An agent without training, with a generator of its own.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] if it cannot be created.
-    pub fn begin(&self, random: Pcg32) -> Result<Box<dyn Learner>, CourseError> {
+    /// [`StudyError`] if it cannot be created.
+    pub fn begin(&self, random: Pcg32) -> Result<Box<dyn Learner>, StudyError> {
         Ok(match *self {
             Self::Whole(settings) => Box::new(whole::Goodbot::new(settings, random)?),
             Self::Factors(inference, language) => Box::new(Factors { infers: inference.begin(random)?, speaks: language.begin()? }),
@@ -130,18 +130,18 @@ struct Factors {
 }
 
 impl Learner for Factors {
-    fn hear(&mut self, place: &Place) -> Result<(), CourseError> {
+    fn hear(&mut self, place: &Place) -> Result<(), StudyError> {
         let mut prior = self.speaks.hear(place)?;
         let whole: f32 = prior.iter().map(|share| share.max(LEAST)).sum();
         prior.iter_mut().for_each(|share| *share = share.max(LEAST) / whole);
         self.infers.begin(place, &prior)
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         self.infers.act(now)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         self.infers.told(word)
     }
 
@@ -149,7 +149,7 @@ impl Learner for Factors {
         self.infers.belief()
     }
 
-    fn finish(&mut self, place: &Place) -> Result<(), CourseError> {
+    fn finish(&mut self, place: &Place) -> Result<(), StudyError> {
         self.speaks.learn(place, &self.infers.belief())
     }
 }
@@ -165,9 +165,37 @@ pub struct Contestant {
     pub learns: Learns,
 }
 
+impl Contestant {
+    /// The same agent, whose language is the program of this command if its language is a program.
+    #[must_use]
+    pub fn with_program(self, command: &str) -> Self {
+        match self.learns {
+            // The command is kept until the end: agents are copied into every run.
+            Learns::Factors(inference, Language::Program(_)) => {
+                Self { learns: Learns::Factors(inference, Language::Program(command.to_owned().leak())), ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// The command of the program that is its language.
+    pub const fn program(&self) -> Option<&'static str> {
+        match self.learns {
+            Learns::Factors(_, Language::Program(command)) => Some(command),
+            _ => None,
+        }
+    }
+}
+
 macro_rules! agents {
     (whole: $($whole:literal $is:literal $settings:expr,)* factors: $($name:literal $what:literal $inference:expr,)*) => {
-        &[
+        /// The agents that need a program for their language, without its command.
+        pub const PROGRAMMED: &[Contestant] = &[
+            $(Contestant { name: concat!($name, "+program"), is: concat!($what, "; a program of yours"), learns: Learns::Factors($inference, Language::Program("")) },)*
+        ];
+
+        /// All other agents, in the order of the tables.
+        pub const AGENTS: &[Contestant] = &[
             $(Contestant { name: $whole, is: $is, learns: Learns::Whole($settings) },)*
             $(
                 Contestant { name: concat!($name, "+roles"), is: concat!($what, "; the role model"), learns: Learns::Factors($inference, Language::Roles) },
@@ -175,12 +203,16 @@ macro_rules! agents {
                 Contestant { name: concat!($name, "+loglinear"), is: concat!($what, "; log-linear"), learns: Learns::Factors($inference, Language::LogLinear(loglinear::CHOSEN)) },
                 Contestant { name: concat!($name, "+none"), is: concat!($what, "; no language"), learns: Learns::Factors($inference, Language::Nothing) },
             )*
-        ]
+        ];
     };
 }
 
-/// All agents, in the order of the tables.
-pub const AGENTS: &[Contestant] = agents! {
+/// All agents, those with a program last.
+pub fn every() -> impl Iterator<Item = &'static Contestant> {
+    AGENTS.iter().chain(PROGRAMMED)
+}
+
+agents! {
     whole:
     "goodbot" "goodbot as it comes" whole::DEFAULT,
     "people" "goodbot that expects people" whole::PEOPLE,
@@ -193,4 +225,4 @@ pub const AGENTS: &[Contestant] = agents! {
     "coach" "COACH" Inference::Coach(coach::CHOSEN),
     "shaping" "policy shaping" Inference::Shaping(shaping::CHOSEN),
     "none" "no inference" Inference::Nothing,
-};
+}

@@ -2,6 +2,7 @@
 
 use super::{Learner, Now};
 use crate::study::course::CAPACITIES;
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::asking::{Answer, Asking, Question};
 use goodbot::feedback::{Feedback, population};
@@ -57,8 +58,8 @@ impl Goodbot {
     /// A robot without training.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] if an option is out of range.
-    pub fn new(settings: Settings, random: Pcg32) -> Result<Self, CourseError> {
+    /// [`StudyError`] if an option is out of range.
+    pub fn new(settings: Settings, random: Pcg32) -> Result<Self, StudyError> {
         let lifted = paper_tasks().map_err(|_| CourseError::NotPosed)?;
         let mut agent = Agent::new(AgentHeap::new(&ROOM), &lifted, settings.options)?;
         if settings.people {
@@ -69,11 +70,11 @@ impl Goodbot {
 }
 
 impl Learner for Goodbot {
-    fn hear(&mut self, place: &Place) -> Result<(), CourseError> {
+    fn hear(&mut self, place: &Place) -> Result<(), StudyError> {
         Ok(self.agent.hear(&place.home, &place.start, &place.command)?)
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let home = &now.place.home;
         self.agent.plan_fully(home, now.state)?;
         let action = self.agent.decide_by(home, now.state, &mut self.random)?.action;
@@ -81,17 +82,17 @@ impl Learner for Goodbot {
         Ok(action)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         let _ = self.agent.feedback(word)?;
         Ok(())
     }
 
-    fn asks(&mut self, now: &Now<'_>) -> Result<Option<Question>, CourseError> {
+    fn asks(&mut self, now: &Now<'_>) -> Result<Option<Question>, StudyError> {
         self.agent.plan_fully(&now.place.home, now.state)?;
         Ok(self.agent.question(&now.place.home, now.state, &self.asking)?)
     }
 
-    fn answered(&mut self, answer: Answer) -> Result<(), CourseError> {
+    fn answered(&mut self, answer: Answer) -> Result<(), StudyError> {
         let _ = self.agent.answer(answer)?;
         Ok(())
     }
@@ -100,7 +101,7 @@ impl Learner for Goodbot {
         (0..self.agent.tasks().len()).map(|task| self.agent.belief().probability(task)).collect()
     }
 
-    fn finish(&mut self, place: &Place) -> Result<(), CourseError> {
+    fn finish(&mut self, place: &Place) -> Result<(), StudyError> {
         let _ = self.agent.finish(&place.home)?;
         self.agent.learn_fully();
         Ok(())

@@ -4,10 +4,10 @@
 //! reaches every task, not only the followed one.
 
 use super::{Infer, Now, Tasks, label};
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
-use goodbot_course::CourseError;
 use std::fmt;
 
 /// The source of the method.
@@ -63,13 +63,13 @@ impl Coach {
 }
 
 impl Infer for Coach {
-    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), StudyError> {
         self.tasks.begin(prior);
         self.trace = vec![0.0; prior.len()];
         Ok(())
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let policy = self.belief();
         let action = self.tasks.act_by_belief(now, self.settings.best);
         // The gradient of the action's log probability.
@@ -85,7 +85,7 @@ impl Infer for Coach {
         Ok(action)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         let Some(label) = label(word) else { return Ok(()) };
         self.tasks.add(self.settings.rate * label, &self.trace);
         Ok(())

@@ -13,11 +13,11 @@ pub mod shaping;
 pub mod tamer;
 
 use super::{Now, pick};
+use crate::study::fault::StudyError;
 use crate::study::place::{Outlook, Place};
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::{Action, ActionSet};
 use goodbot::random::below;
-use goodbot_course::CourseError;
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -26,20 +26,20 @@ pub trait Infer {
     /// Begins a command, with the prior of its tasks.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn begin(&mut self, place: &Place, prior: &[f32]) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn begin(&mut self, place: &Place, prior: &[f32]) -> Result<(), StudyError>;
 
     /// Chooses an action.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError>;
+    /// [`StudyError`].
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError>;
 
     /// Takes the trainer's feedback to the action.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError>;
 
     /// The probability of each task.
     fn belief(&self) -> Vec<f32>;
@@ -66,8 +66,8 @@ impl Inference {
     /// An inference at the beginning, before any trainer.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] if it cannot be created.
-    pub fn begin(self, random: Pcg32) -> Result<Box<dyn Infer>, CourseError> {
+    /// [`StudyError`] if it cannot be created.
+    pub fn begin(self, random: Pcg32) -> Result<Box<dyn Infer>, StudyError> {
         let tasks = Tasks::new(random);
         Ok(match self {
             Self::This => Box::new(model::Model::people(tasks)?),
@@ -192,16 +192,16 @@ const fn label(word: Feedback) -> Option<f32> {
 struct Nothing(Tasks);
 
 impl Infer for Nothing {
-    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), StudyError> {
         self.0.begin(prior);
         Ok(())
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         Ok(self.0.act_by_belief(now, true))
     }
 
-    fn told(&mut self, _word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, _word: Feedback) -> Result<(), StudyError> {
         Ok(())
     }
 

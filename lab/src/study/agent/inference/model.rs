@@ -2,6 +2,7 @@
 
 use super::{Infer, Now, Tasks};
 use crate::study::agent::whole::ROOM;
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::feedback::{Belief, BeliefCount, BeliefRef, Feedback, Judged, LAGS, Strategy, population};
 use goodbot::memory::{AgentHeap, AgentMemory};
@@ -23,7 +24,7 @@ pub struct Model {
 }
 
 impl Model {
-    fn new(strategies: &[(Strategy, f32)], drift: f32, tasks: Tasks) -> Result<Self, CourseError> {
+    fn new(strategies: &[(Strategy, f32)], drift: f32, tasks: Tasks) -> Result<Self, StudyError> {
         let memory = AgentHeap::new(&ROOM);
         let mut model = Self { memory, count: BeliefCount::default(), drift, tasks, judged: Vec::new() };
         model.belief_mut().set_strategies(strategies).map_err(|error| CourseError::Agent(error.into()))?;
@@ -33,16 +34,16 @@ impl Model {
     /// A model that expects the strategies of real people.
     ///
     /// # Errors
-    /// [`CourseError::Agent`].
-    pub fn people(tasks: Tasks) -> Result<Self, CourseError> {
+    /// [`StudyError`].
+    pub fn people(tasks: Tasks) -> Result<Self, StudyError> {
         Self::new(&population::STRATEGIES, population::DRIFT, tasks)
     }
 
     /// A model that expects the paper's balanced trainer.
     ///
     /// # Errors
-    /// [`CourseError::Agent`].
-    pub fn balanced(tasks: Tasks) -> Result<Self, CourseError> {
+    /// [`StudyError`].
+    pub fn balanced(tasks: Tasks) -> Result<Self, StudyError> {
         Self::new(&[(Strategy::BALANCED, 1.0)], 0.0, tasks)
     }
 
@@ -68,15 +69,15 @@ fn judged(now: &Now<'_>, task: usize, action: Action) -> Judged {
 }
 
 impl Infer for Model {
-    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), StudyError> {
         self.tasks.begin(prior);
         self.judged = vec![[Judged::Unknown; LAGS]; prior.len()];
         let drift = self.drift;
         let restarted = self.belief_mut().restart(prior.iter().map(|&share| Scaled::new(share)), drift);
-        restarted.map_err(|error| CourseError::Agent(error.into()))
+        restarted.map_err(|error| CourseError::Agent(error.into()).into())
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let belief = self.belief();
         let action = self.tasks.act(now, &belief, true);
         self.belief_mut().settle();
@@ -87,7 +88,7 @@ impl Infer for Model {
         Ok(action)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         let judged = std::mem::take(&mut self.judged);
         let _ = self.belief_mut().observe_feedback(word, |task| judged[task]);
         self.judged = judged;

@@ -1,10 +1,10 @@
 //! Policy shaping, or Advise: feedback is a label that is right with a known probability. Counted labels give the probability of each task.
 
 use super::{Infer, Now, Tasks, label, signs};
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
-use goodbot_course::CourseError;
 use std::fmt;
 
 /// The source of the method.
@@ -55,19 +55,19 @@ impl Shaping {
 }
 
 impl Infer for Shaping {
-    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), StudyError> {
         self.tasks.begin(prior);
         self.last.clear();
         Ok(())
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let action = self.tasks.act_by_belief(now, self.settings.best);
         self.last = signs(now.outlook, action);
         Ok(action)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         let Some(label) = label(word) else { return Ok(()) };
         // C^labels (1 - C)^(labels of the others), so (C / (1 - C))^labels.
         let weight = libm::logf(self.settings.consistency / (1.0 - self.settings.consistency));

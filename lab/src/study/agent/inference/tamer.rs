@@ -5,10 +5,10 @@
 
 use super::{Infer, Now, Tasks, label, signs};
 use crate::study::agent::pick;
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::feedback::Feedback;
 use goodbot::oomdp::Action;
-use goodbot_course::CourseError;
 use std::collections::VecDeque;
 use std::fmt;
 
@@ -72,14 +72,14 @@ impl Tamer {
 }
 
 impl Infer for Tamer {
-    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), CourseError> {
+    fn begin(&mut self, _place: &Place, prior: &[f32]) -> Result<(), StudyError> {
         self.tasks.begin(prior);
         self.predicted = vec![0.0; prior.len()];
         self.recent.clear();
         Ok(())
     }
 
-    fn act(&mut self, now: &Now<'_>) -> Result<Action, CourseError> {
+    fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let scores = self.scores();
         let action = self.tasks.act(now, &scores, true);
         self.recent.truncate(self.settings.credit.len() - 1);
@@ -87,7 +87,7 @@ impl Infer for Tamer {
         Ok(action)
     }
 
-    fn told(&mut self, word: Feedback) -> Result<(), CourseError> {
+    fn told(&mut self, word: Feedback) -> Result<(), StudyError> {
         let Some(label) = label(word) else { return Ok(()) };
         let steps = || self.recent.iter().zip(self.settings.credit).filter(|(_, credit)| *credit > 0.0);
         // At the beginning, feedback is about the steps so far.

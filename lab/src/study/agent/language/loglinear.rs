@@ -3,8 +3,8 @@
 
 use super::{Speak, wordless};
 use crate::study::agent::pick;
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
-use goodbot_course::CourseError;
 use std::collections::HashMap;
 use std::fmt;
 
@@ -91,12 +91,12 @@ fn probabilities(weights: &[f32], lesson: &WeighedCommand) -> Vec<f32> {
 }
 
 impl Speak for LogLinear {
-    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError> {
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, StudyError> {
         let lesson = self.read(place);
         Ok(probabilities(&self.weights, &lesson))
     }
 
-    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError> {
+    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), StudyError> {
         let lesson = self.read(place);
         let expected = probabilities(&self.weights, &lesson);
         for ((task, believed), expected) in lesson.tasks.iter().zip(posterior).zip(expected) {

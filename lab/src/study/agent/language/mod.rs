@@ -1,14 +1,16 @@
 //! Languages: they learn the meaning of words from the beliefs about earlier commands.
 //!
 //! - [`core`]: goodbot's role model, and the paper's Model 2;
-//! - [`loglinear`]: a weight for each word and each fact of a task.
+//! - [`loglinear`]: a weight for each word and each fact of a task;
+//! - [`program`]: a program of one's own.
 
 pub mod core;
 pub mod loglinear;
+pub mod program;
 
+use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use goodbot::Options;
-use goodbot_course::CourseError;
 use std::fmt;
 
 /// Understands commands, and learns words.
@@ -16,15 +18,18 @@ pub trait Speak {
     /// The probability of each task of a command.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError>;
+    /// [`StudyError`].
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, StudyError>;
 
     /// Learns from a lesson, with the belief at its end.
     ///
     /// # Errors
-    /// [`CourseError`].
-    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), CourseError>;
+    /// [`StudyError`].
+    fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), StudyError>;
 }
+
+/// Precedes a program's command in descriptions.
+pub const PROGRAM: &str = "program ";
 
 /// A language with its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +40,8 @@ pub enum Language {
     ModelTwo,
     /// A log-linear model.
     LogLinear(loglinear::Settings),
+    /// A program, by its command.
+    Program(&'static str),
     /// None: every command is new.
     Nothing,
 }
@@ -43,12 +50,13 @@ impl Language {
     /// A language without words.
     ///
     /// # Errors
-    /// [`CourseError::Agent`] if it cannot be created.
-    pub fn begin(self) -> Result<Box<dyn Speak>, CourseError> {
+    /// [`StudyError`] if it cannot be created.
+    pub fn begin(self) -> Result<Box<dyn Speak>, StudyError> {
         Ok(match self {
             Self::Roles => Box::new(core::Core::new(Options::DEFAULT)?),
             Self::ModelTwo => Box::new(core::Core::new(Options::PAPER)?),
             Self::LogLinear(settings) => Box::new(loglinear::LogLinear::new(settings)),
+            Self::Program(command) => Box::new(program::Program::new(command)?),
             Self::Nothing => Box::new(Nothing),
         })
     }
@@ -60,6 +68,7 @@ impl fmt::Display for Language {
             Self::Roles => f.write_str("roles"),
             Self::ModelTwo => f.write_str("Model 2"),
             Self::LogLinear(settings) => settings.fmt(f),
+            Self::Program(command) => write!(f, "{PROGRAM}{command}"),
             Self::Nothing => f.write_str("no language"),
         }
     }
@@ -74,11 +83,11 @@ fn wordless(place: &Place) -> Vec<f32> {
 struct Nothing;
 
 impl Speak for Nothing {
-    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, CourseError> {
+    fn hear(&mut self, place: &Place) -> Result<Vec<f32>, StudyError> {
         Ok(wordless(place))
     }
 
-    fn learn(&mut self, _place: &Place, _posterior: &[f32]) -> Result<(), CourseError> {
+    fn learn(&mut self, _place: &Place, _posterior: &[f32]) -> Result<(), StudyError> {
         Ok(())
     }
 }
