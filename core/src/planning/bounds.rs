@@ -17,7 +17,7 @@ use self::a_star::{AStar, Outcome, Scene};
 use self::relaxation::{Bound, Relaxation, others, piece_of};
 use super::goals::Goals;
 use super::plan::Results;
-use crate::oomdp::{CellId, Piece, PushGrid, own_actions};
+use crate::oomdp::{Piece, PushGrid, own_actions};
 use crate::task::TaskSet;
 
 /// The most expansions of A* for one task.
@@ -123,8 +123,10 @@ impl Bounds {
         // A look at one goal cell rules out most other tasks.
         let piece = piece_of(grid, goals, state, first).unwrap_or(Piece::ROBOT);
         let goal = grid.floor().ids().find(|&cell| goals.allowed(grid, state, piece, cell).contains(first));
-        let allowed = |other| goals.allowed(grid, state, other, goal.unwrap_or(CellId::NONE));
-        let near = others(grid, Piece::ROBOT).map(allowed).fold(self.waiting, TaskSet::common);
+        let near = goal.map_or(TaskSet::EMPTY, |cell| {
+            let allowed = |other| goals.allowed(grid, state, other, cell);
+            others(grid, Piece::ROBOT).map(allowed).fold(self.waiting, TaskSet::common)
+        });
         self.group = near.with(first).iter().filter(is_shared).collect();
         self.waiting = self.waiting.without(self.group);
         true

@@ -287,7 +287,7 @@ impl Relaxation {
         self.lasting.iter().filter(|(_, cell)| *cell != CellId::NONE).count()
     }
 
-    /// Them, one bit each.
+    /// The lasting pieces, one bit each.
     pub(super) fn lasting_pieces(&self) -> u32 {
         self.lasting.iter().filter(|(_, cell)| *cell != CellId::NONE).fold(0, |all, (piece, _)| all | piece.bit())
     }
