@@ -96,7 +96,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         TRAINED_BY.join(", "),
     );
     text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
-             each of the `tasks`; the answer is a list of log likelihoods. `learn` also has `beliefs`. \
+             each of the `tasks`; it alone is answered, by one list of log likelihoods. `learn` also has `beliefs`. \
              [gru.py](../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
     let mut told: Vec<&str> = Vec::new();
     for agent in &plan.agents {

@@ -1,7 +1,8 @@
 //! A language model of one's own: a program that reads lines of JSON.
 //!
 //! `begin` starts a new model. `hear` has words, and the facts of each task; the program answers with a log likelihood for each task.
-//! `learn` has the same, and the belief at the end of the lesson. Each core has one process for all its runs.
+//! `learn` has the same, and the belief at the end of the lesson. `begin` and `learn` have no answer. Each thread has one process for all
+//! its runs.
 
 use super::{Speak, wordless};
 use crate::study::agent::pick;
@@ -9,8 +10,12 @@ use crate::study::fault::StudyError;
 use crate::study::place::Place;
 use serde_json::{Value, json};
 use std::cell::RefCell;
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+/// The most bytes of an answer that are read, and the most letters of a wrong one that are shown.
+const LONGEST: u64 = 1 << 20;
+const SHOWN: usize = 200;
 
 /// A language whose words another program learns.
 #[derive(Debug)]
@@ -40,20 +45,22 @@ impl Running {
     }
 
     fn send(&mut self, request: &Value) -> Result<(), StudyError> {
-        let sent = writeln!(self.requests, "{request}").and_then(|()| self.requests.flush());
+        // In one piece: the pipe has no buffer on this side.
+        let sent = self.requests.write_all(format!("{request}\n").as_bytes());
         sent.map_err(|_| StudyError(format!("the program {:?} has ended; its own messages say why", self.command)))
     }
 
     /// The answer to `hear`: a number for each task.
     fn answer(&mut self, tasks: usize) -> Result<Vec<f32>, StudyError> {
         let mut line = String::new();
-        let read = self.answers.read_line(&mut line);
+        let read = self.answers.by_ref().take(LONGEST).read_line(&mut line);
         if !matches!(read, Ok(1..)) {
             return Err(StudyError(format!("the program {:?} gave no answer; its own messages say why", self.command)));
         }
         let numbers = serde_json::from_str::<Vec<f32>>(&line).ok().filter(|numbers| numbers.len() == tasks);
         let numbers = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
-        let wrong = || format!("the program {:?} answered {:?}, which is no list of {tasks} finite numbers", self.command, line.trim());
+        let shown: String = line.trim().chars().take(SHOWN).collect();
+        let wrong = || format!("the program {:?} answered {shown:?}, which is no list of {tasks} finite numbers", self.command);
         numbers.ok_or_else(|| StudyError(wrong()))
     }
 }
