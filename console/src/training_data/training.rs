@@ -112,7 +112,7 @@ pub fn train<'m, 'l>(
     Ok(model)
 }
 
-/// A model with these lessons and their [`numbers`], before training.
+/// A model with these lessons and the numbers of their worlds, before training.
 ///
 /// # Errors
 /// The errors of [`train`].
