@@ -4,7 +4,7 @@
     goodbot study --agents sabl+program --program "python benches/peers/gru.py"
 
 It is trained anew after each lesson, on all lessons so far, each with the belief at its end. Of the rates 0.002, 0.005,
-0.01 and 0.03 this one was best on the seeds of `goodbot study --tune`.
+0.01 and 0.03, 0.005 was best on the seeds of `goodbot study --tune`.
 """
 import argparse
 import json

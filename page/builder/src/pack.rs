@@ -1,4 +1,4 @@
-//! Packs bytes by LZMA, for `page/src/expand.js`. Browsers expand deflate themselves, but the page packed by zopfli's deflate is 13 % larger.
+//! Packs bytes by LZMA, for `page/src/expand.js`. Browsers expand deflate themselves, but with zopfli's deflate the page is larger.
 
 use std::io::Write;
 
