@@ -1369,7 +1369,8 @@ enum goodbot_status goodbot_restore_on(struct goodbot *robot,
 // its model back, and again after `goodbot_finish`; each call replaces the sentences of the one before. Then call `goodbot_learn` until it
 // is done. A session under way ends unlearned.
 //
-// If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first.
+// If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first. `goodbot_store` then
+// says `STILL_LEARNING` until `goodbot_learn` is done.
 //
 // `added` is null, or receives the number of sentences. `FULL` if there is no room for them. If there is none or the model is refused, the
 // robot has no sentences. A session that gives way may be one of them; if more than seven give way at once, those that are left become the
