@@ -1372,9 +1372,8 @@ enum goodbot_status goodbot_restore_on(struct goodbot *robot,
 // If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first. `goodbot_store` then
 // says `STILL_LEARNING` until `goodbot_learn` is done.
 //
-// `added` is null, or receives the number of sentences. `FULL` if there is no room for them. If there is none or the model is refused, the
-// robot has no sentences. A session that gives way may be one of them; if more than seven give way at once, those that are left become the
-// robot's own.
+// `added` is null, or receives the number of sentences. `FULL` if there is no room for them: the robot then has none, as after a model that
+// is refused. A session that gives way may be one of them; if more than seven give way at once, those that are left become the robot's own.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.
