@@ -69,6 +69,8 @@ class Language:
 
     def numbers(self, names, most):
         numbers = [self.known.setdefault(name, len(self.known) + 1) for name in names][:most]
+        if len(self.known) >= KNOWN:
+            sys.exit(f"there are {len(self.known)} words and facts; raise KNOWN")
         return numbers + [PADDING] * (most - len(numbers))
 
     def read(self, words, tasks):

@@ -1373,7 +1373,8 @@ enum goodbot_status goodbot_restore_on(struct goodbot *robot,
 // says `STILL_LEARNING` until `goodbot_learn` is done.
 //
 // `added` is null, or receives the number of sentences. `FULL` if there is no room for them: the robot then has none, as after a model that
-// is refused. A session that gives way may be one of them; if more than seven give way at once, those that are left become the robot's own.
+// is refused. A session that gives way may be one of them. If more than seven give way at once, or `goodbot_finish` or its parts are broken
+// off, those that are left become the robot's own.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.

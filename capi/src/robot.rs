@@ -28,6 +28,9 @@ pub struct Goodbot {
     pub(crate) world: World,
     #[cfg(feature = "learning")]
     pub(crate) starter: Places,
+    /// The starter's places before the session that is ending.
+    #[cfg(feature = "learning")]
+    pub(crate) starter_aside: Places,
 }
 
 #[cfg(feature = "home")]
@@ -100,6 +103,8 @@ pub(crate) unsafe fn settle(
             world,
             #[cfg(feature = "learning")]
             starter: Places::default(),
+            #[cfg(feature = "learning")]
+            starter_aside: Places::default(),
         });
         robot.write(plot.at.as_ptr());
     }

@@ -3,13 +3,24 @@
 use crate::robot::{Goodbot, give, with};
 use crate::status::GoodbotStatus;
 use goodbot::AgentError;
-use goodbot::session::Phase;
+use goodbot::session::{Finished, Phase};
 use goodbot::snapshot::Places;
 
 impl Goodbot {
     /// What was learned has been replaced, and the starter's sentences with it.
     pub(crate) fn forget_starter(&mut self) {
         self.starter = Places::default();
+    }
+
+    /// A session begins to end, and older ones may give way. If that is broken off, nobody knows the sentences' places any more.
+    pub(crate) fn set_starter_aside(&mut self) {
+        self.starter_aside = core::mem::take(&mut self.starter);
+    }
+
+    /// A session has ended.
+    pub(crate) fn find_starter_after(&mut self, finished: &Finished) {
+        self.starter = core::mem::take(&mut self.starter_aside);
+        self.starter.find_after(finished);
     }
 }
 
@@ -23,7 +34,8 @@ impl Goodbot {
 /// says `STILL_LEARNING` until `goodbot_learn` is done.
 ///
 /// `added` is null, or receives the number of sentences. `FULL` if there is no room for them: the robot then has none, as after a model that
-/// is refused. A session that gives way may be one of them; if more than seven give way at once, those that are left become the robot's own.
+/// is refused. A session that gives way may be one of them. If more than seven give way at once, or `goodbot_finish` or its parts are broken
+/// off, those that are left become the robot's own.
 ///
 /// # Safety
 /// `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.

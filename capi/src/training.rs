@@ -369,8 +369,12 @@ pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32)
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let finished = in_world!(&robot.world, |domain, _state| robot.agent.finish(domain)?);
-            tell(robot, gave_way, finished)
+            begin_finishing(robot)?;
+            loop {
+                if let Some(finished) = in_world!(&robot.world, |domain, _state| robot.agent.finish_on(domain, u32::MAX)?) {
+                    return tell(robot, gave_way, finished);
+                }
+            }
         })
     }
 }
@@ -385,10 +389,17 @@ pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> Goodbot
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            in_world!(&robot.world, |domain, _state| robot.agent.begin_finishing(domain)?);
+            begin_finishing(robot)?;
             Ok(GoodbotStatus::Ok)
         })
     }
+}
+
+#[cfg(feature = "learning")]
+fn begin_finishing(robot: &mut Goodbot) -> Result<(), Failure> {
+    in_world!(&robot.world, |domain, _state| robot.agent.begin_finishing(domain)?);
+    robot.set_starter_aside();
+    Ok(())
 }
 
 /// Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
@@ -412,7 +423,7 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
 /// `gave_way` is null or room for a number.
 #[cfg(feature = "learning")]
 unsafe fn tell(robot: &mut Goodbot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
-    robot.starter.find_after(&finished);
+    robot.find_starter_after(&finished);
     if let Some(table) = finished.gave_way.full() {
         let limit = robot.agent.capacities().get(table);
         robot.full = Some(CapacityError::new(table, limit, limit.saturating_add(1)));

@@ -122,6 +122,31 @@ fn sentences_that_gave_way_are_not_taken_for_the_robots_own() {
 }
 
 #[test]
+fn a_lesson_whose_end_is_broken_off_leaves_the_robots_own_sessions() {
+    let (_first, model) = starter();
+    for parts in 0..1_000 {
+        let robot = with_room_for(9);
+        assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 8));
+        assert_eq!(lesson(robot.robot, c"go to the green room"), GoodbotStatus::Ok);
+        hear_and_plan(robot.robot, c"nine b");
+        unsafe {
+            assert_eq!(goodbot_done(robot.robot, GOODBOT_NOOP), GoodbotStatus::Ok);
+            assert_eq!(goodbot_feedback(robot.robot, GOODBOT_PUNISH, &mut 0), GoodbotStatus::Ok);
+            assert_eq!(goodbot_begin_finishing(robot.robot), GoodbotStatus::Ok);
+            if (0..parts).any(|_| goodbot_finish_on(robot.robot, 1, null_mut()) == GoodbotStatus::Ok) {
+                assert!(parts > 2, "the end has parts");
+                return;
+            }
+            assert_eq!(goodbot_forget(robot.robot), GoodbotStatus::Ok);
+        }
+        let before = sessions(robot.robot);
+        leave(robot.robot);
+        assert_eq!(sessions(robot.robot), before, "after {parts} parts");
+    }
+    panic!("the session does not end");
+}
+
+#[test]
 fn a_starter_without_room_is_refused_and_the_robot_goes_on_without() {
     let (_first, model) = starter();
     let robot = with_room_for(4);

@@ -28,13 +28,15 @@ pub fn tasks(lessons: &[Lesson]) -> usize {
 
 /// A lesson for each number of the worlds of these lessons: its digits mean each task with it. So "75" is understood in every language
 /// before it was taught. The lessons have no possible tasks, because the layer understood less when it learned from them.
-fn numbers<'l>(lessons: impl IntoIterator<Item = &'l Lesson>) -> Vec<Lesson> {
+///
+/// Numbers with equal keys get one lesson.
+fn numbers<'l, K: Ord>(lessons: impl IntoIterator<Item = &'l Lesson>, key: impl Fn(&'l str, &'l Lesson) -> K) -> Vec<Lesson> {
     let (mut known, mut numbers) = (BTreeSet::new(), Vec::new());
     for lesson in lessons {
-        for (token, digits) in lesson.numbers.iter().filter(|(token, _)| known.insert(*token)) {
+        for (token, digits) in lesson.numbers.iter() {
             let commands = lesson.readings.iter().filter_map(|reading| reading.commands.first());
             let with_it: Vec<&MachineCommand> = commands.filter(|command| command.contains(token)).collect();
-            if with_it.is_empty() {
+            if with_it.is_empty() || !known.insert(key(token, lesson)) {
                 continue;
             }
             let share = 1.0 / with_it.len() as f32;
@@ -49,7 +51,8 @@ fn numbers<'l>(lessons: impl IntoIterator<Item = &'l Lesson>) -> Vec<Lesson> {
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut commands) = (BTreeSet::new(), BTreeSet::new());
     let (mut lengths, mut sentence_words, mut pairs) = (BTreeSet::new(), 0, 0);
-    let numbers = numbers(lessons);
+    // A part of the lessons may know a number from any of their worlds.
+    let numbers = numbers(lessons, |token, lesson| (token, lesson.readings.as_ptr()));
     for lesson in lessons.iter().chain(&numbers) {
         // The words as each model reads them. A command that is too long has only its first words here.
         let [count, pieces] = [Model::Model2, Model::Roles].map(|model| {
@@ -124,7 +127,7 @@ pub fn data<'m, 'l>(
     let mut model = LanguageModel::new(memory, settings)?;
     let mut interned = Interned::of(&model);
     let lessons: Vec<&Lesson> = lessons.filter(|lesson| lesson.learn).collect();
-    let numbers = if settings.model == Model::Roles { numbers(lessons.iter().copied()) } else { vec![] };
+    let numbers = if settings.model == Model::Roles { numbers(lessons.iter().copied(), |token, _| token) } else { vec![] };
     for lesson in lessons.into_iter().chain(&numbers) {
         let sentence = model.hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson

@@ -106,12 +106,11 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
         writeln!(out, "{line}")?;
     } else {
         let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
-        let beside = match (lessons.len() - own, numbers) {
-            (0, 0) => String::new(),
-            (0, numbers) => format!(" and {}", counted(numbers, "number")),
-            (count, _) => format!(" and {} of the starter", counted(count, "sentence")),
-        };
-        writeln!(out, "{sessions}{beside}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
+        let beside = |count, text: String| if count == 0 { String::new() } else { format!(" and {text}") };
+        let numbers = beside(numbers, counted(numbers, "number"));
+        let starter = lessons.len() - own;
+        let starter = beside(starter, format!("{} of the starter", counted(starter, "sentence")));
+        writeln!(out, "{sessions}{numbers}{starter}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
     }
     Ok(out.flush()?)
 }

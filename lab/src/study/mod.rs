@@ -107,8 +107,8 @@ pub struct StudyOptions {
     /// Only these agents, separated by commas [default: each inference with each language]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
-    /// The command of the program that is the language of the agents NAME+program
-    #[arg(long, value_name = "COMMAND", requires = "agents", conflicts_with = "merge")]
+    /// The command, parted at spaces, of the program that is the language of the agents NAME+program [default of --agents: sabl+program too]
+    #[arg(long, value_name = "COMMAND", conflicts_with = "merge")]
     pub program: Option<String>,
     /// Only these trainers, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
@@ -175,12 +175,16 @@ fn named<T: Copy>(all: &[T], names: &[String], name: impl Fn(&T) -> &'static str
 
 impl StudyOptions {
     fn plan(&self) -> Plan {
+        // goodbot as it is used plans by itself, which takes much longer.
+        let is_default = |agent: &Contestant| match agent.program() {
+            Some(_) => self.program.is_some() && agent.name == "sabl+program",
+            None => matches!(agent.learns, Learns::Factors(..)),
+        };
         Plan {
             courses: named(&Course::ALL, &self.courses, |course| course.name()),
-            // goodbot as it is used plans by itself, which takes much longer.
             agents: named(&every().copied().collect::<Vec<_>>(), &self.agents, |agent: &Contestant| agent.name)
                 .into_iter()
-                .filter(|agent| !self.agents.is_empty() || (matches!(agent.learns, Learns::Factors(..)) && agent.program().is_none()))
+                .filter(|agent| !self.agents.is_empty() || is_default(agent))
                 .map(|agent| agent.with_program(self.program.as_deref().unwrap_or_default()))
                 .collect(),
             trainers: named(&TRAINERS, &self.trainers, |trainer: &Trainer| trainer.name),

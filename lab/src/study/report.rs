@@ -47,7 +47,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     // With a program the agents are named.
     let program = plan.agents.iter().find_map(Contestant::program);
-    let program = program.map_or_else(String::new, |command| format!(" --agents NAMES --program \"{command}\""));
+    let program = program.map_or_else(String::new, |command| format!(" --program \"{command}\""));
     let mut text = format!(
         "# Comparison with other agents\n\n\
          This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \

@@ -74,7 +74,11 @@ pub fn trust() -> Result<()> {
     let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path fuzz/Cargo.toml").run();
     lock.context("the crates that fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
     match built_by_cargo("cargo-deny") {
-        Some(deny) => cmd!(sh, "{deny} --offline check bans licenses sources").run()?,
+        Some(deny) => {
+            for workspace in [".", "firmware", "fuzz"] {
+                cmd!(sh, "{deny} --config deny.toml --manifest-path {workspace}/Cargo.toml check bans licenses sources").run()?;
+            }
+        }
         None => println!("not checked: licences and sources, for lack of cargo-deny (`cargo install --locked cargo-deny`)"),
     }
     match built_by_cargo("cargo-public-api") {

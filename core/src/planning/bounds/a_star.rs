@@ -36,7 +36,7 @@ pub(super) enum Outcome {
 /// The most arrangements of other pieces, and the most states; 16 bits identify them.
 const MOST_ARRANGEMENTS: usize = 1 << 14;
 const MOST_STATES: usize = u16::MAX as usize - 1;
-/// An expansion meets at most this many states.
+/// An expansion meets this many states, in four directions with pushes and pulls. More of them would only take room from later states.
 const SUCCESSORS: usize = 8;
 /// A search counts as long after one expansion per this many states of the lower bound.
 const STATES_AN_EXPANSION: usize = 16;
