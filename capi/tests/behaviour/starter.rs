@@ -122,7 +122,7 @@ fn sentences_that_gave_way_are_not_taken_for_the_robots_own() {
 }
 
 #[test]
-fn a_lesson_whose_end_is_broken_off_leaves_the_robots_own_sessions() {
+fn the_sentences_become_the_robots_own_if_the_end_of_a_lesson_is_broken_off() {
     let (_first, model) = starter();
     for parts in 0..1_000 {
         let robot = with_room_for(9);
