@@ -11,6 +11,7 @@ use goodbot_capi::home::*;
 use goodbot_capi::memory::{goodbot_size, goodbot_table_size};
 use goodbot_capi::model::{goodbot_restore, goodbot_save, goodbot_saved_size};
 use goodbot_capi::robot::{Goodbot, goodbot_full, goodbot_seed};
+use goodbot_capi::starter::goodbot_join_starter;
 use goodbot_capi::status::{GoodbotStatus, goodbot_status_text};
 use goodbot_capi::table::init::{goodbot_init_table, goodbot_table_set_state, goodbot_table_state};
 use goodbot_capi::training::*;
@@ -215,7 +216,7 @@ impl Program {
         let (mut x, mut y) = (0, 0);
         // SAFETY: the caller's promise; null is refused.
         unsafe {
-            match choices.below(12) {
+            match choices.below(14) {
                 0 => drop(goodbot_seed(robot, u64::from(choices.byte()))),
                 1 => {
                     let text = goodbot_status_text(i32::from(choices.byte()) - 100);
@@ -237,7 +238,9 @@ impl Program {
                     goodbot_home_where(robot, name.pointer(), &raw mut x, if choices.below(4) == 0 { null_mut() } else { y.cast() });
                 }
                 10 => assert_ne!(goodbot_preset(choices.below(3) as u32, null_mut()), GoodbotStatus::Ok),
-                _ => assert_eq!(goodbot_size(null()) + goodbot_table_size(null()), 0),
+                11 => assert_eq!(goodbot_size(null()) + goodbot_table_size(null()), 0),
+                12 => drop(goodbot_join_starter(robot, self.model.as_ptr(), self.model.len(), null_mut())),
+                _ => drop(goodbot_join_starter(robot, null(), 0, null_mut())),
             }
         }
         let _ = y + x;
