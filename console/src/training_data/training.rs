@@ -34,11 +34,17 @@ fn numbers<'l, K: Ord>(lessons: impl IntoIterator<Item = &'l Lesson>, key: impl 
     let (mut known, mut numbers) = (BTreeSet::new(), Vec::new());
     for lesson in lessons {
         for (token, digits) in lesson.numbers.iter() {
-            let commands = lesson.readings.iter().filter_map(|reading| reading.commands.first());
-            let with_it: Vec<&MachineCommand> = commands.filter(|command| command.contains(token)).collect();
-            if with_it.is_empty() || !known.insert(key(token, lesson)) {
+            // A look at all tasks takes long, so a known number is not looked for again.
+            let key = key(token, lesson);
+            if known.contains(&key) {
                 continue;
             }
+            let commands = lesson.readings.iter().filter_map(|reading| reading.commands.first());
+            let with_it: Vec<&MachineCommand> = commands.filter(|command| command.contains(token)).collect();
+            if with_it.is_empty() {
+                continue;
+            }
+            known.insert(key);
             let share = 1.0 / with_it.len() as f32;
             let pairs = with_it.into_iter().map(|command| (command.clone(), share)).collect();
             numbers.push(Lesson { command: digits.clone(), pairs, beliefs: vec![], readings: Arc::default(), ..lesson.clone() });
