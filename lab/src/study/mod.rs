@@ -107,7 +107,8 @@ pub struct StudyOptions {
     /// Only these agents, separated by commas [default: each inference with each language]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
-    /// The command, parted at spaces, of the program that is the language of the agents NAME+program [default of --agents: sabl+program too]
+    /// The command of a program that is the language of the agents NAME+program; its arguments have no spaces. Without --agents,
+    /// sabl+program joins the others
     #[arg(long, value_name = "COMMAND", conflicts_with = "merge")]
     pub program: Option<String>,
     /// Only these trainers, separated by commas [default: all]
