@@ -57,10 +57,6 @@ pub fn library(target: Option<&str>, features: &[&str]) -> Result<PathBuf> {
         None => (cmd!(sh, "cargo rustc --profile dist --target-dir {own}"), own.join("dist")),
         Some(target) => {
             let cargo = toolchain::cargo(&sh, target, "rustc")?.args(["--profile", CONTROLLER]);
-            // The smallest code would listen half as fast.
-            let faster =
-                if features.contains("talk") { toolchain::faster(CONTROLLER, &["goodbot", "goodbot-capi", "libm"]) } else { vec![] };
-            let cargo = cargo.args(faster);
             (cargo, toolchain::artifacts(target, CONTROLLER))
         }
     };
