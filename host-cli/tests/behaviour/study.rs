@@ -127,7 +127,7 @@ fn parts_that_are_no_whole_are_refused_with_what_is_missing() {
     refused(&["--merge", folder.join("none").to_str().unwrap()], "cannot be read");
     let changed = write("changed", &first.replacen("rate", "pace", 1));
     refused(&["--merge", &changed, &two], "has other settings of tamer+roles");
-    refused(&["--merge", &write("later", &first.replacen("\"version\":2", "\"version\":9", 1)), &two], "another version of goodbot");
+    refused(&["--merge", &write("later", &first.replacen("\"version\":3", "\"version\":9", 1)), &two], "another version of goodbot");
     refused(&["--merge", &write("steps", &first.replacen("\"steps\":[", "\"steps\":[-", 1)), &two], "has no whole number in steps[0]");
 }
 
@@ -188,6 +188,39 @@ fn a_program_that_is_missing_or_answers_wrongly_is_a_fault_with_its_name() {
         assert_eq!(run.code, 1, "{program}: {}", run.messages);
         assert!(run.messages.contains(fault) && run.messages.contains(&program), "{program}: {}", run.messages);
     }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_program_that_never_answers_ends_the_study_with_what_to_do() {
+    let asked = ["--agents", "sabl+program", "--courses", "told", "--runs", "1", "--program", "sleep 600", "--program-seconds", "1"];
+    let run = study(&asked);
+    assert_eq!(run.code, 1, "{}", run.messages);
+    for part in ["\"sleep 600\" gave no answer in 1 second;", "raise --program-seconds"] {
+        assert!(run.messages.contains(part), "no {part:?} in {}", run.messages);
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn with_a_program_every_inference_has_it_as_one_of_its_languages() {
+    let zeros = language("study-every", "ZEROS");
+    let asked = ["--courses", "told", "--trainers", "mute", "--runs", "2", "--program", &zeros, "--program-runs", "1"];
+    let text = output(&[&asked[..], &["--csv"]].concat());
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows.len(), 6 * 5, "{text}");
+    let agents: Vec<&str> = rows[..5].iter().map(|row| row[2]).collect();
+    assert_eq!(agents, ["this+roles", "this+model2", "this+loglinear", "this+program", "this+none"]);
+    let with: Vec<&str> = rows.iter().filter(|row| row[2].ends_with("+program")).map(|row| row[4]).collect();
+    assert_eq!(with, ["1"; 6], "the program has the first seed only: {text}");
+    // Parts have as many seeds with the program as the whole.
+    let folder = folder("study-every-parts");
+    let parts = ["1/2", "2/2"].map(|part| {
+        let file = folder.join(part.replace('/', "-"));
+        std::fs::write(&file, output(&[&asked[..], &["--json", "--shard", part]].concat())).expect("a part");
+        file.to_str().expect("a name").to_owned()
+    });
+    assert_eq!(output(&["--merge", &parts[0], &parts[1], "--csv"]), text);
 }
 
 #[test]

@@ -54,7 +54,8 @@ pub mod trial;
 mod tune;
 pub mod tuning;
 
-use crate::study::agent::{Contestant, Learns, every};
+use crate::study::agent::language::program;
+use crate::study::agent::{AGENTS, Contestant, Learns};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
@@ -73,8 +74,8 @@ use summary::Column;
 
 const EXAMPLES: &str = "\
 An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
-model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named, as do those whose \
-language is a program of yours (--program; docs/study.md says what it reads and answers). The courses free \
+model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named. Those whose \
+language is a program of yours run with --program; docs/study.md says what it reads and answers. The courses free \
 and told are taught by balanced, population, mute, contrary and shuffled only.
 
 Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \
@@ -95,6 +96,7 @@ Examples:
   goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
   goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
   goodbot study --runs 100 --report study.md        all of it as a page with a picture
+  goodbot study --program ./mine --program-runs 30  a program of yours as a language, with fewer seeds
   goodbot study --fit log.jsonl                     what the trainers of a log do, and whether simulated ones are like them";
 
 /// Compare agents that learn from a trainer's words, with many kinds of trainers
@@ -107,10 +109,15 @@ pub struct StudyOptions {
     /// Only these agents, separated by commas [default: each inference with each language]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = agents(), conflicts_with = "merge")]
     pub agents: Vec<String>,
-    /// The command of a program that is the language of the agents NAME+program; its arguments have no spaces. Without --agents,
-    /// sabl+program joins the others
+    /// The command of a program that is the language of the agents NAME+program; its arguments have no spaces
     #[arg(long, value_name = "COMMAND", conflicts_with = "merge")]
     pub program: Option<String>,
+    /// The most seconds for an answer of the program, 1 to 86400; the first answer includes its start
+    #[arg(long, value_name = "N", default_value = "300", value_parser = between(1_u32, 86_400), allow_negative_numbers = true, requires = "program")]
+    pub program_seconds: u32,
+    /// How many seeds for the agents NAME+program, the first of --runs [default: all]
+    #[arg(long, value_name = "N", value_parser = between(1_u32, 100_000), allow_negative_numbers = true, requires = "program")]
+    pub program_runs: Option<u32>,
     /// Only these trainers, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = trainers(), conflicts_with_all = ["merge", "tune"])]
     pub trainers: Vec<String>,
@@ -157,7 +164,7 @@ fn courses() -> PossibleValuesParser {
 }
 
 fn agents() -> PossibleValuesParser {
-    PossibleValuesParser::new(every().map(|agent| PossibleValue::new(agent.name).help(agent.is)))
+    PossibleValuesParser::new(AGENTS.iter().map(|agent| PossibleValue::new(agent.name).help(agent.is)))
 }
 
 fn trainers() -> PossibleValuesParser {
@@ -178,20 +185,24 @@ impl StudyOptions {
     fn plan(&self) -> Plan {
         // goodbot as it is used plans by itself, which takes much longer.
         let is_default = |agent: &Contestant| match agent.program() {
-            Some(_) => self.program.is_some() && agent.name == "sabl+program",
+            Some(_) => self.program.is_some(),
             None => matches!(agent.learns, Learns::Factors(..)),
         };
+        // The command is kept until the end: agents are copied into every run.
+        let command = self.program.clone().unwrap_or_default().leak();
+        let settings = program::Settings { command, seconds: self.program_seconds };
         Plan {
             courses: named(&Course::ALL, &self.courses, |course| course.name()),
-            agents: named(&every().copied().collect::<Vec<_>>(), &self.agents, |agent: &Contestant| agent.name)
+            agents: named(AGENTS, &self.agents, |agent: &Contestant| agent.name)
                 .into_iter()
                 .filter(|agent| !self.agents.is_empty() || is_default(agent))
-                .map(|agent| agent.with_program(self.program.as_deref().unwrap_or_default()))
+                .map(|agent| agent.with_program(settings))
                 .collect(),
             trainers: named(&TRAINERS, &self.trainers, |trainer: &Trainer| trainer.name),
             population: Population::fitted(),
             seed: self.seed,
             runs: self.runs,
+            program_runs: self.program_runs.unwrap_or(self.runs).min(self.runs),
             shard: self.shard.unwrap_or(Shard::WHOLE),
         }
     }

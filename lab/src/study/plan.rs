@@ -21,6 +21,8 @@ pub struct Plan {
     pub seed: u64,
     /// The number of seeds.
     pub runs: u32,
+    /// The number of seeds for the agents whose language is a program: the first ones.
+    pub program_runs: u32,
     /// The part of the seeds that is run here.
     pub shard: Shard,
 }
@@ -31,9 +33,15 @@ impl Plan {
         self.seed.wrapping_add(position as u64)
     }
 
-    /// The seeds that are run here, in order.
-    pub fn own_seeds(&self) -> impl Iterator<Item = u64> + '_ {
-        (0..self.runs).filter(|&position| self.shard.has(position)).map(|position| self.seed_at(position))
+    /// The positions of the seeds that are run here, in order.
+    pub fn own_positions(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.runs).filter(|&position| self.shard.has(position))
+    }
+
+    /// The agents that run with the seed at a position, with their own positions.
+    pub fn agents_at(&self, position: u32) -> impl Iterator<Item = (usize, &Contestant)> + Clone {
+        let runs = move |agent: &Contestant| agent.program().is_none() || position < self.program_runs;
+        self.agents.iter().enumerate().filter(move |(_, agent)| runs(agent))
     }
 
     /// The positions of courses and of the trainers that teach them.
@@ -41,10 +49,5 @@ impl Plan {
         let of_course = |course: usize| (0..self.trainers.len()).map(move |trainer| (course, trainer));
         let is_taught = |&(course, trainer): &(usize, usize)| self.courses[course].has(self.trainers[trainer].name);
         (0..self.courses.len()).flat_map(of_course).filter(is_taught).collect()
-    }
-
-    /// The number of runs for all seeds.
-    pub fn all_runs(&self) -> usize {
-        self.runs as usize * self.taught().len() * self.agents.len()
     }
 }

@@ -3,8 +3,8 @@
 use super::plan::Plan;
 use super::runs::Run;
 use super::shard::Shard;
-use crate::study::agent::every;
-use crate::study::agent::language::PROGRAM;
+use crate::study::agent::AGENTS;
+use crate::study::agent::language::{PROGRAM, program};
 use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use std::io::BufRead;
 
 /// The version of the lines.
-const VERSION: u64 = 2;
+const VERSION: u64 = 3;
 
 /// The first line: the plan, with all settings. Parts of one study differ only in their part.
 pub fn plan_to_json(plan: &Plan) -> Value {
@@ -33,6 +33,7 @@ pub fn plan_to_json(plan: &Plan) -> Value {
         "population": plan.population.digest(),
         "seed": plan.seed,
         "runs": plan.runs,
+        "program_runs": plan.program_runs,
         "part": plan.shard.to_string(),
     })
 }
@@ -69,10 +70,12 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
     let list = |name: &str| line[name].as_array().ok_or_else(|| format!("has no list {name:?}"));
     let mut agents = Vec::new();
     for agent in list("agents")? {
-        let known = every().find(|known| agent["name"] == known.name);
+        let known = AGENTS.iter().find(|known| agent["name"] == known.name);
         let known = known.ok_or_else(|| format!("names an agent {} that is not known", agent["name"]))?;
         let command = agent["settings"].as_str().and_then(|settings| settings.split_once(PROGRAM));
-        let known = known.with_program(command.map_or("", |(_, command)| command));
+        // It is kept until the end, as agents are copied. Joined runs need no answer.
+        let command = command.map_or("", |(_, command)| command).to_owned().leak();
+        let known = known.with_program(program::Settings { command, seconds: 0 });
         if agent["settings"] != known.learns.to_string() {
             return Err(format!("has other settings of {}: {}; run it again with this version", known.name, agent["settings"]));
         }
@@ -93,8 +96,9 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
         return Err("has trainers from another fit to real people; they cannot be drawn again here".to_owned());
     }
     let seed = line["seed"].as_u64().ok_or("has no seed")?;
-    let runs = line["runs"].as_u64().and_then(|runs| u32::try_from(runs).ok()).ok_or("has no number of runs")?;
-    Ok(Plan { courses, agents, trainers, population, seed, runs, shard: text("part")?.parse()? })
+    let number = |name: &str| line[name].as_u64().and_then(|runs| u32::try_from(runs).ok()).ok_or(format!("has no number of {name}"));
+    let (runs, program_runs) = (number("runs")?, number("program_runs")?);
+    Ok(Plan { courses, agents, trainers, population, seed, runs, program_runs, shard: text("part")?.parse()? })
 }
 
 fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
@@ -165,12 +169,15 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     check_parts(&parts).map_err(Failure::Input)?;
     let place = |run: &Run| (run.seed.wrapping_sub(plan.seed), run.course, run.trainer, run.agent);
     runs.sort_by_key(place);
-    let (taught, agents) = (plan.taught(), plan.agents.len());
-    let of_seed =
-        |position| taught.iter().flat_map(move |&(course, trainer)| (0..agents).map(move |agent| (position, course, trainer, agent)));
-    let expected = (0..u64::from(plan.runs)).flat_map(of_seed);
-    if !expected.eq(runs.iter().map(place)) {
-        let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), plan.all_runs());
+    let (whole, taught) = (&plan, &plan.taught());
+    let of_seed = |position: u32| {
+        let agents =
+            move |(course, trainer)| whole.agents_at(position).map(move |(agent, _)| (u64::from(position), course, trainer, agent));
+        taught.iter().copied().flat_map(agents)
+    };
+    let expected: Vec<_> = (0..plan.runs).flat_map(of_seed).collect();
+    if !expected.iter().copied().eq(runs.iter().map(place)) {
+        let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), expected.len());
         return Err(Failure::Input(message));
     }
     Ok((plan, runs))

@@ -45,14 +45,18 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
 
 fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
-    // With a program the agents are named.
     let program = plan.agents.iter().find_map(Contestant::program);
-    let program = program.map_or_else(String::new, |command| format!(" --program \"{command}\""));
+    let mut program = program.map_or_else(String::new, |command| format!(" --program \"{command}\""));
+    let mut fewer = String::new();
+    if plan.program_runs < plan.runs {
+        program += &format!(" --program-runs {}", plan.program_runs);
+        fewer = format!(" The program's rows cover the first {} seeds, to save time.", plan.program_runs);
+    }
     let mut text = format!(
         "# Comparison with other agents\n\n\
          This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
          *language* learns words from it. Up to {} kinds of trainers teach every pair of both, in {} courses. Each number covers {} seeds \
-         ({first} to {last}); each seed has its own homes and trainers, the same for all agents. Intervals are 95 %.\n\n\
+         ({first} to {last}); each seed has its own homes and trainers, the same for all agents.{fewer} Intervals are 95 %.\n\n\
          `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
          share the work; `--merge` joins their parts to the same bytes.\n\n",
         plan.trainers.len(),
@@ -85,7 +89,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
     text += &format!(
-        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, and none. All agents learn \
+        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, a program, and none. All agents learn \
          from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if they can. \
          `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings of \
          TAMER, COACH, policy shaping and the log-linear model (as {}), by the highest share of tests right minus steps a lesson / \
@@ -160,7 +164,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
 
 /// Whether an agent has a line of its own in the description: goodbot as it is used, and one of each inference and language.
 fn is_described(name: &str, learns: &Learns) -> bool {
-    matches!(learns, Learns::Whole(_)) || name.ends_with("+roles") || name == TUNED[3]
+    matches!(learns, Learns::Whole(_)) || name.ends_with("+roles") || name == TUNED[3] || name == "sabl+program"
 }
 
 fn position(plan: &Plan, trainer: &str) -> Option<usize> {

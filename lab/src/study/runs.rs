@@ -27,19 +27,20 @@ pub struct Run {
 /// # Errors
 /// [`Failure::Result`] if a run failed.
 pub fn run_all(plan: &Plan) -> Result<Vec<Run>, Failure> {
-    let seeds: Vec<u64> = plan.own_seeds().collect();
+    let positions: Vec<u32> = plan.own_positions().collect();
     let taught = plan.taught();
-    let each = taught.len() * plan.agents.len();
-    let bar = bar(seeds.len() * each, "training agents");
-    let of_seed = |&seed: &u64| -> Result<Vec<Run>, Failure> {
+    let all = taught.len() * positions.iter().map(|&position| plan.agents_at(position).count()).sum::<usize>();
+    let bar = bar(all, "training agents");
+    let of_seed = |&position: &u32| -> Result<Vec<Run>, Failure> {
+        let seed = plan.seed_at(position);
         let failed = |who: &str, error| Failure::Result(format!("seed {seed}, {who}: {error}"));
         let places = |course: &Course| CoursePlaces::new(*course, seed).map_err(|error| failed(course.name(), error));
         let mut places = plan.courses.iter().map(places).collect::<Result<Vec<_>, _>>()?;
-        let mut runs = Vec::with_capacity(each);
+        let mut runs = Vec::new();
         for &(course, trainer) in &taught {
             let teaches = plan.trainers[trainer];
             let habits = teaches.habits(&plan.population, seed);
-            for (agent, contestant) in plan.agents.iter().enumerate() {
+            for (agent, contestant) in plan.agents_at(position) {
                 let outcome = run(&contestant.learns, habits, &mut places[course], seed);
                 let outcome = outcome.map_err(|error| failed(&format!("{} with {}", contestant.name, teaches.name), error))?;
                 runs.push(Run { seed, course, trainer, agent, outcome });
@@ -48,7 +49,7 @@ pub fn run_all(plan: &Plan) -> Result<Vec<Run>, Failure> {
         }
         Ok(runs)
     };
-    let runs: Result<Vec<Vec<Run>>, Failure> = seeds.par_iter().map(of_seed).collect();
+    let runs: Result<Vec<Vec<Run>>, Failure> = positions.par_iter().map(of_seed).collect();
     bar.finish_and_clear();
     Ok(runs?.into_iter().flatten().collect())
 }

@@ -13,7 +13,7 @@ use goodbot::feedback::Feedback;
 use goodbot::home::HomeState;
 use goodbot::oomdp::Action;
 use inference::{Infer, Inference, coach, shaping, tamer};
-use language::{Language, Speak, loglinear};
+use language::{Language, Speak, loglinear, program};
 use rand_pcg::Pcg32;
 use std::fmt;
 
@@ -166,13 +166,12 @@ pub struct Contestant {
 }
 
 impl Contestant {
-    /// The same agent, whose language is the program of this command if its language is a program.
+    /// The same agent, with these settings if its language is a program.
     #[must_use]
-    pub fn with_program(self, command: &str) -> Self {
+    pub fn with_program(self, settings: program::Settings) -> Self {
         match self.learns {
-            // The command is kept until the end: agents are copied into every run.
             Learns::Factors(inference, Language::Program(_)) => {
-                Self { learns: Learns::Factors(inference, Language::Program(command.to_owned().leak())), ..self }
+                Self { learns: Learns::Factors(inference, Language::Program(settings)), ..self }
             }
             _ => self,
         }
@@ -181,7 +180,7 @@ impl Contestant {
     /// The command of the program that is its language.
     pub const fn program(&self) -> Option<&'static str> {
         match self.learns {
-            Learns::Factors(_, Language::Program(command)) => Some(command),
+            Learns::Factors(_, Language::Program(settings)) => Some(settings.command),
             _ => None,
         }
     }
@@ -189,27 +188,18 @@ impl Contestant {
 
 macro_rules! agents {
     (whole: $($whole:literal $is:literal $settings:expr,)* factors: $($name:literal $what:literal $inference:expr,)*) => {
-        /// The agents that need a program for their language, without its command.
-        pub const PROGRAMMED: &[Contestant] = &[
-            $(Contestant { name: concat!($name, "+program"), is: concat!($what, "; a program of yours"), learns: Learns::Factors($inference, Language::Program("")) },)*
-        ];
-
-        /// All other agents, in the order of the tables.
+        /// The agents, in the order of the tables. Those whose language is a program have no command.
         pub const AGENTS: &[Contestant] = &[
             $(Contestant { name: $whole, is: $is, learns: Learns::Whole($settings) },)*
             $(
                 Contestant { name: concat!($name, "+roles"), is: concat!($what, "; the role model"), learns: Learns::Factors($inference, Language::Roles) },
                 Contestant { name: concat!($name, "+model2"), is: concat!($what, "; Model 2"), learns: Learns::Factors($inference, Language::ModelTwo) },
                 Contestant { name: concat!($name, "+loglinear"), is: concat!($what, "; log-linear"), learns: Learns::Factors($inference, Language::LogLinear(loglinear::CHOSEN)) },
+                Contestant { name: concat!($name, "+program"), is: concat!($what, "; a program of yours"), learns: Learns::Factors($inference, Language::Program(program::Settings { command: "", seconds: 0 })) },
                 Contestant { name: concat!($name, "+none"), is: concat!($what, "; no language"), learns: Learns::Factors($inference, Language::Nothing) },
             )*
         ];
     };
-}
-
-/// All agents, those with a program last.
-pub fn every() -> impl Iterator<Item = &'static Contestant> {
-    AGENTS.iter().chain(PROGRAMMED)
 }
 
 agents! {

@@ -40,8 +40,8 @@ pub enum Language {
     ModelTwo,
     /// A log-linear model.
     LogLinear(loglinear::Settings),
-    /// A program, by its command.
-    Program(&'static str),
+    /// A program.
+    Program(program::Settings),
     /// None: every command is new.
     Nothing,
 }
@@ -56,7 +56,7 @@ impl Language {
             Self::Roles => Box::new(core::Core::new(Options::DEFAULT)?),
             Self::ModelTwo => Box::new(core::Core::new(Options::PAPER)?),
             Self::LogLinear(settings) => Box::new(loglinear::LogLinear::new(settings)),
-            Self::Program(command) => Box::new(program::Program::new(command)?),
+            Self::Program(settings) => Box::new(program::Program::new(settings)?),
             Self::Nothing => Box::new(Nothing),
         })
     }
@@ -68,7 +68,7 @@ impl fmt::Display for Language {
             Self::Roles => f.write_str("roles"),
             Self::ModelTwo => f.write_str("Model 2"),
             Self::LogLinear(settings) => settings.fmt(f),
-            Self::Program(command) => write!(f, "{PROGRAM}{command}"),
+            Self::Program(settings) => settings.fmt(f),
             Self::Nothing => f.write_str("no language"),
         }
     }

@@ -4,28 +4,49 @@
 //! `learn` has the same, and the belief at the end of the lesson. `begin` and `learn` have no answer. Each thread has one process for all
 //! its runs.
 
-use super::{Speak, wordless};
+use super::{PROGRAM, Speak, wordless};
 use crate::study::agent::pick;
 use crate::study::fault::StudyError;
 use crate::study::place::Place;
+use goodbot_console::messages::counted;
 use serde_json::{Value, json};
 use std::cell::RefCell;
+use std::fmt;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::Duration;
 
 /// The most bytes of an answer that are read, and the most letters of a wrong one that are shown.
 const LONGEST: u64 = 1 << 20;
 const SHOWN: usize = 200;
 
+/// The settings of a program.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The command that starts it.
+    pub command: &'static str,
+    /// The most seconds for an answer.
+    pub seconds: u32,
+}
+
+impl fmt::Display for Settings {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{PROGRAM}{}", self.command)
+    }
+}
+
 /// A language whose words another program learns.
 #[derive(Debug)]
-pub struct Program(&'static str);
+pub struct Program(Settings);
 
-/// A running program.
+/// A running program. A thread of its own writes and reads, so that a program that does neither cannot stop the study.
 struct Running {
-    command: &'static str,
-    requests: ChildStdin,
-    answers: BufReader<ChildStdout>,
+    settings: Settings,
+    /// The requests, and whether each has an answer.
+    requests: Sender<(String, bool)>,
+    answers: Receiver<String>,
     child: Child,
 }
 
@@ -34,33 +55,54 @@ thread_local! {
 }
 
 impl Running {
-    fn start(command: &'static str) -> Result<Self, StudyError> {
+    fn start(settings: Settings) -> Result<Self, StudyError> {
+        let command = settings.command;
         let mut typed = command.split_whitespace();
         let started = Command::new(typed.next().unwrap_or_default()).args(typed).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn();
         let mut child = started.map_err(|error| StudyError(format!("the program {command:?} cannot be started ({error})")))?;
-        let (Some(requests), Some(answers)) = (child.stdin.take(), child.stdout.take()) else {
+        let (Some(mut input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
             return Err(StudyError(format!("the program {command:?} has no input or output")));
         };
-        Ok(Self { command, requests, answers: BufReader::new(answers), child })
+        let ((requests, asked), (answered, answers)) = (channel::<(String, bool)>(), channel());
+        thread::spawn(move || {
+            let mut output = BufReader::new(output);
+            for (request, asks) in asked {
+                // In one piece: the pipe has no buffer on this side.
+                let mut fails = input.write_all(request.as_bytes()).is_err();
+                if asks && !fails {
+                    let mut line = String::new();
+                    let read = output.by_ref().take(LONGEST).read_line(&mut line);
+                    fails = !matches!(read, Ok(1..)) || answered.send(line).is_err();
+                }
+                if fails {
+                    break;
+                }
+            }
+        });
+        Ok(Self { settings, requests, answers, child })
     }
 
-    fn send(&mut self, request: &Value) -> Result<(), StudyError> {
-        // In one piece: the pipe has no buffer on this side.
-        let sent = self.requests.write_all(format!("{request}\n").as_bytes());
-        sent.map_err(|_| StudyError(format!("the program {:?} has ended; its own messages say why", self.command)))
+    fn send(&self, request: &Value, asks: bool) {
+        // If the thread has ended, the next answer is missing.
+        let _ = self.requests.send((format!("{request}\n"), asks));
     }
 
     /// The answer to `hear`: a number for each task.
-    fn answer(&mut self, tasks: usize) -> Result<Vec<f32>, StudyError> {
-        let mut line = String::new();
-        let read = self.answers.by_ref().take(LONGEST).read_line(&mut line);
-        if !matches!(read, Ok(1..)) {
-            return Err(StudyError(format!("the program {:?} gave no answer; its own messages say why", self.command)));
-        }
+    fn answer(&self, tasks: usize) -> Result<Vec<f32>, StudyError> {
+        let Settings { command, seconds } = self.settings;
+        let line = self.answers.recv_timeout(Duration::from_secs(seconds.into())).map_err(|missing| {
+            StudyError(match missing {
+                RecvTimeoutError::Disconnected => format!("the program {command:?} gave no answer; its own messages say why"),
+                RecvTimeoutError::Timeout => format!(
+                    "the program {command:?} gave no answer in {}; let it answer each hear by a line and flush it, or raise --program-seconds",
+                    counted(seconds as usize, "second")
+                ),
+            })
+        })?;
         let numbers = serde_json::from_str::<Vec<f32>>(&line).ok().filter(|numbers| numbers.len() == tasks);
         let numbers = numbers.filter(|numbers| numbers.iter().all(|number| number.is_finite()));
         let shown: String = line.trim().chars().take(SHOWN).collect();
-        let wrong = || format!("the program {:?} answered {shown:?}, which is no list of {tasks} finite numbers", self.command);
+        let wrong = || format!("the program {command:?} answered {shown:?}, which is no list of {tasks} finite numbers");
         numbers.ok_or_else(|| StudyError(wrong()))
     }
 }
@@ -74,23 +116,26 @@ impl Drop for Running {
 }
 
 impl Program {
-    /// A new model of the program that is started by this command.
+    /// A new model of the program with these settings.
     ///
     /// # Errors
-    /// [`StudyError`] if the program cannot be started, or has ended.
-    pub fn new(command: &'static str) -> Result<Self, StudyError> {
-        let program = Self(command);
-        program.with(|running| running.send(&json!({"type": "begin"})))?;
+    /// [`StudyError`] if the program cannot be started.
+    pub fn new(settings: Settings) -> Result<Self, StudyError> {
+        let program = Self(settings);
+        program.with(|running| Ok(running.send(&json!({"type": "begin"}), false)))?;
         Ok(program)
     }
 
-    fn with<T>(&self, act: impl FnOnce(&mut Running) -> Result<T, StudyError>) -> Result<T, StudyError> {
+    fn with<T>(&self, act: impl FnOnce(&Running) -> Result<T, StudyError>) -> Result<T, StudyError> {
         RUNNING.with_borrow_mut(|kept| {
-            let running = match kept.take().filter(|running| running.command == self.0) {
+            let running = match kept.take().filter(|running| running.settings == self.0) {
                 Some(running) => running,
                 None => Running::start(self.0)?,
             };
-            act(kept.insert(running))
+            let result = act(&running)?;
+            // After a fault the program is stopped.
+            *kept = Some(running);
+            Ok(result)
         })
     }
 }
@@ -99,7 +144,7 @@ impl Speak for Program {
     fn hear(&mut self, place: &Place) -> Result<Vec<f32>, StudyError> {
         let request = json!({"type": "hear", "words": place.words, "tasks": place.facts});
         let likely = self.with(|running| {
-            running.send(&request)?;
+            running.send(&request, true);
             running.answer(place.facts.len())
         })?;
         let logs = wordless(place).into_iter().map(|share| libm::logf(share.max(f32::MIN_POSITIVE)));
@@ -108,6 +153,6 @@ impl Speak for Program {
 
     fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), StudyError> {
         let request = json!({"type": "learn", "words": place.words, "tasks": place.facts, "beliefs": posterior});
-        self.with(|running| running.send(&request))
+        self.with(|running| Ok(running.send(&request, false)))
     }
 }
