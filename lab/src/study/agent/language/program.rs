@@ -122,7 +122,10 @@ impl Program {
     /// [`StudyError`] if the program cannot be started.
     pub fn new(settings: Settings) -> Result<Self, StudyError> {
         let program = Self(settings);
-        program.with(|running| Ok(running.send(&json!({"type": "begin"}), false)))?;
+        program.with(|running| {
+            running.send(&json!({"type": "begin"}), false);
+            Ok(())
+        })?;
         Ok(program)
     }
 
@@ -153,6 +156,9 @@ impl Speak for Program {
 
     fn learn(&mut self, place: &Place, posterior: &[f32]) -> Result<(), StudyError> {
         let request = json!({"type": "learn", "words": place.words, "tasks": place.facts, "beliefs": posterior});
-        self.with(|running| Ok(running.send(&request, false)))
+        self.with(|running| {
+            running.send(&request, false);
+            Ok(())
+        })
     }
 }
