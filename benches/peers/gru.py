@@ -1,7 +1,7 @@
 """A recurrent network as the language of `goodbot study`: a GRU reads the command, and its last state is compared with the facts of each task.
 
     pip install jax==0.10.2 equinox==0.13.8 optax==0.2.8
-    goodbot study --agents sabl+program --program "python benches/peers/gru.py"
+    goodbot study --program "python benches/peers/gru.py" --program-runs 30
 
 It is trained anew after each lesson, on all lessons so far, each with the belief at its end. Of the rates 0.002, 0.005,
 0.01 and 0.03, 0.005 was best on the seeds of `goodbot study --tune`.

@@ -169,7 +169,7 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
     check_parts(&parts).map_err(Failure::Input)?;
     let place = |run: &Run| (run.seed.wrapping_sub(plan.seed), run.course, run.trainer, run.agent);
     runs.sort_by_key(place);
-    let (whole, taught) = (&plan, &plan.taught());
+    let (whole, taught) = (&plan, plan.taught());
     let of_seed = |position: u32| {
         let agents =
             move |(course, trainer)| whole.agents_at(position).map(move |(agent, _)| (u64::from(position), course, trainer, agent));
