@@ -120,6 +120,11 @@ fn parts_that_are_no_whole_are_refused_with_what_is_missing() {
     refused(&["--merge", &one, &third], "join parts of one division");
     let cut = write("cut", &first.lines().take(5).map(|line| format!("{line}\n")).collect::<String>());
     refused(&["--merge", &cut, &two], "a file is cut off or was changed");
+    for (seeds, is) in [("4294967295", "a file is cut off or was changed"), ("0", "has no number of runs")] {
+        let of_many =
+            [&first, &std::fs::read_to_string(&two).unwrap()].map(|text| text.replacen("\"runs\":6", &format!("\"runs\":{seeds}"), 1));
+        refused(&["--merge", &write("one-of-many", &of_many[0]), &write("two-of-many", &of_many[1])], is);
+    }
     let half = write("half", &first[..first.len() - 20]);
     refused(&["--merge", &half, &two], "half:13: is no JSON");
     refused(&["--merge", &write("empty", "")], "is empty");

@@ -188,9 +188,7 @@ impl StudyOptions {
             Some(_) => self.program.is_some(),
             None => matches!(agent.learns, Learns::Factors(..)),
         };
-        // The command is kept until the end: agents are copied into every run.
-        let command = self.program.clone().unwrap_or_default().leak();
-        let settings = program::Settings { command, seconds: self.program_seconds };
+        let settings = program::Settings::new(self.program.as_deref().unwrap_or_default(), self.program_seconds);
         Plan {
             courses: named(&Course::ALL, &self.courses, |course| course.name()),
             agents: named(AGENTS, &self.agents, |agent: &Contestant| agent.name)

@@ -40,8 +40,17 @@ impl Plan {
 
     /// The agents that run with the seed at a position, with their own positions.
     pub fn agents_at(&self, position: u32) -> impl Iterator<Item = (usize, &Contestant)> + Clone {
-        let runs = move |agent: &Contestant| agent.program().is_none() || position < self.program_runs;
-        self.agents.iter().enumerate().filter(move |(_, agent)| runs(agent))
+        self.agents.iter().enumerate().filter(move |(_, agent)| position < self.runs_of(agent))
+    }
+
+    fn runs_of(&self, agent: &Contestant) -> u32 {
+        if agent.program().is_some() { self.program_runs.min(self.runs) } else { self.runs }
+    }
+
+    /// The number of runs for all seeds.
+    pub fn all_runs(&self) -> u64 {
+        let of_agents: u64 = self.agents.iter().map(|agent| u64::from(self.runs_of(agent))).sum();
+        of_agents * self.taught().len() as u64
     }
 
     /// The positions of courses and of the trainers that teach them.

@@ -73,9 +73,8 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
         let known = AGENTS.iter().find(|known| agent["name"] == known.name);
         let known = known.ok_or_else(|| format!("names an agent {} that is not known", agent["name"]))?;
         let command = agent["settings"].as_str().and_then(|settings| settings.split_once(PROGRAM));
-        // It is kept until the end, as agents are copied. Joined runs need no answer.
-        let command = command.map_or("", |(_, command)| command).to_owned().leak();
-        let known = known.with_program(program::Settings { command, seconds: 0 });
+        // Joined runs need no answer.
+        let known = known.with_program(program::Settings::new(command.map_or("", |(_, command)| command), 0));
         if agent["settings"] != known.learns.to_string() {
             return Err(format!("has other settings of {}: {}; run it again with this version", known.name, agent["settings"]));
         }
@@ -96,7 +95,10 @@ fn plan_from_json(line: &Value) -> Result<Plan, String> {
         return Err("has trainers from another fit to real people; they cannot be drawn again here".to_owned());
     }
     let seed = line["seed"].as_u64().ok_or("has no seed")?;
-    let number = |name: &str| line[name].as_u64().and_then(|runs| u32::try_from(runs).ok()).ok_or(format!("has no number of {name}"));
+    let number = |name: &str| {
+        let number = line[name].as_u64().and_then(|number| u32::try_from(number).ok()).filter(|&number| number > 0);
+        number.ok_or_else(|| format!("has no number of {name}"))
+    };
     let (runs, program_runs) = (number("runs")?, number("program_runs")?);
     Ok(Plan { courses, agents, trainers, population, seed, runs, program_runs, shard: text("part")?.parse()? })
 }
@@ -175,9 +177,10 @@ pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
             move |(course, trainer)| whole.agents_at(position).map(move |(agent, _)| (u64::from(position), course, trainer, agent));
         taught.iter().copied().flat_map(agents)
     };
-    let expected: Vec<_> = (0..plan.runs).flat_map(of_seed).collect();
-    if !expected.iter().copied().eq(runs.iter().map(place)) {
-        let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), expected.len());
+    // One after another, because a file can claim any number of seeds.
+    let is_whole = (0..plan.runs).flat_map(of_seed).eq(runs.iter().map(place));
+    if !is_whole {
+        let message = format!("{} runs where {} belong to the study; a file is cut off or was changed", runs.len(), plan.all_runs());
         return Err(Failure::Input(message));
     }
     Ok((plan, runs))

@@ -46,6 +46,7 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
 fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let program = plan.agents.iter().find_map(Contestant::program);
+    let language = program.map_or("", |_| " a program,");
     let mut program = program.map_or_else(String::new, |command| format!(" --program \"{command}\""));
     let mut fewer = String::new();
     if plan.program_runs < plan.runs {
@@ -89,7 +90,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
     }
     text += &format!(
-        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts, a program, and none. All agents learn \
+        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts,{language} and none. All agents learn \
          from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if they can. \
          `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings of \
          TAMER, COACH, policy shaping and the log-linear model (as {}), by the highest share of tests right minus steps a lesson / \

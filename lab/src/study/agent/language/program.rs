@@ -31,6 +31,13 @@ pub struct Settings {
     pub seconds: u32,
 }
 
+impl Settings {
+    /// The settings of this command. It is kept until the end, because agents are copied into every run.
+    pub fn new(command: &str, seconds: u32) -> Self {
+        Self { command: command.to_owned().leak(), seconds }
+    }
+}
+
 impl fmt::Display for Settings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{PROGRAM}{}", self.command)
