@@ -96,11 +96,18 @@ impl StateSearch {
         (marks, if own.is_empty() { hashed } else { own })
     }
 
-    /// Fills the marks with zeros.
-    pub(super) fn clear(&self, marks: &mut [u64]) {
+    /// Continues to fill the marks with zeros, with about `left` words at most. Returns whether it is done.
+    pub(super) fn clear_on(&mut self, marks: &mut [u64], left: &mut usize) -> bool {
         let (marks, table) = self.split(marks, &mut []);
-        self.frontier.clear(marks);
-        table.fill(0);
+        if !self.frontier.clear_on(marks, left) {
+            return false;
+        }
+        let part = table.len().min(*left);
+        table.get_mut(..part).unwrap_or(&mut []).fill(0);
+        // The rest is at the end.
+        self.own_table = self.own_table.saturating_sub(part);
+        *left = left.saturating_sub(part);
+        self.own_table == 0
     }
 
     /// Whether every state had room.
@@ -111,6 +118,11 @@ impl StateSearch {
     /// A reached state that the domain did not count, if the search met one.
     pub(super) const fn stray(&self) -> Option<Stray> {
         self.stray
+    }
+
+    /// The work of an expansion, in expansions: to look for states in a hash table takes longer.
+    pub(super) const fn work(&self) -> u32 {
+        if self.hashing { 2 } else { 1 }
     }
 
     /// Moves to the next distance. Returns whether there is one: from the first state without room on, a goal or a path to one may be
@@ -159,8 +171,12 @@ impl StateSearch {
         first: ActionSet,
         level: u32,
     ) {
-        let Some(next) = domain.step(state, action).filter(|next| next != state) else { return };
         let cost = cost(domain, action);
+        // The search ends at the horizon, and in a full table a state is looked for the longest.
+        if self.hashing && level.saturating_add(u32::from(cost)) >= self.horizon {
+            return;
+        }
+        let Some(next) = domain.step(state, action).filter(|next| next != state) else { return };
         let number = domain.number(&next);
         let Some(slot) = self.slot(marks, table, number) else {
             self.horizon = self.horizon.min(level.saturating_add(u32::from(cost)));

@@ -75,6 +75,8 @@ impl<'t> PlanTables<'t> {
 
 /// A look at this many cells costs about one expansion.
 const CELLS_AN_EXPANSION: usize = 4;
+/// To tabulate the goals of this many cells costs about one expansion.
+const CELLS_TABULATED_AN_EXPANSION: usize = 2;
 /// Clearing this many words costs about one expansion.
 const WORDS_AN_EXPANSION: usize = 64;
 
@@ -95,11 +97,6 @@ enum Marked {
 }
 
 impl Marked {
-    /// Fills the marks with zeros.
-    fn clear(&mut self, marks: &mut [u64]) {
-        while !self.clear_on(marks, &mut { u32::MAX }) {}
-    }
-
     /// Continues to fill the marks with zeros, in about `left` expansions at most. Returns whether it is done.
     #[inline(never)]
     fn clear_on(&mut self, marks: &mut [u64], left: &mut u32) -> bool {
@@ -114,10 +111,7 @@ impl Marked {
             }
             Self::Nothing => return true,
             Self::Rows(rows, _) => rows.clear_on(marks, &mut words),
-            Self::States(states, _) => {
-                states.clear(marks);
-                true
-            }
+            Self::States(states, _) => states.clear_on(marks, &mut words),
             #[cfg(feature = "bounds")]
             Self::Bounds(bounds) => {
                 bounds.clear(marks);
@@ -311,7 +305,7 @@ impl Planner {
                 }
                 #[cfg(feature = "bounds")]
                 Stage::Bound { .. } => {}
-                _ => self.next_search(tables, domain, state),
+                _ => self.next_search(tables, domain, state, &mut left),
             }
             left = left.saturating_sub(of_floor);
         }
@@ -340,8 +334,8 @@ impl Planner {
             return 0;
         };
         let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
-        let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_AN_EXPANSION));
-        cells.div_ceil(CELLS_AN_EXPANSION) as u32
+        let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_TABULATED_AN_EXPANSION));
+        cells.div_ceil(CELLS_TABULATED_AN_EXPANSION) as u32
     }
 
     /// Continues to find the deadlocks. All remaining tasks wait for an exact search.
@@ -424,7 +418,8 @@ impl Planner {
                 _ => None,
             };
             if let Some(expansions) = expansions {
-                *left = left.saturating_sub(expansions);
+                let work = if let Marked::States(states, _) = &self.marked { states.work() } else { 1 };
+                *left = left.saturating_sub(expansions.saturating_mul(work));
                 results.found.expansions = results.found.expansions.saturating_add(expansions);
                 continue;
             }
@@ -447,7 +442,7 @@ impl Planner {
 
     /// Begins the next search after the current one has ended, if one is left.
     #[inline(never)]
-    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State) {
+    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         if let Stage::Exact { waiting, with_ways } = self.stage {
             let searched = match &self.marked {
                 Marked::Rows(_, way) => Some(*way),
@@ -458,6 +453,9 @@ impl Planner {
                 let group =
                     way.map_or(TaskSet::first(TaskSet::MOST).without(with_ways), |task| tables.ways.group(usize::from(task), with_ways));
                 self.found.rule_out(group.common(self.found.unknown));
+            }
+            if !waiting.is_empty() && !self.marked.clear_on(tables.marks, left) {
+                return;
             }
             if self.next_exact(tables, domain, state, waiting, with_ways).is_some() {
                 return;
@@ -511,7 +509,6 @@ impl Planner {
         let way = if plain.is_empty() { Some(ways.product(domain, first)?) } else { None };
         let group = if plain.is_empty() { ways.group(first, waiting) } else { plain };
         self.stage = Stage::Exact { waiting: waiting.without(group), with_ways };
-        self.marked.clear(tables.marks);
         let (goals, marks, hashed, results) = tables.split(&self.goals, &mut self.found);
         (results.found.level, results.found.sought) = (0, group);
         let applicable = results.found.applicable;

@@ -58,10 +58,13 @@ impl Frontier {
         groups.saturating_mul(64)
     }
 
-    /// Fills the marks with zeros.
-    pub(super) fn clear(&self, marks: &mut [u64]) {
+    /// Continues to fill the marks with zeros, with about `left` words at most. Returns whether it is done.
+    pub(super) fn clear_on(&self, marks: &mut [u64], left: &mut usize) -> bool {
         let (sets, stride) = (self.sets(), self.stride());
         for cursor in 0..self.groups.div_ceil(64) {
+            if *left == 0 {
+                return false;
+            }
             let at = self.summary(cursor, 0);
             let summaries = marks.get_mut(at..at.wrapping_add(sets)).unwrap_or(&mut []);
             let mut touched = summaries.iter().fold(0, |all, bits| all | bits);
@@ -69,10 +72,12 @@ impl Frontier {
             while touched != 0 {
                 let group = cursor.wrapping_mul(64).wrapping_add(touched.trailing_zeros() as usize);
                 touched &= touched.wrapping_sub(1);
+                *left = left.saturating_sub(stride);
                 let start = group.wrapping_mul(stride);
                 marks.get_mut(start..start.wrapping_add(stride)).unwrap_or(&mut []).fill(0);
             }
         }
+        true
     }
 
     #[inline]
@@ -238,7 +243,7 @@ mod tests {
             assert_eq!(frontier.meet(&mut marks, 1_025, 1), Arrival::Longer);
             // Left open for the next search.
             assert_eq!(frontier.meet(&mut marks, 77, 1), Arrival::First);
-            frontier.clear(&mut marks);
+            while !frontier.clear_on(&mut marks, &mut 100) {}
             assert!(marks.iter().all(|&word| word == 0));
         }
     }
