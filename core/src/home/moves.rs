@@ -77,7 +77,7 @@ impl<M> Home<M> {
             blocks,
             block_count,
             moves,
-            by_places: Divider::new(place_count),
+            by_places: Divider::new(place_count as u16),
             #[cfg(feature = "large")]
             is_vast: (0..block_count).try_fold(place_count as u64, |states, _| states.checked_mul(place_count as u64)).is_none(),
             #[cfg(feature = "derived")]

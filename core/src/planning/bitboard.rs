@@ -349,7 +349,7 @@ impl RowSearch {
             bits,
             words: plane,
             actions,
-            by_cells: Divider::new(bits.cells),
+            by_cells: Divider::new(u16::try_from(bits.cells).ok()?),
             directions: floor.directions,
             others: own_actions(grid).filter(|action| !is_direction(action)).fold(ActionSet::EMPTY, ActionSet::with),
             of_robot,

@@ -142,9 +142,11 @@ impl StateSearch {
         // Multiplicative hashing with linear probing; after a long probe the table counts as full.
         let spread = number.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         let mut slot = ((spread >> 32).wrapping_mul(self.slots as u64) >> 32) as usize;
+        let table = table.get_mut(..self.slots)?;
+        let mut reached = self.frontier.reached(marks, slot);
         for _ in 0..64 {
-            let entry = table.get_mut(..self.slots)?.get_mut(slot)?;
-            if !self.frontier.knows(marks, slot) {
+            let entry = table.get_mut(slot)?;
+            if reached >> (slot % 64) & 1 == 0 {
                 *entry = number;
                 return Some(slot);
             }
@@ -154,6 +156,9 @@ impl StateSearch {
             slot = slot.wrapping_add(1);
             if slot >= self.slots {
                 slot = 0;
+            }
+            if slot % 64 == 0 {
+                reached = self.frontier.reached(marks, slot);
             }
         }
         None

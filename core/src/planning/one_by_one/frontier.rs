@@ -120,12 +120,12 @@ impl Frontier {
         self.put(marks, self.ring, slot);
     }
 
-    /// Whether a state was ever reached.
+    /// The states that were ever reached, of the 64 around this one.
     #[inline]
-    pub(super) fn knows(&self, marks: &[u64], slot: usize) -> bool {
+    pub(super) fn reached(&self, marks: &[u64], slot: usize) -> u64 {
         let start = (slot / 64).wrapping_mul(self.stride());
         let group = marks.get(start..start.wrapping_add(self.sets())).unwrap_or(&[]);
-        group.iter().fold(0, |all, word| all | word) >> (slot % 64) & 1 == 1
+        group.iter().fold(0, |all, word| all | word)
     }
 
     /// Reaches a state `cost` beyond the current distance, and opens it there unless a shorter path is known.
