@@ -72,11 +72,31 @@ pub struct Extent {
     pairs: usize,
     /// Counts the changes of whole sessions.
     changes: u32,
+    removal: Removal,
 }
+
+/// A removal of a session that is not complete. The pairs after the session are not counted until they have moved up, and the machine
+/// commands that only it had remain until then.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Removal {
+    /// The pairs that still have to move up.
+    from: usize,
+    until: usize,
+    /// The machine commands before this one may be unused.
+    command: u16,
+}
+
+impl Removal {
+    const NONE: Self = Self { from: 0, until: 0, command: 0 };
+}
+
+/// At most this number of pairs move up in one part of a removal.
+const PAIRS_A_PART: usize = 2_048;
 
 impl Extent {
     /// Nothing is used.
-    pub(crate) const NONE: Self = Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, changes: 0 };
+    pub(crate) const NONE: Self =
+        Self { commands: 0, command_tokens: 0, sessions: 0, sentence_words: 0, pairs: 0, changes: 0, removal: Removal::NONE };
 }
 
 /// The training data.
@@ -207,6 +227,12 @@ impl<'t> BitextRef<'t> {
         self.used.sessions
     }
 
+    /// Whether a session is being removed, and some pairs or machine commands are not at their place.
+    #[cfg(feature = "snapshot")]
+    pub(crate) const fn is_removing(self) -> bool {
+        self.used.removal.from < self.used.removal.until || self.used.removal.command > 0
+    }
+
     /// A number that changes whenever sessions are added or removed.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn changes(self) -> u32 {
@@ -226,6 +252,11 @@ impl<'t> BitextRef<'t> {
     /// The words of a session's English command.
     pub fn sentence(self, session: u16) -> &'t [Symbol] {
         span(self.memory.sessions, self.memory.sentence_words, usize::from(session), self.used.sessions)
+    }
+
+    /// The number of words of the longest English command.
+    pub fn longest_sentence(self) -> usize {
+        self.memory.sessions.iter().take(self.used.sessions).map(|span| span.len()).max().unwrap_or(0)
     }
 
     /// Whether a session's English command was heard more than once in the robot's life, as far as its sessions tell.
@@ -351,7 +382,14 @@ impl<'t> Bitext<'t> {
 
     /// Forgets a session and its pairs. Later ones move up by one. If another session has the same English command, it is marked as heard
     /// before.
+    #[cfg(feature = "layer")]
     pub(super) fn remove_session(&mut self, session: u16) {
+        self.begin_removal(session);
+        while !self.remove_on() {}
+    }
+
+    /// Begins to forget a session as [`remove_session`](Self::remove_session) does: call [`remove_on`](Self::remove_on) until it is done.
+    pub(super) fn begin_removal(&mut self, session: u16) {
         let position = usize::from(session);
         if position >= self.used.sessions {
             return;
@@ -362,22 +400,30 @@ impl<'t> Bitext<'t> {
             self.set_heard_again(heir);
         }
         remove_span(self.memory.sessions, &mut self.used.sessions, self.memory.sentence_words, &mut self.used.sentence_words, position);
-        let pairs = self.memory.pairs.get_mut(..self.used.pairs).unwrap_or(&mut []);
+        let pairs = self.read().pairs();
         let first = pairs.partition_point(|pair| pair.session < session);
-        let behind = pairs.get_mut(first..).unwrap_or(&mut []);
-        let count = behind.partition_point(|pair| pair.session == session);
-        let cells = Cell::from_mut(behind).as_slice_of_cells();
-        for (to, from) in cells.iter().zip(cells.iter().skip(count)) {
-            let pair = from.get();
-            to.set(Pair { session: pair.session.wrapping_sub(1), ..pair });
-        }
-        self.used.pairs = self.used.pairs.saturating_sub(count);
-        self.remove_unused_commands();
+        let from = pairs.partition_point(|pair| pair.session <= session);
+        self.used.removal = Removal { from, until: self.used.pairs, command: self.used.commands as u16 };
+        self.used.pairs = first;
     }
 
-    /// Forgets the machine commands without a pair.
-    fn remove_unused_commands(&mut self) {
-        for command in (0..self.used.commands as u16).rev() {
+    /// Continues to forget a session, by a bounded part. Returns whether it is done.
+    pub(super) fn remove_on(&mut self) -> bool {
+        let (to, Removal { from, until, .. }) = (self.used.pairs, self.used.removal);
+        let count = until.saturating_sub(from).min(PAIRS_A_PART);
+        if count > 0 {
+            let end = from.saturating_add(count);
+            let cells = Cell::from_mut(self.memory.pairs.get_mut(to..end).unwrap_or(&mut [])).as_slice_of_cells();
+            for (to, from) in cells.iter().zip(cells.iter().skip(from.saturating_sub(to))) {
+                let pair = from.get();
+                to.set(Pair { session: pair.session.wrapping_sub(1), ..pair });
+            }
+            (self.used.pairs, self.used.removal.from) = (to.saturating_add(count), end);
+            return false;
+        }
+        // At most one machine command is removed at once, because the others are then renamed in all pairs.
+        while let Some(command) = self.used.removal.command.checked_sub(1) {
+            self.used.removal.command = command;
             if self.read().pairs().iter().any(|pair| pair.command == command) {
                 continue;
             }
@@ -386,7 +432,9 @@ impl<'t> Bitext<'t> {
             for pair in self.memory.pairs.iter_mut().take(self.used.pairs).filter(|pair| pair.command > command) {
                 pair.command = pair.command.saturating_sub(1);
             }
+            return false;
         }
+        true
     }
 
     /// The words of all sessions.
@@ -403,11 +451,14 @@ impl<'t> Bitext<'t> {
         if tokens.len() > TOKENS_PER_COMMAND {
             return Err(CapacityError::new(Capacity::TokensPerCommand, TOKENS_PER_COMMAND, tokens.len()));
         }
-        let known = (0..self.used.commands as u16).find(|&command| self.read().command(command) == tokens);
-        if let Some(command) = known {
-            return Ok(command);
+        let data = self.read();
+        // Most sessions have their machine commands in the order of the last one.
+        let commands = data.commands() as u16;
+        let next = data.pairs().last().map_or(0, |pair| pair.command.saturating_add(1)).min(commands);
+        match (next..commands).chain(0..next).find(|&command| data.command(command) == tokens) {
+            Some(command) => Ok(command),
+            None => self.add_command(tokens),
         }
-        self.add_command(tokens)
     }
 
     /// Adds a machine command. Returns its position.

@@ -65,6 +65,10 @@ pub(crate) enum Step {
     Take,
     /// Choose the session to forget.
     Choose(Choice),
+    /// Continue to forget the chosen session, because this table was full.
+    Forget(u16, Capacity),
+    /// Check whether the vocabulary has room.
+    Measure,
     /// A session was forgotten: collect the parameters of the remaining training data again.
     Renew,
 }
@@ -124,13 +128,7 @@ impl LanguageMut<'_> {
         step: &mut Step,
     ) -> Result<Room, CapacityError> {
         match step {
-            Step::Choose(choice) if FORGETS => {
-                let room = self.choose_on(choice);
-                if let Room::Made(..) = room {
-                    *step = Step::Renew;
-                }
-                return Ok(room);
-            }
+            Step::Choose(_) | Step::Forget(..) if FORGETS => return Ok(self.make_room(step, Step::Renew)),
             Step::Renew if FORGETS => {
                 self.rebuild_wanted()?;
                 *step = Step::Take;
@@ -205,20 +203,18 @@ impl LanguageMut<'_> {
         step: &mut Step,
     ) -> Result<Room, CapacityError> {
         match step {
-            Step::Choose(choice) if FORGETS => {
-                let room = self.choose_on(choice);
-                if let Room::Made(..) = room {
-                    *step = Step::Look;
-                }
-                return Ok(room);
-            }
+            Step::Choose(_) | Step::Forget(..) if FORGETS => return Ok(self.make_room(step, Step::Look)),
             Step::Take => {
                 self.data_replaced()?;
                 return Ok(Room::Found);
             }
-            _ => {}
+            Step::Measure => {}
+            _ => {
+                self.remove_unused_words(sentence);
+                *step = Step::Measure;
+                return Ok(Room::Sought);
+            }
         }
-        self.remove_unused_words(sentence);
         let mut full = self.full_of_vocabulary();
         if full.is_some() {
             self.remove_unused_tokens(session_tokens);
@@ -256,8 +252,30 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Looks at one more session, or forgets the chosen one.
-    fn choose_on(&mut self, choice: &mut Choice) -> Room {
+    /// Looks at one more session, or forgets a part of the chosen one. Once it is forgotten, `next` is the next step.
+    fn make_room(&mut self, step: &mut Step, next: Step) -> Room {
+        match step {
+            Step::Forget(session, full) => {
+                if !self.bitext.remove_on() {
+                    return Room::Sought;
+                }
+                let room = Room::Made(*session, *full);
+                *step = next;
+                return room;
+            }
+            Step::Choose(choice) => {
+                if let Some(session) = self.choose_on(choice) {
+                    self.begin_removal(session);
+                    *step = Step::Forget(session, choice.full);
+                }
+            }
+            _ => {}
+        }
+        Room::Sought
+    }
+
+    /// Looks at one more session. Returns the chosen one after the last.
+    fn choose_on(&self, choice: &mut Choice) -> Option<u16> {
         if choice.looked < choice.among {
             let (session, is_strange) = (choice.looked, self.is_strange(choice.looked));
             choice.looked = session.saturating_add(1);
@@ -269,13 +287,11 @@ impl LanguageMut<'_> {
             if choice.best.is_none_or(|(_, best)| rank > best) {
                 choice.best = Some((session, rank));
             }
-            return Room::Sought;
+            return None;
         }
         let too_many = STRANGE.max(usize::from(choice.among) / STRANGE_PART);
         let strange = choice.oldest_strange.filter(|_| choice.want == Want::Session && usize::from(choice.strange) > too_many);
-        let chosen = strange.or(choice.best.map(|(session, _)| session)).unwrap_or(0);
-        self.remove_session(chosen);
-        Room::Made(chosen, choice.full)
+        Some(strange.or(choice.best.map(|(session, _)| session)).unwrap_or(0))
     }
 
     /// The rank of a session: how little is lost with it.

@@ -423,11 +423,22 @@ impl<'t> LanguageMut<'t> {
 
     /// Forgets a session and its pairs. Later ones move up by one.
     pub(crate) fn remove_session(&mut self, session: u16) {
-        self.bitext.remove_session(session);
+        self.begin_removal(session);
+        self.complete_removal();
+    }
+
+    /// Begins to forget a session and its pairs; the training data are forgotten in parts.
+    pub(super) fn begin_removal(&mut self, session: u16) {
+        self.bitext.begin_removal(session);
         #[cfg(feature = "layer")]
         if let Some(layer) = &mut self.layer.room {
             layer.possible.remove_session(session);
         }
+    }
+
+    /// Completes a removal, if one has begun.
+    pub(crate) fn complete_removal(&mut self) {
+        while !self.bitext.remove_on() {}
     }
 
     #[cfg(all(feature = "layer", feature = "snapshot"))]

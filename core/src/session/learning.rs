@@ -59,15 +59,18 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Whether no complete model can be saved: the last session is in the training data, but its words and tokens do not count as learned
-    /// yet, or a model is being restored.
+    /// yet, one that gives way is partly removed, or a model is being restored.
     #[cfg(feature = "snapshot")]
-    pub(crate) const fn is_between_models(&self) -> bool {
-        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_))
+    pub(crate) fn is_between_models(&self) -> bool {
+        matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_)) || self.language().bitext().is_removing()
     }
 
-    /// Marks the words of a session that has joined the training data as learned. Otherwise they would be forgotten with all new words.
+    /// Marks the words of a session that has joined the training data as learned. Otherwise they would be forgotten with all new words. A
+    /// session that gives way is removed whole.
     #[inline(never)]
     pub(super) fn complete_joining(&mut self) {
+        #[cfg(feature = "learning")]
+        self.language_mut().complete_removal();
         #[cfg(feature = "learning")]
         if let Progressed::Tidying(step) = &mut self.progressed {
             // Another session may have been unlearned meanwhile, so the choice starts again.
@@ -143,6 +146,7 @@ impl<M: AgentMemory> Agent<M> {
         if usize::from(session) >= self.language().bitext().sessions() {
             return false;
         }
+        self.language_mut().complete_removal();
         // Do this first: the position changes if sessions give way for one that is being finished.
         self.language_mut().remove_session(session);
         self.end_session();

@@ -253,3 +253,42 @@ fn no_other_session_is_unlearned_where_one_is_about_to_give_way() {
         agent.learn_fully();
     }
 }
+
+#[cfg(feature = "alloc")]
+#[test]
+fn a_session_that_gives_way_goes_whole_whatever_breaks_its_end_off() {
+    let capacities = Capacities { sessions: 5, ..Capacities::SMALL };
+    let mut memory = goodbot::HeapMemory::new(&capacities);
+    let interruptions: [fn(&mut Agent<&mut goodbot::memory::AgentHeap>); 4] = [
+        |agent| agent.leave(),
+        |agent| agent.forget(),
+        |agent| agent.set_options(*agent.options()).unwrap(),
+        |agent| assert!(agent.unlearn(2)),
+    ];
+    for (which, interrupt) in interruptions.into_iter().enumerate() {
+        let mut removing = 0;
+        for calls in 1.. {
+            let (home, start, mut agent) = robot(&mut memory.agent, None, Options::DEFAULT);
+            for number in 0..capacities.sessions {
+                agent.hear(&home, &start, ["go to the red room", "take the star to the blue room", "push it"][number % 3]).unwrap();
+                agent.finish_for_later(&home).unwrap();
+            }
+            agent.hear(&home, &start, "go to the green room").unwrap();
+            agent.begin_finishing(&home).unwrap();
+            let done = (0..calls).any(|_| agent.finish_on(&home, 1).unwrap().is_some());
+            let in_order = |agent: &Agent<_>| agent.language().bitext().pairs().is_sorted_by_key(|pair| pair.session);
+            assert!(in_order(&agent), "{which}, after {calls} calls: a reader finds each session's pairs");
+            removing += u32::from(agent.language().bitext().pairs_of(capacities.sessions as u16 - 2).is_empty());
+            interrupt(&mut agent);
+            let data = agent.language().bitext();
+            assert!(in_order(&agent), "{which}, after {calls} calls");
+            assert!((0..data.sessions() as u16).all(|session| !data.pairs_of(session).is_empty()), "{which}, after {calls} calls");
+            let used = |command| data.pairs().iter().any(|pair| pair.command == command);
+            assert!((0..data.commands() as u16).all(used), "{which}, after {calls} calls");
+            if done {
+                break;
+            }
+        }
+        assert!(removing > 0, "{which}: an end was broken off while a session gave way");
+    }
+}

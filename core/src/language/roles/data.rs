@@ -65,13 +65,14 @@ fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
 
 /// The capacities that a session needs by itself, with only its longest description.
 pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
-    let mut layout = Layout::NONE.with(alone.words, alone.tokens);
+    let mut layout = Layout::NONE;
     layout.see_length(alone.sentence);
     let mut longest = None;
     for (description, _) in pairs {
         layout.see(description);
         longest = longest.max(Some(description.len()));
     }
+    let layout = layout.with(alone.words, alone.tokens);
     let count = usize::from(longest.is_some());
     Capacities { pairs: count, commands: count, command_tokens: longest.unwrap_or(0), alignments: layout.cells(), ..Capacities::NONE }
 }

@@ -19,8 +19,8 @@
 use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::{BitextRef, Pair};
 use crate::symbols::Symbol;
-use crate::task::description::{form, groups};
-use crate::task::role::{Role, RoleKind, VALUE_SORTS};
+use crate::task::description::form;
+use crate::task::role::{Marker, Role, RoleKind, VALUE_SORTS, is_marker};
 use core::ops::Range;
 
 /// The largest number of different roles; any after these are left out.
@@ -91,21 +91,24 @@ impl Layout {
         for command in 0..bitext.commands() as u16 {
             layout.see(bitext.command(command));
         }
-        for session in 0..bitext.sessions() as u16 {
-            layout.longest = layout.longest.max(bitext.sentence(session).len() as u8);
-        }
+        layout.see_length(bitext.longest_sentence());
         layout.settled()
     }
 
-    /// Extends the layout by a description's lifted task and roles.
+    /// Extends the layout by a description's lifted task and roles; [`with`](Self::with) must follow.
     pub(crate) fn see(&mut self, description: &[Symbol]) {
         if let Some(form) = form(description) {
             self.add_form(form);
         }
-        for group in groups(description) {
-            self.add_role(group.marker.role);
+        // A role counts once it has a value.
+        for pair in description.windows(2) {
+            if let &[first, second] = pair
+                && !is_marker(second)
+                && let Some(Marker { role, .. }) = Marker::of(first)
+            {
+                self.add_role(role);
+            }
         }
-        *self = self.settled();
     }
 
     fn add_form(&mut self, form: Symbol) {
