@@ -270,6 +270,31 @@ typedef enum goodbot_status {
   GOODBOT_STATUS_UNCHECKED = 33,
 } goodbot_status;
 
+// What words ask the robot to do.
+typedef enum goodbot_said_kind {
+  // A command: `goodbot_listen`.
+  GOODBOT_SAID_KIND_COMMAND,
+  // A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
+  GOODBOT_SAID_KIND_GOOD,
+  // The same with `GOODBOT_PUNISH`.
+  GOODBOT_SAID_KIND_BAD,
+  // Praise for a robot that rests at its goal: `goodbot_finish`.
+  GOODBOT_SAID_KIND_FINISH,
+  // The answer to the open question, which `answer` is given: `goodbot_answer`.
+  GOODBOT_SAID_KIND_ANSWER,
+  // Words that correct the robot on its way: `goodbot_correct`. A library without `talk` says so only of words that begin with a no or a
+  // not: they blame the robot.
+  GOODBOT_SAID_KIND_CORRECTION,
+  // The robot shall stop: `goodbot_forget`.
+  GOODBOT_SAID_KIND_STOP,
+  // Take something back.
+  GOODBOT_SAID_KIND_UNDO,
+  // The last command once more.
+  GOODBOT_SAID_KIND_AGAIN,
+  // There is nothing to do.
+  GOODBOT_SAID_KIND_NOTHING,
+} goodbot_said_kind;
+
 // The robot's verdict on an utterance.
 typedef enum goodbot_verdict {
   // The task is meant: plan and act.
@@ -305,30 +330,6 @@ typedef enum goodbot_taken_for {
   // Praise, stop, a greeting and the like: `goodbot_said` says which.
   GOODBOT_TAKEN_FOR_TALK,
 } goodbot_taken_for;
-
-// What words ask the robot to do.
-typedef enum goodbot_said_kind {
-  // A command: `goodbot_listen`.
-  GOODBOT_SAID_KIND_COMMAND,
-  // A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
-  GOODBOT_SAID_KIND_GOOD,
-  // The same with `GOODBOT_PUNISH`.
-  GOODBOT_SAID_KIND_BAD,
-  // Praise for a robot that rests at its goal: `goodbot_finish`.
-  GOODBOT_SAID_KIND_FINISH,
-  // The answer to the open question, which `answer` is given: `goodbot_answer`.
-  GOODBOT_SAID_KIND_ANSWER,
-  // Words that correct the robot on its way: `goodbot_correct`.
-  GOODBOT_SAID_KIND_CORRECTION,
-  // The robot shall stop: `goodbot_forget`.
-  GOODBOT_SAID_KIND_STOP,
-  // Take something back.
-  GOODBOT_SAID_KIND_UNDO,
-  // The last command once more.
-  GOODBOT_SAID_KIND_AGAIN,
-  // There is nothing to do.
-  GOODBOT_SAID_KIND_NOTHING,
-} goodbot_said_kind;
 
 // What the robot is doing.
 typedef enum goodbot_motion {
@@ -1236,6 +1237,18 @@ enum goodbot_status goodbot_answer(struct goodbot *robot,
                                    int32_t answer,
                                    uint32_t *evidence);
 
+// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
+// only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
+// one. The function is in a library with the feature `voice`, as in the packages for boards.
+//
+// The caller sees to it:
+// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
+enum goodbot_status goodbot_said(struct goodbot *robot,
+                                 const char *words,
+                                 const char *closed_words,
+                                 enum goodbot_said_kind *said,
+                                 int32_t *answer);
+
 // The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
 //
 // Hears an utterance that may be no command, in the current state, and finds its reading. A session begins as with `goodbot_hear`; unless
@@ -1280,17 +1293,6 @@ enum goodbot_status goodbot_remember(struct goodbot *robot,
 // The caller sees to it:
 // `robot` is null or a handle.
 enum goodbot_status goodbot_converse_anew(struct goodbot *robot);
-
-// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
-// only says so: the caller does it. `answer` receives the answer for `goodbot_answer`, if the words are one.
-//
-// The caller sees to it:
-// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
-enum goodbot_status goodbot_said(struct goodbot *robot,
-                                 const char *words,
-                                 const char *closed_words,
-                                 enum goodbot_said_kind *said,
-                                 int32_t *answer);
 
 // Takes in words that correct a robot on its way: "no, the other one", "I meant the blue one", "not the red one". The belief in the task
 // that it follows drops to at most a twentieth of that in the next one.

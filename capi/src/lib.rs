@@ -16,7 +16,7 @@
 //! - [`training`]: hear, plan, decide, feedback, learn;
 //! - [`options`]: how it takes evidence and acts;
 //! - [`asking`]: questions to the trainer;
-//! - [`talk`]: utterances other than commands;
+//! - [`voice`]: praise, blame, "stop" and the like in words; [`talk`]: utterances other than commands;
 //! - [`beliefs`]: the possible meanings of a command;
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
@@ -59,6 +59,8 @@ pub mod talk;
 pub mod tasks;
 pub mod training;
 pub mod version;
+#[cfg(feature = "voice")]
+pub mod voice;
 pub mod words;
 pub mod world;
 

@@ -291,7 +291,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"the flash refused, or did not keep what was written; the older model is still there",
         c"nothing is stored",
         if cfg!(feature = "talk") { c"the work was stopped in a pause; say it again" } else { NONE },
-        if cfg!(feature = "talk") {
+        if cfg!(feature = "voice") {
             c"the text is no table of closed words; write a class, a colon and its words in each line"
         } else {
             NONE

@@ -1,12 +1,11 @@
 //! Utterances other than commands.
 
 use crate::robot::{Goodbot, give, text, with};
-use crate::status::{Failure, GoodbotStatus};
+use crate::status::GoodbotStatus;
+use crate::voice::closed;
 use crate::world::{World, in_world};
 use core::ffi::{c_char, c_void};
-use goodbot::asking::Answer;
-use goodbot::feedback::Feedback;
-use goodbot::talk::{ClosedWords, Conversation, Hypothesis, Listened, Said, Verdict};
+use goodbot::talk::{Conversation, Hypothesis, Listened, Verdict};
 
 /// The robot's verdict on an utterance.
 #[repr(C)]
@@ -76,47 +75,8 @@ pub struct GoodbotListened {
     pub unread: u32,
 }
 
-/// What words ask the robot to do.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum GoodbotSaid {
-    /// A command: `goodbot_listen`.
-    Command,
-    /// A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
-    Good,
-    /// The same with `GOODBOT_PUNISH`.
-    Bad,
-    /// Praise for a robot that rests at its goal: `goodbot_finish`.
-    Finish,
-    /// The answer to the open question, which `answer` is given: `goodbot_answer`.
-    Answer,
-    /// Words that correct the robot on its way: `goodbot_correct`.
-    Correction,
-    /// The robot shall stop: `goodbot_forget`.
-    Stop,
-    /// Take something back.
-    Undo,
-    /// The last command once more.
-    Again,
-    /// There is nothing to do.
-    Nothing,
-}
-
 /// The caller's function, called between two parts of listening; false stops it.
 pub type GoodbotPause = Option<unsafe extern "C" fn(context: *mut c_void) -> bool>;
-
-/// The caller's table of closed words; none for null.
-///
-/// # Safety
-/// `table` is null or a C string.
-unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>, Failure> {
-    if table.is_null() {
-        return Ok(ClosedWords::NONE);
-    }
-    // SAFETY: the caller's promise.
-    let table = unsafe { text(table)? };
-    ClosedWords::new(table).map_err(|_| GoodbotStatus::ClosedWords.into())
-}
 
 fn written(listened: &Listened) -> GoodbotListened {
     let place = |place: Option<usize>| place.map_or(GOODBOT_NOWHERE, |place| place as u32);
@@ -254,54 +214,6 @@ pub unsafe extern "C" fn goodbot_converse_anew(robot: *mut Goodbot) -> GoodbotSt
         with(robot, |robot| {
             robot.agent.resume(Conversation::NEW);
             Ok(GoodbotStatus::Ok)
-        })
-    }
-}
-
-/// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
-/// only says so: the caller does it. `answer` receives the answer for `goodbot_answer`, if the words are one.
-///
-/// # Safety
-/// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_said(
-    robot: *mut Goodbot,
-    words: *const c_char,
-    closed_words: *const c_char,
-    said: *mut GoodbotSaid,
-    answer: *mut i32,
-) -> GoodbotStatus {
-    // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            let (words, closed) = (text(words)?, closed(closed_words)?);
-            let agent = &robot.agent;
-            let heard = in_world!(&robot.world, |domain, state| agent.said(words, closed, agent.stage(domain, state), |_| None)?);
-            if let Said::Answer(heard) = heard {
-                give(
-                    answer,
-                    match heard {
-                        Answer::Yes => crate::asking::GOODBOT_YES,
-                        Answer::No => crate::asking::GOODBOT_NO,
-                        Answer::This(choice) => i32::from(choice),
-                    },
-                )?;
-            }
-            give(
-                said,
-                match heard {
-                    Said::Command => GoodbotSaid::Command,
-                    Said::Judgement(Feedback::Punish) => GoodbotSaid::Bad,
-                    Said::Judgement(_) => GoodbotSaid::Good,
-                    Said::Finish => GoodbotSaid::Finish,
-                    Said::Answer(_) => GoodbotSaid::Answer,
-                    Said::Correction => GoodbotSaid::Correction,
-                    Said::Stop => GoodbotSaid::Stop,
-                    Said::Undo => GoodbotSaid::Undo,
-                    Said::Again => GoodbotSaid::Again,
-                    Said::Nothing(_) => GoodbotSaid::Nothing,
-                },
-            )
         })
     }
 }

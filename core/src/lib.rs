@@ -43,6 +43,7 @@
 //! | [`language`] | words: the role model, IBM Model 2, weighted EM, forgetting when memory is full |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
 //! | [`asking`] | questions: when asking teaches more than acting (feature `asking`) |
+//! | `voice` | praise, blame, "stop", "yes" in words (feature `voice`) |
 //! | `talk` | what people say besides commands, and what words such as "it" refer to (feature `talk`) |
 //! | [`snapshot`] | the learned parameters and training data as bytes (feature `snapshot`) |
 //! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
@@ -61,7 +62,8 @@
 //! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, and with `snapshot` `Agent::saved` |
 //! | `std` | the same as `alloc`, under the name that programs with the standard library expect |
 //! | `storage-async` | `storage` over `embedded-storage-async`, for embassy |
-//! | `talk` | what people say besides commands |
+//! | `voice` | praise, blame, "stop", "yes" in words |
+//! | `talk` | `voice`, and what people say besides commands |
 //! | `defmt` | errors and results in the format of defmt |
 //!
 //! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any
@@ -112,6 +114,8 @@ pub mod symbols;
 #[cfg(feature = "talk")]
 pub mod talk;
 pub mod task;
+#[cfg(feature = "voice")]
+pub mod voice;
 
 pub use capacity::Capacities;
 #[cfg(feature = "alloc")]

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources of the header's items, in the header's order.
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -21,6 +21,7 @@ const SOURCES: [&str; 20] = [
     "beliefs.rs",
     "words.rs",
     "asking.rs",
+    "voice.rs",
     "talk.rs",
     "model.rs",
     "starter.rs",

@@ -157,7 +157,7 @@ impl StateSearch {
             if slot >= self.slots {
                 slot = 0;
             }
-            if slot % 64 == 0 {
+            if slot.is_multiple_of(64) {
                 reached = self.frontier.reached(marks, slot);
             }
         }

@@ -5,7 +5,6 @@
 //! k(t) is the probability of the change from the corrected task to t. For words after a negation the factor is 1 - (1 - e) L(t) / M, with
 //! M over all tasks. Words that were never heard fit all tasks alike, and say nothing.
 
-use super::classes::{Class, Classes, ClosedWords};
 use super::context::{Context, View};
 use super::explained::Explained;
 use super::heard::{Heard, Utterance};
@@ -13,14 +12,14 @@ use super::readings::EITHER;
 use super::wording::Wording;
 use super::words::Words;
 use crate::asking::Asking;
+use crate::language::for_each_piece;
 use crate::language::roles::talk::is_of_task;
-use crate::language::{for_each_piece, word_form};
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError, Evidence};
-use crate::symbols::Symbol;
 use crate::task::{GroundedTask, TaskSet};
+use crate::voice::classes::{Class, Classes, ClosedWords};
 use heapless::Vec;
 
 /// The probability that a correction names an object that is not meant. It is small: who corrects the robot sees it, and chooses words for
@@ -58,16 +57,16 @@ impl<M: AgentMemory> Agent<M> {
         Ok(told)
     }
 
-    /// Whether a word occurs in a learned command.
-    pub fn knows_word(&self, word: &str) -> bool {
-        self.known_word(word).is_some()
-    }
-
-    /// The learned word that a piece of an utterance stands for.
-    fn known_word(&self, piece: &str) -> Option<Symbol> {
-        let (language, learned) = (self.language(), self.language().tables().words());
-        let form = word_form(piece, self.options().language.letters_kept());
-        language.word_like(piece, learned).or_else(|| language.words().find(form)).filter(|word| word.index() < learned)
+    /// Whether a learned word outside the closed classes names something, or all words are in a class: "the blue one", "the other one".
+    pub(crate) fn is_named(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
+        let (mut is_known, mut is_closed) = (false, true);
+        for_each_piece(words, |piece| {
+            let is_open = closed.of(piece).about_commands() == Classes::NONE;
+            is_known |= is_open && self.knows_word(piece);
+            is_closed &= !is_open;
+            Ok(())
+        })?;
+        Ok(is_known || is_closed)
     }
 
     /// Updates the belief by words that correct the robot: "no, the other one", "I meant the blue one", "not the red one". They count as

@@ -1,9 +1,9 @@
 //! Words that negate, except or split nothing in their context, and are read as polite ones: "if you don't mind", "right away", "don't
 //! forget to". Also words for the present place: "leave it where it is".
 
-use super::classes::{Class, Classes};
 use super::heard::Heard;
 use crate::capacity::WORDS_PER_COMMAND;
+use crate::voice::classes::{Class, Classes};
 
 /// After a "but" that excepts nothing, "you" follows within this many words.
 const SPOKEN_TO: usize = 2;

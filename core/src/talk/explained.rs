@@ -1,7 +1,6 @@
 //! How well the tasks here explain words, some of which may refer to earlier sentences.
 
 use super::absent::with_ghost;
-use super::classes::Class;
 use super::context::{Context, DONE, View};
 use super::conversation::Before;
 use super::recalled::{Recalled, readings, without};
@@ -22,6 +21,7 @@ use crate::task::description::{describe, form};
 use crate::task::machine_command::Tokens;
 use crate::task::role::RoleKind;
 use crate::task::{GroundedTask, TaskSet};
+use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The factor of tasks of another kind than the previous command's, if no word tells the kind.

@@ -1,11 +1,11 @@
 //! A word of an utterance, with its probabilities in a command and beside one.
 
-use super::classes::{Class, Classes};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::LanguageRef;
 use crate::language::bitext::BitextRef;
 use crate::language::roles::talk::{Said, background, common, is_name, is_of_task};
 use crate::symbols::Symbol;
+use crate::voice::classes::{Class, Classes};
 use heapless::Vec;
 
 /// The probability of a new word if no task is meant, and beside a command.

@@ -1,6 +1,5 @@
 //! The hypotheses about an utterance, and their probabilities.
 
-use super::classes::Class;
 use super::context::Context;
 use super::explained::{Explained, FOREIGN};
 use super::heard::Heard;
@@ -13,6 +12,7 @@ use crate::oomdp::Domain;
 use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
+use crate::voice::classes::Class;
 use core::fmt;
 use heapless::Vec;
 

@@ -1,6 +1,5 @@
 //! Listening: the verdict on an utterance, and the session that it begins.
 
-use super::classes::ClosedWords;
 use super::context::{Context, DONE, Earlier, View};
 use super::explained::Explained;
 use super::heard::Utterance;
@@ -20,6 +19,7 @@ use crate::session::phase::Progressed;
 use crate::session::{Agent, AgentError};
 use crate::task::grounded::share_with_done;
 use crate::task::{GroundedTask, TaskSet};
+use crate::voice::classes::ClosedWords;
 use heapless::Vec;
 
 /// The prior of a reworded command: with its place in front, "to the red room take the bag", or with a correction in it.

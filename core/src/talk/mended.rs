@@ -1,6 +1,5 @@
 //! New words taken for known ones: slips of the pen, and other words of direction, "towards" for "to".
 
-use super::classes::{Class, ClosedWords};
 use super::heard::{Heard, Utterance, count, is_unknown};
 use super::pieces::elided;
 use super::slips::{SLIP, is_plural, slip_for};
@@ -8,6 +7,7 @@ use crate::capacity::CapacityError;
 use crate::language::roles::talk::is_name;
 use crate::language::{LanguageRef, for_each_piece};
 use crate::symbols::Symbol;
+use crate::voice::classes::{Class, ClosedWords};
 
 /// The probability that a word is mistyped beside another mistyped word.
 const ANOTHER_SLIP: f32 = 0.15;

@@ -3,11 +3,10 @@
 //!
 //! An utterance is one of several hypotheses, each with a prior and a likelihood of all its words: a [command](Hypothesis::Command), for
 //! the tasks of [`hear`](crate::Agent::hear) and those that are done already; [nothing](Hypothesis::Nothing) that the robot can do; or one
-//! with cues from the [closed classes of words](Class). [`Agent::listen`](crate::Agent::listen) begins a session as `hear` does, with the
+//! with cues from the [closed classes of words](crate::voice::Class). [`Agent::listen`](crate::Agent::listen) begins a session as `hear` does, with the
 //! belief under the likeliest hypothesis, and returns a verdict on the utterance.
 //!
 //! The modules, in the order in which an utterance passes through them:
-//! - `classes`: closed classes of words, from a table;
 //! - `pieces`: the words of the utterance; `heard`: one word; `words`: some of them; `excused`: words that negate nothing in their context;
 //! - `slips`: known words that new ones may be slips for; `mended`: the words without slips;
 //! - `syntax`: whether they have a verb, ask, report, or have a condition; `reworded`: simpler wordings of them;
@@ -18,10 +17,11 @@
 //! - `readings`: negated commands, and all things of a kind; `several`: several commands;
 //! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them; `objects`: the things and places of tasks;
 //! - `listening`: the calls, and the session that they begin;
-//! - `voice`: the effect of words that are no command; `correction`: words to a robot on its way.
+//! - `correction`: words to a robot on its way.
+//!
+//! [`voice`](crate::voice) has the classes of words, and the effect of words that are no command.
 
 mod absent;
-mod classes;
 mod context;
 mod conversation;
 mod correction;
@@ -43,14 +43,12 @@ mod syntax;
 mod taught;
 mod told;
 mod verdict;
-mod voice;
 mod wording;
 mod words;
 
-pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
+pub use crate::voice::{Class, Classes, ClosedWords, ClosedWordsError, Said, Stage, for_each_open_word};
 pub use conversation::{Conversation, Fact};
 pub use correction::Corrected;
 pub use hypothesis::Hypothesis;
 pub use listening::Listened;
 pub use verdict::Verdict;
-pub use voice::{Said, Stage, for_each_open_word};

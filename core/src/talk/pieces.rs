@@ -1,6 +1,5 @@
 //! The pieces of an utterance, and the words that they become: "llévalo" is "lleva" and "it".
 
-use super::classes::{Class, Classes, ClosedWords, cut};
 use super::excused::excuse;
 use super::heard::{Heard, Utterance, is_unknown};
 use super::slips::{SLIP, is_plural, slip_for};
@@ -12,6 +11,7 @@ use crate::language::{LanguageRef, for_each_piece};
 use crate::memory::AgentMemory;
 use crate::session::{Agent, AgentError};
 use crate::symbols::Symbol;
+use crate::voice::classes::{Class, Classes, ClosedWords, cut};
 use heapless::Vec;
 
 /// The least bytes of a new verb before a pronoun.

@@ -1,11 +1,11 @@
 //! Readings of an utterance that differ from one plain command: negated commands, and all things of a kind.
 
-use super::classes::Class;
 use super::context::View;
 use super::heard::Heard;
 use super::syntax::{begins_with_way, is_question, stays_by_name};
 use super::told::place_of_all;
 use super::words::{Words, learned};
+use crate::voice::classes::Class;
 
 /// The priors of a negation, and of all things of a kind.
 const NEGATED: f32 = 0.1;

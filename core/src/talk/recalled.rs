@@ -3,12 +3,12 @@
 //! Such words restrict the tasks to those that fit the conversation. The other words are read as usual, and a thing or place that is
 //! referred to needs no name.
 
-use super::classes::Class;
 use super::conversation::{Before, Fact};
 use super::words::{Words, learned};
 use crate::oomdp::Domain;
 use crate::task::grounded::is_thing;
 use crate::task::{GroundedTask, LiftedTask};
+use crate::voice::classes::Class;
 
 /// The probability that an utterance in a conversation has a reference, and of each word that makes it.
 const POINTS_BACK: f32 = 0.4;

@@ -1,9 +1,9 @@
 //! Simpler wordings of an utterance: its words in another order, or without those that say nothing about the task.
 
-use super::classes::Class;
 use super::heard::Heard;
 use super::syntax::{begins_with_way, is_past, is_verbless, names_thing_and_way, stays_by_name};
 use super::words::Words;
+use crate::voice::classes::Class;
 use core::ops::Range;
 
 /// The most words before "it" in "and bring it to".

@@ -1,6 +1,5 @@
 //! Several commands in one utterance: "go to the red room and take the bag to the blue room".
 
-use super::classes::Class;
 use super::context::{Context, View};
 use super::explained::Explained;
 use super::heard::Heard;
@@ -11,6 +10,7 @@ use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
+use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The prior of several commands.

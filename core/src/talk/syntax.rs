@@ -1,8 +1,8 @@
 //! The syntax of an utterance, as far as its words tell: whether it has a verb, begins with a direction, asks, reports, or has a condition.
 
-use super::classes::Class;
 use super::heard::Heard;
 use super::words::Words;
+use crate::voice::classes::Class;
 
 /// A sentence with more new words is no paraphrase of a known command.
 const MOST_NEW: usize = 2;

@@ -1,6 +1,5 @@
 //! Robots that were taught in one language each, for the tests of single rules.
 
-use super::classes::ClosedWords;
 use super::context::DONE;
 use super::words::Words;
 use crate::Capacities;
@@ -9,6 +8,7 @@ use crate::language::for_each_piece;
 use crate::memory::{AgentHeap, HomeHeap};
 use crate::session::{Agent, Options};
 use crate::task::TaskSet;
+use crate::voice::classes::ClosedWords;
 use heapless::Vec;
 use std::borrow::ToOwned;
 use std::collections::BTreeMap;

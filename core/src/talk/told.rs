@@ -3,7 +3,6 @@
 //!
 //! The words that tell are read apart. The other words are then a command for the tasks that fit them.
 
-use super::classes::Class;
 use super::context::{Context, ToldTasks, View};
 use super::explained::Explained;
 use super::heard::Heard;
@@ -13,6 +12,7 @@ use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::session::{Agent, AgentError};
+use crate::voice::classes::Class;
 
 /// The number of words of "to the".
 const ARTICLE: usize = 2;

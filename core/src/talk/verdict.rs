@@ -1,6 +1,5 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::classes::Class;
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
@@ -15,6 +14,7 @@ use crate::oomdp::Domain;
 use crate::probability::Scaled;
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
+use crate::voice::classes::Class;
 
 /// A done task of the same kind makes the verdict unsure if it explains the words at least a fifth as well.
 const RIVAL: f32 = 5.0;

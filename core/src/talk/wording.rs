@@ -1,11 +1,11 @@
 //! How commands are worded in the lessons.
 
-use super::classes::{Class, ClosedWords};
 use super::heard::count;
 use crate::language::LanguageRef;
 use crate::language::roles::talk::{Coverage, Senses};
 use crate::session::AgentError;
 use crate::symbols::Symbol;
+use crate::voice::classes::{Class, ClosedWords};
 
 /// The extra certainty required after few lessons, times their number.
 const SURE_OF_FEW: f32 = 2.4;

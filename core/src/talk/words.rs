@@ -1,8 +1,8 @@
 //! Some of the words of an utterance, in order. A reading of an utterance is such a selection, and needs no copy of the words.
 
-use super::classes::Class;
 use super::heard::Heard;
 use crate::capacity::WORDS_PER_COMMAND;
+use crate::voice::classes::Class;
 
 /// Some of the words of an utterance, in order: one bit each.
 #[derive(Clone, Copy)]

@@ -88,13 +88,13 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
-/// Runs clippy on everything; on the core with the features of a controller that learns or only obeys, and without any; on the crates
+/// Runs clippy on everything; on the core with the features of a controller that learns, hears praise or only obeys, and without any; on the crates
 /// that use a part of the core, each alone; and on the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
-    for features in ["", "learning", "snapshot"] {
+    for features in ["", "learning", "snapshot", "voice"] {
         cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
     }
     for part in ["course", "drive", "lesson"] {

@@ -2,14 +2,20 @@
 //!
 //! Closed classes of words determine it, without lessons. An utterance whose words are all in closed classes is no command. While the robot
 //! acts, one other word may be among them, if it is in no learned command: "well done", "good job".
+//!
+//! - `classes`: closed classes of words, from a table.
 
-use super::classes::{Class, Classes, ClosedWords};
+pub(crate) mod classes;
+
+pub use classes::{Class, Classes, ClosedWords, ClosedWordsError};
+
 use crate::asking::{Answer, Question};
 use crate::feedback::{Feedback, Judged};
-use crate::language::for_each_piece;
+use crate::language::{for_each_piece, word_form};
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
 use crate::session::{Agent, AgentError};
+use crate::symbols::Symbol;
 
 /// The effect of a person's words, at this stage of the conversation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +26,8 @@ pub enum Said {
     Finish,
     /// The answer to the open question.
     Answer(Answer),
-    /// Words that correct the robot on its way: "no, the blue one".
+    /// Words that correct the robot on its way: "no, the blue one". Without the feature `talk`, only those that begin with a no or a not;
+    /// they are then no more than blame.
     Correction,
     /// Stop the robot.
     Stop,
@@ -93,10 +100,6 @@ struct Summary {
     strange: usize,
     /// Whether a learned command has one of these.
     is_known: bool,
-    /// Whether one of these is in no class at all, and a learned command has it.
-    names: bool,
-    /// Whether all words are in a class.
-    is_of_classes: bool,
     /// Whether a word asks to undo something.
     is_back: bool,
     is_meant: bool,
@@ -154,7 +157,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// ```
     /// use goodbot::feedback::Feedback;
-    /// use goodbot::talk::{ClosedWords, Said, Stage};
+    /// use goodbot::voice::{ClosedWords, Said, Stage};
     /// use goodbot::{Agent, HeapMemory, Options, home};
     /// let memory = HeapMemory::new(&goodbot::Capacities::SMALL);
     /// let agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
@@ -193,7 +196,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     fn words_of(&self, words: &str, closed: ClosedWords<'_>, learned: impl Fn(&str) -> Option<[u32; 2]>) -> Result<Summary, AgentError> {
-        let mut heard = Summary { is_of_classes: true, learned: Some([0, 0]), ..Summary::default() };
+        let mut heard = Summary { learned: Some([0, 0]), ..Summary::default() };
         for_each_piece(words, |piece| {
             let in_table = closed.of(piece);
             let classes = in_table.about_commands();
@@ -206,8 +209,6 @@ impl<M: AgentMemory> Agent<M> {
             heard.is_not |= classes.contains(Class::Negation) && !classes.contains(Class::Yes);
             heard.strange = heard.strange.saturating_add(usize::from(!is_closed));
             heard.is_known |= !is_closed && is_known;
-            heard.names |= classes == Classes::NONE && is_known;
-            heard.is_of_classes &= classes != Classes::NONE;
             heard.is_back |= classes.contains(Class::Again) && classes.contains_any(&[Class::Back, Class::Undo]);
             heard.is_meant |= in_table.contains(Class::Meant);
             heard.number = piece.parse().ok();
@@ -222,12 +223,27 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Whether words correct the robot: they begin with "no" or "not", or name something without an act word.
+    #[cfg_attr(not(feature = "talk"), expect(unused_variables, reason = "only talk knows act words"))]
     fn corrects(&self, words: &str, closed: ClosedWords<'_>, heard: &Summary) -> Result<bool, AgentError> {
         if heard.first.contains_any(&[Class::No, Class::Blame]) {
             return Ok(true);
         }
         let is_cue = heard.first.contains(Class::Negation) || heard.is_meant;
-        Ok((heard.names || is_cue || heard.is_of_classes) && !self.is_told_to_act(words, closed)?)
+        #[cfg(feature = "talk")]
+        let is_cue = (is_cue || self.is_named(words, closed)?) && !self.is_told_to_act(words, closed)?;
+        Ok(is_cue)
+    }
+
+    /// Whether a word occurs in a learned command.
+    pub fn knows_word(&self, word: &str) -> bool {
+        self.known_word(word).is_some()
+    }
+
+    /// The learned word that a piece of an utterance stands for.
+    pub(crate) fn known_word(&self, piece: &str) -> Option<Symbol> {
+        let (language, learned) = (self.language(), self.language().tables().words());
+        let form = word_form(piece, self.options().language.letters_kept());
+        language.word_like(piece, learned).or_else(|| language.words().find(form)).filter(|word| word.index() < learned)
     }
 }
 

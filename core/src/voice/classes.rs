@@ -1,6 +1,8 @@
 //! Closed classes of words, which speak about a command rather than in it. A table supplies them; they are not learned.
 
-use crate::language::{for_each_piece, is_slip};
+use crate::language::for_each_piece;
+#[cfg(feature = "talk")]
+use crate::language::is_slip;
 use core::fmt;
 
 /// A closed class of words.
@@ -203,15 +205,16 @@ impl Classes {
         Self(self.0 & !of_commands.0)
     }
 
-    pub(super) const fn and(self, other: Self) -> Self {
+    pub(crate) const fn and(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    pub(super) const fn without(self, class: Class) -> Self {
+    #[cfg(feature = "talk")]
+    pub(crate) const fn without(self, class: Class) -> Self {
         Self(self.0 & !Self::of(class).0)
     }
 
-    pub(super) const fn with(self, class: Class) -> Self {
+    pub(crate) const fn with(self, class: Class) -> Self {
         Self(self.0 | 1 << class as u32)
     }
 }
@@ -221,11 +224,11 @@ impl Classes {
 /// words of a language, which count if lessons were in it; `language:` alone begins words that always count.
 ///
 /// ```
-/// use goodbot::talk::{Class, ClosedWords};
+/// use goodbot::voice::{Class, ClosedWords};
 /// let words = ClosedWords::new("negation: not don't never   # and more\nstop: stop wait")?;
 /// assert!(words.of("never").contains(Class::Negation) && words.of("stop").contains(Class::Stop));
 /// assert_eq!(ClosedWords::new("colour: red").unwrap_err().to_string(), "line 1: \"colour\" is no class of words");
-/// # Ok::<(), goodbot::talk::ClosedWordsError<'static>>(())
+/// # Ok::<(), goodbot::voice::ClosedWordsError<'static>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ClosedWords<'t> {
@@ -320,9 +323,31 @@ impl<'t> ClosedWords<'t> {
         })
     }
 
+    /// The classes of a word, as [`for_each_piece`] passes it.
+    pub fn of(self, word: &str) -> Classes {
+        let mut classes = Classes::NONE;
+        for line in self.lines().filter(|line| line.words().any(|other| other == word)) {
+            classes = classes.and(line.classes());
+        }
+        classes
+    }
+
+    /// The number of words of a class.
+    pub fn count(self, class: Class) -> usize {
+        self.lines().filter(|line| line.name == class.name()).map(|line| line.words().count()).sum()
+    }
+
+    /// Whether there are no words.
+    pub fn is_empty(self) -> bool {
+        self.lines().next().is_none()
+    }
+}
+
+#[cfg(feature = "talk")]
+impl ClosedWords<'_> {
     /// The words of the languages that the lessons were probably in: those that have more than half as many known words as any other. Words
     /// before the first language, and after an unnamed one, belong to all. "Sal" means to go out in Spanish, and resembles a French room.
-    pub(super) fn spoken(self, knows: &dyn Fn(&str) -> bool) -> Self {
+    pub(crate) fn spoken(self, knows: &dyn Fn(&str) -> bool) -> Self {
         let mut known = [0_u16; u32::BITS as usize];
         for line in self.lines_of_languages() {
             let count = line.words().filter(|word| knows(word)).count() as u16;
@@ -333,17 +358,8 @@ impl<'t> ClosedWords<'t> {
         Self { silent: known.iter().enumerate().map(is_silent).fold(0, |all, bit| all | bit), ..self }
     }
 
-    /// The classes of a word, as [`for_each_piece`] passes it.
-    pub fn of(self, word: &str) -> Classes {
-        let mut classes = Classes::NONE;
-        for line in self.lines().filter(|line| line.words().any(|other| other == word)) {
-            classes = classes.and(line.classes());
-        }
-        classes
-    }
-
     /// The number of signs of the longest word at the front of these signs, and its classes. Scripts without spaces are heard sign by sign.
-    pub(super) fn of_signs(self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
+    pub(crate) fn of_signs(self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
         let begins = |word: &str| word.chars().zip(signs).filter(|&(letter, &sign)| sign == Some(letter)).count() == word.chars().count();
         let (mut most, mut classes) = (1, Classes::NONE);
         for line in self.lines() {
@@ -360,7 +376,7 @@ impl<'t> ClosedWords<'t> {
     }
 
     /// The classes of the cues (negation, out, all, connective) that this word is a slip for.
-    pub(super) fn of_slip(self, word: &str) -> Classes {
+    pub(crate) fn of_slip(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
         let cues = [Class::Negation, Class::Out, Class::All, Class::Connective];
         for line in self.lines() {
@@ -375,18 +391,8 @@ impl<'t> ClosedWords<'t> {
     }
 
     /// The front of a word that ends with a word of this class, for each such word.
-    pub(super) fn ends(self, class: Class, word: &str) -> impl Iterator<Item = &str> {
+    pub(crate) fn ends(self, class: Class, word: &str) -> impl Iterator<Item = &str> {
         self.lines().filter(move |line| line.name == class.name()).flat_map(Line::words).filter_map(move |end| word.strip_suffix(end))
-    }
-
-    /// The number of words of a class.
-    pub fn count(self, class: Class) -> usize {
-        self.lines().filter(|line| line.name == class.name()).map(|line| line.words().count()).sum()
-    }
-
-    /// Whether there are no words.
-    pub fn is_empty(self) -> bool {
-        self.lines().next().is_none()
     }
 }
 
@@ -425,7 +431,7 @@ fn named(name: &str) -> Option<Class> {
 
 /// The text before a sign of ASCII, and the text after it, if it has that sign. Bytes are compared: a table is read for each word that is
 /// heard, and the search of `core` would link code that can panic.
-pub(super) fn cut(text: &str, sign: u8) -> (&str, Option<&str>) {
+pub(crate) fn cut(text: &str, sign: u8) -> (&str, Option<&str>) {
     let Some(end) = text.bytes().position(|byte| byte == sign) else { return (text, None) };
     (text.get(..end).unwrap_or(""), text.get(end.saturating_add(1)..))
 }
