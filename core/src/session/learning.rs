@@ -70,7 +70,7 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     pub(super) fn complete_joining(&mut self) {
         #[cfg(feature = "learning")]
-        self.language_mut().complete_removal();
+        self.complete_removal();
         #[cfg(feature = "learning")]
         if let Progressed::Tidying(step) = &mut self.progressed {
             // Another session may have been unlearned meanwhile, so the choice starts again.
@@ -85,6 +85,14 @@ impl<M: AgentMemory> Agent<M> {
 
 #[cfg(feature = "learning")]
 impl<M: AgentMemory> Agent<M> {
+    /// Completes the removal of a session that gives way. Not inlined, because the language model would take room on the caller's stack.
+    #[inline(never)]
+    fn complete_removal(&mut self) {
+        if cfg!(feature = "forgetting") && matches!(self.progressed, Progressed::Keeping(_) | Progressed::Tidying(_)) {
+            self.language_mut().complete_removal();
+        }
+    }
+
     /// Whether the session's tasks are negated. Their words are not those of the command, so nothing is learned.
     fn is_negated(&self) -> bool {
         self.tasks().iter().any(GroundedTask::is_negated)
@@ -146,7 +154,7 @@ impl<M: AgentMemory> Agent<M> {
         if usize::from(session) >= self.language().bitext().sessions() {
             return false;
         }
-        self.language_mut().complete_removal();
+        self.complete_removal();
         // Do this first: the position changes if sessions give way for one that is being finished.
         self.language_mut().remove_session(session);
         self.end_session();
