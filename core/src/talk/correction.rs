@@ -127,8 +127,8 @@ impl<M: AgentMemory> Agent<M> {
             Ok(())
         })?;
         let mut evidence = Evidence::SaysNothing;
-        for (words, is_meant) in [(meant, true), (other, false)] {
-            let Some(fits) = self.fits(domain, &words, closed)? else { continue };
+        for (words, is_meant) in [(&meant, true), (&other, false)] {
+            let Some(fits) = self.fits(domain, words, closed)? else { continue };
             // The words are compared with tasks that keep the rest, even if another task fits better.
             let (mut kept, mut most): (Vec<f32, { TaskSet::MOST }>, f32) = (Vec::new(), WRONG);
             for (task, &fit) in fits.iter().enumerate() {

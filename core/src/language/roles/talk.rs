@@ -98,8 +98,8 @@ pub(crate) struct Senses<'t> {
     facts: u8,
 }
 
-/// The number of words whose meaning is stored; that of the others is computed each time.
-const MOST_WORDS: usize = 256;
+/// The number of words whose meaning is stored; that of the others is computed each time. A controller has fewer words, and little stack.
+const MOST_WORDS: usize = if cfg!(feature = "alloc") { 256 } else { 64 };
 
 #[derive(Clone, Copy)]
 struct Sense {
