@@ -65,8 +65,8 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
     // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together. The networks
     // count as much as the rest of the layer.
     let logarithm = |task: &Weighed| {
-        let believed = libm::logf(task.believed.max(f32::MIN_POSITIVE));
-        Some(0.5 * (task.itself? + believed))
+        let itself = task.itself?;
+        Some(0.5 * (itself + libm::logf(task.believed.max(f32::MIN_POSITIVE))))
     };
     let best = tasks.iter().filter_map(logarithm).fold(f32::MIN, f32::max);
     let (mut whole, mut sum) = (0.0, 0.0);
