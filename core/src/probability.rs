@@ -137,6 +137,12 @@ pub(crate) fn square_root(x: f32) -> f32 {
     if x.is_nan() || x <= 0.0 {
         return 0.0;
     }
+    root(x)
+}
+
+/// The same for a positive number. It has no branch, so the compiler can compute several at once.
+#[inline]
+pub(crate) fn root(x: f32) -> f32 {
     let x = x.clamp(f32::MIN_POSITIVE, f32::MAX);
     // Halving the exponent gives a start within a few hundredths.
     let mut root = f32::from_bits((x.to_bits() >> 1).wrapping_add(0x1fbb_4f2e));

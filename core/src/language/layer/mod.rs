@@ -13,7 +13,8 @@
 //! all values of a role share the weights of contexts. So the layer learns "avoid" from one color and applies it to another. If the words
 //! in names are values, U of a value also has a constant and a weight for each word, whatever its g: with few meanings a word and a value
 //! often occur only together, and the role model takes the word for one of several. There, a meaning told n times teaches as much as the
-//! root of n.
+//! root of n, and with few meanings the layer is too sure where it is wrong: a fifth of each probability is the role model's (a linear
+//! pool).
 //!
 //! The formula applies to the tasks of kinds that were meant before. The tasks of all other kinds are weighed by it among themselves:
 //! nothing was learned about those kinds, so together they keep the probability that the role model gives them. There are two exceptions

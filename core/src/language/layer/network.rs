@@ -153,7 +153,7 @@ impl Network {
     }
 
     fn step(&mut self, at: usize, slope: f32, rate: f32) {
-        Weights { values: &mut self.values, slopes: &mut [], squares: &mut self.squares, rate: STEPS * rate }.step(at, slope);
+        Weights { values: &mut self.values, squares: &mut self.squares, rate: STEPS * rate }.step(at, slope);
     }
 }
 

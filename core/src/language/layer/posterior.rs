@@ -5,7 +5,7 @@ use super::network::Network;
 use super::parts::Parts;
 use super::tables::LayerRef;
 use super::unmet;
-use super::weighed::{Weighed, weigh};
+use super::weighed::{Weighed, pool, weigh};
 use super::weights::TRUST;
 use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, total};
@@ -50,6 +50,9 @@ impl LayerRef<'_> {
         unmet::weigh_impossible(tables, self.learned.new_words, sentence, &of_position, &mut tasks);
         weigh(&mut tasks, 1.0 + self.weight(TRUST));
         unmet::share_ways(&of_position, &mut tasks);
+        if tables.layout().has_names() {
+            pool(&mut tasks);
+        }
         for (task, (_, group)) in tasks.iter().zip(groups()) {
             let (before, after) = (before(weights, group), Scaled::new(task.believed));
             for &(_, task) in group {

@@ -24,9 +24,9 @@ use alloc::{vec, vec::Vec};
 #[cfg(not(feature = "layer"))]
 use core::marker::PhantomData;
 
-/// Three numbers for each weight of the layer: the weight, its gradient, and the sum of its squared gradients.
+/// Two numbers for each weight of the layer: the weight, and the sum of its squared gradients.
 #[cfg(feature = "layer")]
-pub const LAYER_WEIGHTS: usize = 3 * CELLS;
+pub const LAYER_WEIGHTS: usize = 2 * CELLS;
 
 /// The memory of the layer: the tasks of all sessions, and the trained weights.
 #[cfg(feature = "layer")]

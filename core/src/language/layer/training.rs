@@ -86,23 +86,17 @@ impl Room<'_> {
         let (understood, shown) = (understood.unwrap_or(&[]), shown.unwrap_or(&[]));
         let mut weights = Weights::of(self.weights, rate(tables, pass));
         let descriptions = || pairs.iter().map(|pair| possible.command(pair.command));
-        let found = self.found.take(session);
+        let (found, places) = (self.found.take(session), &mut self.found.places);
         let mut speaking =
-            found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions(), self.taught));
-
-        for (speaks, number) in speaking.each() {
-            *number = 0.0;
-            for &(cell, times) in speaks {
-                *number += times * weights.values.get(cell as usize).copied().unwrap_or(0.0);
-            }
-        }
+            found.unwrap_or_else(|| Speaking::of(tables, self.learned.said, bitext.sentence(session), descriptions(), self.taught, places));
+        speaking.score(&weights);
         let parts = &mut speaking.parts;
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, (&understood, pair)) in understood.iter().zip(pairs).enumerate() {
             let group = self.learned.group(possible.command(pair.command));
             tasks.push(Weighed { group, understood, parts: parts.sum(position), ..Weighed::default() });
         }
-        weigh(&mut tasks, 1.0 + weights.values.get(TRUST).copied().unwrap_or(0.0));
+        weigh(&mut tasks, 1.0 + weights.value(TRUST));
         let wanted = &mut *vec![0.0_f32; count];
         for (((slot, task), &shown), pair) in wanted.iter_mut().zip(&tasks).zip(shown).zip(pairs) {
             *slot = (shown + UNREFUTED * pair.weight) * (task.trusted + LEAST);
@@ -127,12 +121,7 @@ impl Room<'_> {
             parts.add(position, slope);
             of_trust += slope * task.logarithm;
         }
-        for (speaks, number) in speaking.each() {
-            speaks.iter().for_each(|&(cell, times)| weights.lean(cell as usize, times * *number));
-        }
-        for (speaks, _) in speaking.each() {
-            speaks.iter().for_each(|&(cell, _)| weights.settle(cell as usize));
-        }
+        speaking.learn(&mut weights);
         weights.step(TRUST, of_trust);
         let (sentence, rate) = (bitext.sentence(session), weights.rate);
         let of_networks: usize = self.networks.iter_mut().map(|network| network.learn(session, pass, sentence, &of_scene, rate)).sum();
@@ -146,7 +135,7 @@ impl Room<'_> {
         let mut weights = Weights::of(self.weights, rate(tables, pass));
         for (range, pull) in PULLS {
             for cell in range {
-                let value = weights.values.get(cell).copied().unwrap_or(0.0);
+                let value = weights.value(cell);
                 if value != 0.0 {
                     weights.step(cell, pull * value);
                 }

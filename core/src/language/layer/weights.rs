@@ -1,7 +1,8 @@
 //! The cells of the weights: each feature of a command and a part of a task has a cell, found by a hash. Two features may share one.
 
-use crate::probability::square_root;
+use crate::probability::{root, square_root};
 use crate::symbols::Symbol;
+use alloc::vec::Vec;
 use core::ops::Range;
 
 /// Weights of a word together with a kind of task.
@@ -106,8 +107,6 @@ pub(super) fn hashed<const PARTS: usize>(count: usize, parts: [u16; PARTS]) -> u
 /// The weights, and the state of their training.
 pub(super) struct Weights<'t> {
     pub values: &'t mut [f32],
-    /// The gradient of the current session; 0 between sessions.
-    pub slopes: &'t mut [f32],
     /// 1 plus the sum of the squares of all gradients so far.
     pub squares: &'t mut [f32],
     /// The step size.
@@ -115,18 +114,21 @@ pub(super) struct Weights<'t> {
 }
 
 impl<'t> Weights<'t> {
-    /// The three parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
+    /// The two parts of a table of [`LAYER_WEIGHTS`](super::LAYER_WEIGHTS) numbers.
     pub fn of(all: &'t mut [f32], rate: f32) -> Self {
-        let (values, rest) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
-        let (slopes, squares) = rest.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
-        Self { values, slopes, squares, rate }
+        let (values, squares) = all.split_at_mut_checked(CELLS).unwrap_or((&mut [], &mut []));
+        Self { values, squares, rate }
     }
 
     /// Resets everything to before training.
     pub fn clear(&mut self) {
         self.values.fill(0.0);
-        self.slopes.fill(0.0);
         self.squares.fill(1.0);
+    }
+
+    /// A weight.
+    pub fn value(&self, cell: usize) -> f32 {
+        self.values.get(cell).copied().unwrap_or(0.0)
     }
 
     /// One `AdaGrad` step of a weight against this slope.
@@ -137,18 +139,20 @@ impl<'t> Weights<'t> {
         }
     }
 
-    /// Adds to a weight's gradient.
-    pub fn lean(&mut self, cell: usize, slope: f32) {
-        if let Some(slot) = self.slopes.get_mut(cell) {
-            *slot += slope;
+    /// The same for each of these weights. No cell occurs twice. The roots are apart from the tables, where the compiler can compute several
+    /// at once.
+    pub fn step_each(&mut self, cells: &[u32], mut slopes: Vec<f32>) {
+        let rate = self.rate;
+        let mut squares: Vec<f32> = cells.iter().map(|&cell| self.squares.get(cell as usize).copied().unwrap_or(1.0)).collect();
+        for (square, slope) in squares.iter_mut().zip(&mut slopes) {
+            *square += *slope * *slope;
+            *slope = rate * *slope / root(*square);
         }
-    }
-
-    /// One step of a weight against its gradient, which becomes 0.
-    pub fn settle(&mut self, cell: usize) {
-        let slope = self.slopes.get_mut(cell).map_or(0.0, core::mem::take);
-        if slope != 0.0 {
-            self.step(cell, slope);
+        for (&cell, (square, step)) in cells.iter().zip(squares.iter().zip(&slopes)) {
+            if let (Some(value), Some(slot)) = (self.values.get_mut(cell as usize), self.squares.get_mut(cell as usize)) {
+                *value -= step;
+                *slot = *square;
+            }
         }
     }
 }

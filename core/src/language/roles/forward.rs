@@ -40,11 +40,21 @@ pub(super) struct Present {
     pub role: Role,
     /// The column of its probability in a row of p0: by its row if training has seen the lifted task, otherwise by its position.
     column: u8,
+    /// The column of its kind in a lift.
+    lift: u8,
 }
 
 impl Present {
     pub fn kind(self) -> RoleKind {
         self.role.kind()
+    }
+
+    pub fn column(self) -> usize {
+        usize::from(self.column)
+    }
+
+    pub fn lift(self) -> usize {
+        usize::from(self.lift)
     }
 }
 
@@ -102,10 +112,10 @@ pub(super) struct Before {
 
 /// Scratch buffers, reused across words to avoid zeroing them again. Only the entries of roles that are present are read.
 pub(super) struct Scratch {
-    lifts: Moves,
-    emissions: Roles,
-    moves: Moves,
-    into: Roles,
+    pub lifts: Moves,
+    pub emissions: Roles,
+    pub moves: Moves,
+    pub into: Roles,
 }
 
 impl Scratch {
@@ -155,7 +165,8 @@ impl<'t, 'd> Reader<'t, 'd> {
                 Some(present) => present,
                 None => {
                     let column = known.filter(|_| self.form.is_some()).unwrap_or(self.present.len()).saturating_add(2);
-                    if self.present.push(Present { role, column: column as u8 }).is_err() {
+                    let lift = role.kind().index().saturating_add(2);
+                    if self.present.push(Present { role, column: column as u8, lift: lift as u8 }).is_err() {
                         continue;
                     }
                     self.present.len().saturating_sub(1)
@@ -226,7 +237,7 @@ impl<'t, 'd> Reader<'t, 'd> {
     }
 
     /// T[v](w). A value that training has not seen has the frequencies of all words.
-    #[inline(never)]
+    #[cfg_attr(not(feature = "layer"), inline(never))]
     pub fn value(&self, token: Symbol, word: usize) -> f32 {
         if word >= self.layout.words() {
             return self.novelty(Some(token));
@@ -379,7 +390,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         let [background, task, roles @ ..] = lifts;
         (*background, *task) = (cell(lift, 0), cell(lift, 1));
         for (slot, present) in roles.iter_mut().zip(&self.present) {
-            *slot = cell(lift, present.kind().index() + 2);
+            *slot = cell(lift, present.lift());
         }
         for &cue in &before.cues {
             let row = get(self.alignments, self.layout.cue(usize::from(cue)));
@@ -404,7 +415,8 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// Fills in the weights of background, a word of the task and each present role after a memory, with these lifts. Returns their scale,
     /// (1 - end) / (the sum of the weights).
-    #[inline(never)]
+    #[cfg_attr(feature = "layer", inline(always))]
+    #[cfg_attr(not(feature = "layer"), inline(never))]
     pub fn step(&self, memory: usize, lifts: &Moves, moves: &mut Moves) -> f32 {
         let untrained;
         let (row, end) = if self.form.is_some() {
@@ -424,7 +436,7 @@ impl<'t, 'd> Reader<'t, 'd> {
         *task = cell(row, 1) * of_task;
         let mut sum = *background + *task;
         for ((slot, lift), present) in roles.iter_mut().zip(of_roles).zip(&self.present) {
-            *slot = cell(row, usize::from(present.column)) * lift;
+            *slot = cell(row, present.column()) * lift;
             sum += *slot;
         }
         if sum > 0.0 { (1.0 - end) / sum } else { 0.0 }
@@ -435,14 +447,14 @@ impl<'t, 'd> Reader<'t, 'd> {
     #[inline(always)]
     fn trained_row(&self, memory: usize) -> (&'t [f32], f32) {
         let present = memory.checked_sub(1).and_then(|present| self.present.get(present));
-        let row = present.map_or(0, |present| usize::from(present.column).saturating_sub(1));
+        let row = present.map_or(0, |present| present.column().saturating_sub(1));
         let width = self.layout.moves();
         let start = row.saturating_mul(width);
         (get(self.p0, start..start.saturating_add(width)), cell(self.ends, row))
     }
 
     /// Reads one word: computes the probability of each memory after it from that before it. Returns the sum over the memories.
-    pub fn advance(&self, word: usize, words: &Before, before: &Memories, after: &mut Memories, scratch: &mut Scratch) -> f32 {
+    pub fn advance(&self, word: usize, words: &Before, before: &[f32], after: &mut [f32], scratch: &mut Scratch) -> f32 {
         let Scratch { lifts, emissions, moves, into } = scratch;
         self.lifts(words, lifts);
         let (background, task) = self.background_and_task(word);
@@ -470,7 +482,7 @@ impl<'t, 'd> Reader<'t, 'd> {
                 false => into.for_each(|(slot, part)| *slot += scale * part),
             }
         }
-        let [none, roles @ ..] = after;
+        let Some((none, roles)) = after.split_first_mut() else { return 0.0 };
         let mut sum = *none;
         for ((slot, into), emission) in roles.iter_mut().zip(&*into).zip(&*emissions).take(count) {
             *slot += into * emission;

@@ -55,8 +55,12 @@ fn shares(layout: &Layout, alignments: &[f32], words: &[Symbol], length: f32) ->
 /// The different words of a command.
 fn different(sentence: &[Symbol]) -> Vec<Symbol, WORDS_PER_COMMAND> {
     let mut different: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
+    // A bit for each word, which others may share, saves most searches.
+    let mut seen = 0_u64;
     for &word in sentence {
-        if !different.contains(&word) {
+        let before = seen;
+        seen |= 1 << (word.0 & 63);
+        if seen != before || !different.contains(&word) {
             // No more than the command has, so they fit.
             let _ = different.push(word);
         }

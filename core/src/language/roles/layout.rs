@@ -264,6 +264,11 @@ impl Layout {
         row(0, token.map_or(0, |token| token.index() + 1), self.words)
     }
 
+    /// The cell of a word in a token's row; no cell of the table if the row lacks it.
+    pub(super) fn of_word(&self, token: Option<Symbol>, word: usize) -> usize {
+        if word < self.words { self.row(token).start.wrapping_add(word) } else { usize::MAX }
+    }
+
     pub(super) fn common(&self) -> Range<usize> {
         row(0, 0, self.words)
     }
@@ -348,8 +353,8 @@ pub(super) fn get(cells: &[f32], range: Range<usize>) -> &[f32] {
     cells.get(range).unwrap_or(&[])
 }
 
-/// A row of a table, to write to; empty if the table is too short. A call takes less flash than the check.
-#[inline(never)]
+/// A row of a table, to write to; empty if the table is too short. On boards, a call takes less flash than the check.
+#[cfg_attr(not(feature = "layer"), inline(never))]
 pub(super) fn get_mut(cells: &mut [f32], range: Range<usize>) -> &mut [f32] {
     cells.get_mut(range).unwrap_or(&mut [])
 }

@@ -30,8 +30,8 @@
 //! each row towards its prior. On four sets of recorded commands none of 16 rounds lost any. After the rounds the [kind of
 //! task](super::kind) is trained.
 
-use super::forward::{Before, END, Memories, Moves, Reader, Roles, Scratch, kept, prior};
-use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get, get_mut};
+use super::forward::{Before, END, Moves, Reader, Roles, Scratch, kept, prior};
+use super::layout::{KINDS, Layout, SHARES_NAMED, cell, get, get_mut};
 use super::{kind, start};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
@@ -328,19 +328,20 @@ impl Work<'_, '_> {
                 }
             });
         }
-        let mut cells = 0_usize;
+        let (mut cells, mut scratch) = (0_usize, Scratch::NEW);
         while cells < left {
             let next = match pass {
                 Pass::Forward(word) if usize::from(word) < sentence.len() => {
                     cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
-                    forward_word(&reader, sentence, usize::from(word), trellis).map(|()| Pass::Forward(word.saturating_add(1)))
+                    forward_word(&reader, sentence, usize::from(word), trellis, &mut scratch)
+                        .map(|()| Pass::Forward(word.saturating_add(1)))
                 }
-                Pass::Forward(words) => begin_backward(&reader, sentence, trellis, |event| counts.add(event))
+                Pass::Forward(words) => begin_backward(&reader, sentence, trellis, &mut counts)
                     .and_then(|()| Some(Pass::Backward { word: words.checked_sub(1)?, memory: 0 })),
                 Pass::Backward { word, memory } => {
                     let most = left.saturating_sub(cells).div_ceil(description.len().max(1));
                     let from = (usize::from(memory), most);
-                    let (done, next) = backward_word(&reader, sentence, usize::from(word), from, trellis, |event| counts.add(event));
+                    let (done, next) = backward_word(&reader, sentence, usize::from(word), from, trellis, &mut scratch, &mut counts);
                     cells = cells.saturating_add(description.len().saturating_mul(done));
                     match next < reader.memories() {
                         true => Some(Pass::Backward { word, memory: next as u8 }),
@@ -479,39 +480,30 @@ impl Work<'_, '_> {
     }
 }
 
-/// A posterior probability in reading a command.
-pub(super) enum Event<'e> {
-    /// The command ends with this memory.
-    Stop {
-        /// The memory.
-        memory: usize,
-        /// Its probability.
-        share: f32,
-    },
+/// Hears the posterior probabilities in reading a command. Each method is called at one place, where it is compiled in.
+pub(super) trait Listener {
+    /// The probability that the command ends with this memory.
+    fn stop(&mut self, memory: usize, share: f32);
     /// A word, read from one memory.
-    Word {
-        /// The position of the word.
-        position: usize,
-        /// The memory before it.
-        memory: usize,
-        /// The probability of that memory with the word as background, as a word of the task, and as each role.
-        background: f32,
-        task: f32,
-        roles: &'e Roles,
-        /// The context before it.
-        before: &'e Before,
-        /// The unnormalised probability of each role before the word was heard.
-        expected: &'e [f32],
-    },
-    /// A word, over all memories.
-    Values {
-        /// The position of the word.
-        position: usize,
-        /// Pr(w | role).
-        emissions: &'e Roles,
-        /// The probability of each present role.
-        roles: &'e [f32],
-    },
+    fn word(&mut self, word: &WordRead<'_>);
+    /// A word at this position, over all memories: Pr(w | role), and the probability of each present role.
+    fn values(&mut self, position: usize, emissions: &Roles, roles: &[f32]);
+}
+
+/// A word, read from one memory.
+pub(super) struct WordRead<'e> {
+    /// The position of the word.
+    position: usize,
+    /// The memory before it.
+    memory: usize,
+    /// The probability of that memory with the word as background, as a word of the task, and as each present role.
+    pub background: f32,
+    pub task: f32,
+    roles: &'e [f32],
+    /// The context before it.
+    before: &'e Before,
+    /// The unnormalised probability of each present role before the word was heard.
+    expected: &'e [f32],
 }
 
 /// Adds the expected counts of one pair to the tables.
@@ -523,76 +515,76 @@ struct Counts<'r, 't> {
     a: &'r mut [f32],
 }
 
-impl Counts<'_, '_> {
-    fn add(&mut self, event: Event<'_>) {
+/// Adds to a cell, if there is one.
+fn add(cells: &mut [f32], position: usize, part: f32) {
+    if let Some(slot) = cells.get_mut(position) {
+        *slot += part;
+    }
+}
+
+impl Listener for Counts<'_, '_> {
+    fn stop(&mut self, memory: usize, share: f32) {
+        let layout = self.reader.layout();
+        if let Some((form, row)) = self.reader.form.zip(self.reader.memory(memory)) {
+            add(get_mut(self.a, layout.end(form)), row, self.weight * share);
+        }
+    }
+
+    fn word(&mut self, read: &WordRead<'_>) {
         let (reader, sentence, weight) = (self.reader, self.sentence, self.weight);
         let layout = reader.layout();
-        let Some(form) = reader.form else { return };
-        let add = |cells: &mut [f32], position: usize, part: f32| {
-            if let Some(slot) = cells.get_mut(position) {
-                *slot += part;
+        let &WordRead { position, memory, background, task, roles, before, expected } = read;
+        let (Some(form), Some(&word)) = (reader.form, sentence.get(position)) else { return };
+        let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
+        add(self.t, layout.of_word(None, word.index()), weight * background);
+        if let Some(&token) = layout.forms().get(form) {
+            add(self.t, layout.of_word(Some(token), word.index()), weight * task);
+        }
+        if layout.has_ways() {
+            let (of_roles, all): (f32, f32) = (roles.iter().sum(), expected.iter().sum());
+            if of_roles > 0.0 && all > 0.0 {
+                for &cue in &before.cues {
+                    let row = get_mut(self.a, layout.cue(usize::from(cue)));
+                    for ((present, &share), &step) in reader.present.iter().zip(roles).zip(expected) {
+                        add(row, present.kind().index(), weight * share);
+                        add(row, RoleKind::COUNT.saturating_add(present.kind().index()), weight * of_roles * step / all);
+                    }
+                }
             }
+        }
+        let Some(row) = reader.memory(memory) else { return };
+        // The lifts come before p0.
+        let range = layout.p0(form, row);
+        let Some((lifts, rest)) = self.a.split_at_mut_checked(range.start) else { return };
+        let (lift, moves) = (get_mut(lifts, layout.lift(previous)), get_mut(rest, 0..range.len()));
+        let mut add_both = |column: usize, kind: usize, part: f32| {
+            add(moves, column, part);
+            add(lift, kind, part);
         };
-        match event {
-            Event::Stop { memory, share } => {
-                if let Some(row) = reader.memory(memory) {
-                    add(get_mut(self.a, layout.end(form)), row, weight * share);
-                }
+        add_both(0, 0, weight * background);
+        add_both(1, 1, weight * task);
+        for (present, &share) in reader.present.iter().zip(roles) {
+            add_both(present.column(), present.lift(), weight * share);
+        }
+    }
+
+    fn values(&mut self, position: usize, emissions: &Roles, roles: &[f32]) {
+        let (reader, weight) = (self.reader, self.weight);
+        let (layout, Some(&word)) = (reader.layout(), self.sentence.get(position)) else { return };
+        for group in &reader.groups {
+            let (share, emission) = (cell(roles, group.present()), cell(emissions, group.present()));
+            if share <= 0.0 || emission <= 0.0 {
+                continue;
             }
-            Event::Word { position, memory, background, task, roles, before, expected } => {
-                let Some(&word) = sentence.get(position) else { return };
-                let previous = position.checked_sub(1).and_then(|before| sentence.get(before)).map_or(layout.words(), |word| word.index());
-                add(get_mut(self.t, layout.row(None)), word.index(), weight * background);
-                if let Some(&token) = layout.forms().get(form) {
-                    add(get_mut(self.t, layout.row(Some(token))), word.index(), weight * task);
-                }
-                if layout.has_ways() {
-                    let of_roles: f32 = roles.iter().take(reader.present.len()).sum();
-                    let all: f32 = expected.iter().take(reader.present.len()).sum();
-                    if of_roles > 0.0 && all > 0.0 {
-                        for &cue in &before.cues {
-                            let row = get_mut(self.a, layout.cue(usize::from(cue)));
-                            for ((present, &share), &step) in reader.present.iter().zip(roles).zip(expected) {
-                                add(row, present.kind().index(), weight * share);
-                                add(row, RoleKind::COUNT.saturating_add(present.kind().index()), weight * of_roles * step / all);
-                            }
-                        }
-                    }
-                }
-                let Some(row) = reader.memory(memory) else { return };
-                let moves = get_mut(self.a, layout.p0(form, row));
-                add(moves, 0, weight * background);
-                add(moves, 1, weight * task);
-                for (present, &share) in (0..reader.present.len()).zip(roles) {
-                    if let Some(role) = reader.known(present) {
-                        add(moves, role + 2, weight * share);
-                    }
-                }
-                let lift = get_mut(self.a, layout.lift(previous));
-                add(lift, 0, weight * background);
-                add(lift, 1, weight * task);
-                for (present, &share) in reader.present.iter().zip(roles) {
-                    add(lift, present.kind().index() + 2, weight * share);
-                }
+            let scale = weight * share * group.share / emission;
+            let mut sum = 0.0;
+            for &value in reader.values(group) {
+                let part = scale * reader.value(value, word.index());
+                add(self.t, layout.of_word(Some(value), word.index()), part);
+                sum += part;
             }
-            Event::Values { position, emissions, roles } => {
-                let Some(&word) = sentence.get(position) else { return };
-                for group in &reader.groups {
-                    let (share, emission) = (cell(roles, group.present()), cell(emissions, group.present()));
-                    if share <= 0.0 || emission <= 0.0 {
-                        continue;
-                    }
-                    let scale = weight * share * group.share / emission;
-                    let mut sum = 0.0;
-                    for &value in reader.values(group) {
-                        let part = scale * reader.value(value, word.index());
-                        add(get_mut(self.t, layout.row(Some(value))), word.index(), part);
-                        sum += part;
-                    }
-                    if let Some(role) = reader.known(group.present()) {
-                        add(get_mut(self.a, layout.lambda(role)), group.sort(), sum);
-                    }
-                }
+            if let Some(role) = reader.known(group.present()) {
+                add(get_mut(self.a, layout.lambda(role)), group.sort(), sum);
             }
         }
     }
@@ -607,31 +599,29 @@ fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
 
 /// Fills the trellis for one word: the probability of each memory after it. The divisor of these is stored at the end of the row of the
 /// memories before it. `None` if the command is impossible or the trellis too short.
-fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32]) -> Option<()> {
-    let mut before: Memories = [0.0; MOST_ROLES + 1];
-    let mut after: Memories = [0.0; MOST_ROLES + 1];
-    let row = get_mut(trellis, row_of(reader, position));
-    let (last, masses) = row.split_last_mut()?;
+fn forward_word(reader: &Reader<'_, '_>, sentence: &[Symbol], position: usize, trellis: &mut [f32], scratch: &mut Scratch) -> Option<()> {
+    let row = row_of(reader, position);
+    let (before, after) = trellis.split_at_mut_checked(row.end)?;
+    let (last, before) = get_mut(before, row.clone()).split_last_mut()?;
     if position == 0 {
-        masses.fill(0.0);
-        *masses.first_mut()? = 1.0;
+        before.fill(0.0);
+        *before.first_mut()? = 1.0;
     }
-    before.iter_mut().zip(&*masses).for_each(|(slot, mass)| *slot = *mass);
+    let (next, after) = get_mut(after, 0..row.len()).split_last_mut()?;
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
-    let sum = reader.advance(sentence.get(position)?.index(), &words, &before, &mut after, &mut { Scratch::NEW });
+    let sum = reader.advance(sentence.get(position)?.index(), &words, before, after, scratch);
     *last = sum;
     if sum <= 0.0 {
         return None;
     }
-    let (last, masses) = get_mut(trellis, row_of(reader, position + 1)).split_last_mut()?;
-    masses.iter_mut().zip(&after).for_each(|(slot, mass)| *slot = kept(mass / sum));
-    *last = 1.0;
+    after.iter_mut().for_each(|slot| *slot = kept(*slot / sum));
+    *next = 1.0;
     Some(())
 }
 
 /// Begins the way back through a filled trellis: tells the ends of the command, and writes the probability of the rest for each memory
 /// after the trellis.
-fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
+fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], listener: &mut impl Listener) -> Option<()> {
     let (filled, after) = trellis.split_at_mut_checked(row_of(reader, sentence.len()).end)?;
     let last = get(filled, row_of(reader, sentence.len()));
     let whole: f32 = (0..reader.memories()).map(|memory| cell(last, memory) * reader.end(memory)).sum();
@@ -642,7 +632,7 @@ fn begin_backward(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f
         let mass = cell(last, memory);
         // No reading leads to a memory that was dropped.
         *slot = if mass > 0.0 { reader.end(memory) / whole } else { 0.0 };
-        tell(Event::Stop { memory, share: mass * *slot });
+        listener.stop(memory, mass * *slot);
     }
     Some(())
 }
@@ -658,7 +648,8 @@ fn backward_word(
     position: usize,
     (first, most): (usize, usize),
     trellis: &mut [f32],
-    mut tell: impl FnMut(Event<'_>),
+    scratch: &mut Scratch,
+    listener: &mut impl Listener,
 ) -> (usize, usize) {
     let (memories, count) = (reader.memories(), reader.present.len());
     let nothing = (0, memories);
@@ -669,11 +660,11 @@ fn backward_word(
     };
     let before = get_mut(filled, row_of(reader, position));
     let words = reader.before(position, |position| sentence.get(position).map(|word| word.index()));
-    let mut lifts: Moves = [0.0; MOST_ROLES + 2];
-    reader.lifts(&words, &mut lifts);
+    let Scratch { lifts, emissions, moves, into: roles } = scratch;
+    reader.lifts(&words, lifts);
     let (background, task) = reader.background_and_task(word.index());
-    let mut emissions: Roles = [0.0; MOST_ROLES];
-    reader.emissions(word.index(), &mut emissions);
+    reader.emissions(word.index(), emissions);
+    let (Some(of_emissions), Some(roles)) = (emissions.get(..count), roles.get_mut(..count)) else { return nothing };
     let sum = cell(before, memories);
     if first == 0 {
         of_all.fill(0.0);
@@ -689,46 +680,37 @@ fn backward_word(
             return (done, memory);
         }
         done += 1;
-        let mut moves: Moves = [0.0; MOST_ROLES + 2];
-        let scale = reader.step(memory, &lifts, &mut moves) / sum;
-        let here = cell(after, memory);
-        let [of_background, of_task, moves @ ..] = &moves;
+        let scale = reader.step(memory, lifts, moves) / sum;
+        let (here, there) = (cell(after, memory), after.get(1..).unwrap_or(&[]));
+        let [of_background, of_task, moves @ ..] = &*moves;
+        let Some(moves) = moves.get(..count) else { return nothing };
         let (of_background, of_task) = (scale * of_background * background * here, scale * of_task * task * here);
-        let mut roles: Roles = [0.0; MOST_ROLES];
         let mut total = of_background + of_task;
-        for ((((part, all), step), emission), there) in
-            roles.iter_mut().zip(&mut *of_all).zip(moves).zip(&emissions).zip(after.iter().skip(1)).take(count)
-        {
+        for ((((part, all), step), emission), there) in roles.iter_mut().zip(&mut *of_all).zip(moves).zip(of_emissions).zip(there) {
             let share = scale * step * emission * there;
             total += share;
             *part = mass * share;
             *all += *part;
         }
         *slot = total;
-        tell(Event::Word {
-            position,
-            memory,
-            background: mass * of_background,
-            task: mass * of_task,
-            roles: &roles,
-            before: &words,
-            expected: moves,
-        });
+        let (background, task) = (mass * of_background, mass * of_task);
+        listener.word(&WordRead { position, memory, background, task, roles, before: &words, expected: moves });
     }
-    tell(Event::Values { position, emissions: &emissions, roles: of_all });
+    listener.values(position, emissions, of_all);
     after.iter_mut().zip(&*before).for_each(|(slot, next)| *slot = *next);
     (done, memories)
 }
 
-/// Goes forward through a command and back again, and tells the events of each word, the last first. `None` if the command is impossible or
-/// the trellis too short.
-pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], mut tell: impl FnMut(Event<'_>)) -> Option<()> {
+/// Goes forward through a command and back again, and tells of each word, the last first. `None` if the command is impossible or the
+/// trellis too short.
+pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], listener: &mut impl Listener) -> Option<()> {
+    let mut scratch = Scratch::NEW;
     for position in 0..sentence.len() {
-        forward_word(reader, sentence, position, trellis)?;
+        forward_word(reader, sentence, position, trellis, &mut scratch)?;
     }
-    begin_backward(reader, sentence, trellis, &mut tell)?;
+    begin_backward(reader, sentence, trellis, listener)?;
     for position in (0..sentence.len()).rev() {
-        let _ = backward_word(reader, sentence, position, (0, usize::MAX), trellis, &mut tell);
+        let _ = backward_word(reader, sentence, position, (0, usize::MAX), trellis, &mut scratch, listener);
     }
     Some(())
 }
