@@ -80,8 +80,8 @@ pub struct Extent {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Removal {
     /// The pairs that still have to move up.
-    from: usize,
-    until: usize,
+    from: u32,
+    until: u32,
     /// The machine commands before this one may be unused.
     command: u16,
 }
@@ -403,13 +403,13 @@ impl<'t> Bitext<'t> {
         let pairs = self.read().pairs();
         let first = pairs.partition_point(|pair| pair.session < session);
         let from = pairs.partition_point(|pair| pair.session <= session);
-        self.used.removal = Removal { from, until: self.used.pairs, command: self.used.commands as u16 };
+        self.used.removal = Removal { from: from as u32, until: self.used.pairs as u32, command: self.used.commands as u16 };
         self.used.pairs = first;
     }
 
     /// Continues to forget a session, by a bounded part. Returns whether it is done.
     pub(super) fn remove_on(&mut self) -> bool {
-        let (to, Removal { from, until, .. }) = (self.used.pairs, self.used.removal);
+        let (to, from, until) = (self.used.pairs, self.used.removal.from as usize, self.used.removal.until as usize);
         let count = until.saturating_sub(from).min(PAIRS_A_PART);
         if count > 0 {
             let end = from.saturating_add(count);
@@ -418,7 +418,7 @@ impl<'t> Bitext<'t> {
                 let pair = from.get();
                 to.set(Pair { session: pair.session.wrapping_sub(1), ..pair });
             }
-            (self.used.pairs, self.used.removal.from) = (to.saturating_add(count), end);
+            (self.used.pairs, self.used.removal.from) = (to.saturating_add(count), end as u32);
             return false;
         }
         // At most one machine command is removed at once, because the others are then renamed in all pairs.
