@@ -79,15 +79,20 @@ pub struct Extent {
 /// commands that only it had remain until then.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Removal {
-    /// The pairs that still have to move up.
+    /// The next pair to move up; once all have, the number of machine commands that may be unused. One number for both, because a micro:bit
+    /// has no more room.
     from: u32,
+    /// The end of the pairs that move up; 0 once all have.
     until: u32,
-    /// The machine commands before this one may be unused.
-    command: u16,
 }
 
 impl Removal {
-    const NONE: Self = Self { from: 0, until: 0, command: 0 };
+    const NONE: Self = Self { from: 0, until: 0 };
+
+    /// The rest of a removal: to move these pairs up, and then to look at this number of machine commands.
+    const fn of(from: usize, until: usize, commands: usize) -> Self {
+        if from < until { Self { from: from as u32, until: until as u32 } } else { Self { from: commands as u32, until: 0 } }
+    }
 }
 
 /// At most this number of pairs move up in one part of a removal.
@@ -230,7 +235,7 @@ impl<'t> BitextRef<'t> {
     /// Whether a session is being removed, and some pairs or machine commands are not at their place.
     #[cfg(feature = "snapshot")]
     pub(crate) const fn is_removing(self) -> bool {
-        self.used.removal.from < self.used.removal.until || self.used.removal.command > 0
+        self.used.removal.from > 0 || self.used.removal.until > 0
     }
 
     /// A number that changes whenever sessions are added or removed.
@@ -403,27 +408,28 @@ impl<'t> Bitext<'t> {
         let pairs = self.read().pairs();
         let first = pairs.partition_point(|pair| pair.session < session);
         let from = pairs.partition_point(|pair| pair.session <= session);
-        self.used.removal = Removal { from: from as u32, until: self.used.pairs as u32, command: self.used.commands as u16 };
+        self.used.removal = Removal::of(from, self.used.pairs, self.used.commands);
         self.used.pairs = first;
     }
 
     /// Continues to forget a session, by a bounded part. Returns whether it is done.
     pub(super) fn remove_on(&mut self) -> bool {
         let (to, from, until) = (self.used.pairs, self.used.removal.from as usize, self.used.removal.until as usize);
-        let count = until.saturating_sub(from).min(PAIRS_A_PART);
-        if count > 0 {
-            let end = from.saturating_add(count);
+        if until > 0 {
+            let end = from.saturating_add(PAIRS_A_PART).min(until);
             let cells = Cell::from_mut(self.memory.pairs.get_mut(to..end).unwrap_or(&mut [])).as_slice_of_cells();
             for (to, from) in cells.iter().zip(cells.iter().skip(from.saturating_sub(to))) {
                 let pair = from.get();
                 to.set(Pair { session: pair.session.wrapping_sub(1), ..pair });
             }
-            (self.used.pairs, self.used.removal.from) = (to.saturating_add(count), end as u32);
+            self.used.pairs = to.saturating_add(end.saturating_sub(from));
+            self.used.removal = Removal::of(end, until, self.used.commands);
             return false;
         }
         // At most one machine command is removed at once, because the others are then renamed in all pairs.
-        while let Some(command) = self.used.removal.command.checked_sub(1) {
-            self.used.removal.command = command;
+        while let Some(command) = self.used.removal.from.checked_sub(1) {
+            self.used.removal.from = command;
+            let command = command as u16;
             if self.read().pairs().iter().any(|pair| pair.command == command) {
                 continue;
             }
