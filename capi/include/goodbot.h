@@ -282,8 +282,8 @@ typedef enum goodbot_said_kind {
   GOODBOT_SAID_KIND_FINISH,
   // The answer to the open question, which `answer` is given: `goodbot_answer`.
   GOODBOT_SAID_KIND_ANSWER,
-  // Words that correct the robot on its way: `goodbot_correct`. A library without `talk` says so only of words that begin with a no or a
-  // not: they blame the robot.
+  // Words that correct the robot on its way: `goodbot_correct`. A library without `talk` says so only of words that begin with a no, a not
+  // or blame, or have a word such as "meant": they blame the robot.
   GOODBOT_SAID_KIND_CORRECTION,
   // The robot shall stop: `goodbot_forget`.
   GOODBOT_SAID_KIND_STOP,

@@ -22,8 +22,8 @@ pub enum GoodbotSaid {
     Finish,
     /// The answer to the open question, which `answer` is given: `goodbot_answer`.
     Answer,
-    /// Words that correct the robot on its way: `goodbot_correct`. A library without `talk` says so only of words that begin with a no or a
-    /// not: they blame the robot.
+    /// Words that correct the robot on its way: `goodbot_correct`. A library without `talk` says so only of words that begin with a no, a not
+    /// or blame, or have a word such as "meant": they blame the robot.
     Correction,
     /// The robot shall stop: `goodbot_forget`.
     Stop,

@@ -26,8 +26,8 @@ pub enum Said {
     Finish,
     /// The answer to the open question.
     Answer(Answer),
-    /// Words that correct the robot on its way: "no, the blue one". Without the feature `talk`, only those that begin with a no or a not;
-    /// they are then no more than blame.
+    /// Words that correct the robot on its way: "no, the blue one". Without the feature `talk`, only those that begin with a no, a not or
+    /// blame, or have a word such as "meant"; they are then no more than blame.
     Correction,
     /// Stop the robot.
     Stop,
