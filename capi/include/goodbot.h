@@ -194,9 +194,6 @@
 // `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 #define GOODBOT_FLASH_UNIT 256
 
-// Words of 32 bits that a `goodbot_drive` takes beside its first.
-#define GOODBOT_DRIVE_WORDS 24
-
 // The result of a call.
 typedef enum goodbot_status {
   // Done.
@@ -330,24 +327,6 @@ typedef enum goodbot_taken_for {
   // Praise, stop, a greeting and the like: `goodbot_said` says which.
   GOODBOT_TAKEN_FOR_TALK,
 } goodbot_taken_for;
-
-// What the robot is doing.
-typedef enum goodbot_motion {
-  // It has nothing to do.
-  GOODBOT_MOTION_RESTING = 0,
-  // It goes back to the middle of its cell.
-  GOODBOT_MOTION_CENTRING = 1,
-  // It turns on the spot.
-  GOODBOT_MOTION_TURNING = 2,
-  // It drives to the next cell.
-  GOODBOT_MOTION_DRIVING = 3,
-  // It has stopped in the middle of the cell.
-  GOODBOT_MOTION_ARRIVED = 4,
-  // It stops, because nothing was heard or the pose is not a number; it goes on when that is over.
-  GOODBOT_MOTION_WAITING = 5,
-  // It has given up the action and stopped. Sense the cell and plan again.
-  GOODBOT_MOTION_STUCK = 6,
-} goodbot_motion;
 
 // The tables, by their positions in `goodbot_capacities`.
 enum goodbot_capacity
@@ -680,88 +659,6 @@ typedef struct goodbot_flash {
   // Bytes of each slot: a multiple of the same sizes, and at least `GOODBOT_FLASH_UNIT` more than the model.
   uint32_t slot_bytes;
 } goodbot_flash;
-
-// A drive from cell to cell, in memory of the caller's; `goodbot_drive_init` sets it up.
-typedef struct goodbot_drive {
-  uint32_t magic;
-  uint32_t state[GOODBOT_DRIVE_WORDS];
-} goodbot_drive;
-
-// Dimensions and limits of a robot with two wheels. Lengths are metres, angles radians, times seconds.
-typedef struct goodbot_limits {
-  // The distance between the wheels.
-  float track;
-  // The highest speed, metres a second.
-  float speed;
-  // The fastest turn, radians a second.
-  float turn;
-  // The most by which a wheel's speed may change, metres a second each second.
-  float acceleration;
-  // The share of the highest speed that a robot drives with certainty 0; above 0, at most 1.
-  float slowest;
-  // The robot stops after this long without `goodbot_drive_heard`.
-  float silence;
-  // An action that takes longer than this has failed.
-  float patience;
-  // The side of a cell.
-  float cell;
-  // The share of a cell by which the robot must be beyond a border before the cell changes; from 0 to below 0.5.
-  float hysteresis;
-} goodbot_limits;
-
-// Where the robot is: metres to the east and to the north, and where it faces, radians; 0 is east, a quarter turn is north.
-typedef struct goodbot_pose {
-  // To the east.
-  float x;
-  // To the north.
-  float y;
-  // Where it faces.
-  float heading;
-} goodbot_pose;
-
-// The result of one step of the control loop: the speeds for the wheels, in metres per second, and the state of the motion.
-typedef struct goodbot_wheels {
-  // The left wheel.
-  float left;
-  // The right wheel.
-  float right;
-  // The state of the motion.
-  enum goodbot_motion motion;
-} goodbot_wheels;
-
-// A wheel's encoder: a counter of `bits` bits, which may overflow at any time. `ticks_per_metre` is below 0 if it counts down as the
-// wheel rolls ahead, and 1 for distances in ticks. Set `last` to the first count.
-typedef struct goodbot_encoder {
-  // Ticks for each metre.
-  float ticks_per_metre;
-  // From 2 to 32.
-  uint32_t bits;
-  // The last count.
-  uint32_t last;
-} goodbot_encoder;
-
-// A controller of a wheel's speed: gains of 0 or more, and `sum`, which is 0 at first. `ahead` is the duty for each metre a second wanted,
-// `proportional` the duty for each metre a second that the wheel is too slow, `integral` the same for each second that this lasts.
-typedef struct goodbot_speed {
-  // 1 divided by the speed at full duty.
-  float ahead;
-  // The gain of the error.
-  float proportional;
-  // The gain of the error over time.
-  float integral;
-  // The integral part of the duty.
-  float sum;
-} goodbot_speed;
-
-// The result of two measured runs.
-typedef struct goodbot_calibration {
-  // The left wheel's ticks for each metre.
-  float left;
-  // The right wheel's.
-  float right;
-  // The distance between the wheels, metres.
-  float track;
-} goodbot_calibration;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1425,109 +1322,6 @@ enum goodbot_status goodbot_load(struct goodbot *robot,
                                  const struct goodbot_flash *flash,
                                  uint8_t *buffer,
                                  size_t bytes);
-
-// Sets up a robot at rest. `NUMBER` if a limit is not above 0, or out of its range.
-//
-// The caller sees to it:
-// `drive` and `limits` are null or valid.
-enum goodbot_status goodbot_drive_init(struct goodbot_drive *drive,
-                                       const struct goodbot_limits *limits);
-
-// Begins an action, 0 to 3 for north, south, east and west, from the robot's cell. The speed grows with `certainty`, the probability of the task.
-// `NOT_APPLICABLE` for an action that leads to no neighbour.
-//
-// The caller sees to it:
-// `drive` is null or points to one.
-enum goodbot_status goodbot_drive_go(struct goodbot_drive *drive,
-                                     int32_t x,
-                                     int32_t y,
-                                     uint8_t action,
-                                     float certainty);
-
-// Computes the wheels' speeds for the next `seconds`, for a robot at `at`. A pose that is not a number stops the robot.
-//
-// The caller sees to it:
-// Each pointer is null or valid.
-enum goodbot_status goodbot_drive_step(struct goodbot_drive *drive,
-                                       const struct goodbot_pose *at,
-                                       float seconds,
-                                       struct goodbot_wheels *wheels);
-
-// Reports that the trainer, or whoever watches the robot, is still there.
-//
-// The caller sees to it:
-// `drive` is null or points to one.
-enum goodbot_status goodbot_drive_heard(struct goodbot_drive *drive);
-
-// Reports that a bumper is pressed, or that something is close ahead. A robot that rolls ahead stops at once, and the next step is
-// `GOODBOT_MOTION_STUCK`; one that turns or backs off goes on.
-//
-// The caller sees to it:
-// `drive` is null or points to one.
-enum goodbot_status goodbot_drive_bumped(struct goodbot_drive *drive);
-
-// Gives up the action; the robot stops.
-//
-// The caller sees to it:
-// `drive` is null or points to one.
-enum goodbot_status goodbot_drive_halt(struct goodbot_drive *drive);
-
-// The cell of a pose. `x` and `y` hold the previous cell, and receive the new one.
-//
-// The caller sees to it:
-// Each pointer is null or valid.
-enum goodbot_status goodbot_drive_cell(struct goodbot_drive *drive,
-                                       const struct goodbot_pose *at,
-                                       int32_t *x,
-                                       int32_t *y);
-
-// Moves a pose as the wheels have rolled, metres; `track` is the distance between them.
-//
-// The caller sees to it:
-// `at` is null or points to a pose.
-enum goodbot_status goodbot_pose_rolled(struct goodbot_pose *at,
-                                        float left,
-                                        float right,
-                                        float track);
-
-// Moves a pose towards one from another sensor: a camera, a beacon, a line on the floor. `trust` is from 0 to 1.
-//
-// The caller sees to it:
-// `at` and `sensed` are null or point to poses.
-enum goodbot_status goodbot_pose_corrected(struct goodbot_pose *at,
-                                           const struct goodbot_pose *sensed,
-                                           float trust);
-
-// Metres that a wheel has rolled since the last call; they must be less than half of the counter's range. `NUMBER` if `bits` or
-// `ticks_per_metre` is out of range.
-//
-// The caller sees to it:
-// `encoder` and `metres` are null or valid.
-enum goodbot_status goodbot_encoder_rolled(struct goodbot_encoder *encoder,
-                                           uint32_t count,
-                                           float *metres);
-
-// The motor's duty for the next `seconds`, from -1 to 1. It is 0, and so is then `sum`, if `wanted` is 0 or a speed is not a number.
-// `NUMBER` for a wrong gain.
-//
-// The caller sees to it:
-// `speed` and `duty` are null or valid.
-enum goodbot_status goodbot_speed_duty(struct goodbot_speed *speed,
-                                       float wanted,
-                                       float measured,
-                                       float seconds,
-                                       float *duty);
-
-// Calibrates a robot from the ticks of the left and the right wheel: `straight` while it was pushed ahead along a line of `metres`, `spun` while
-// it made `turns` turns on the spot, to the left. `NUMBER` if a run gives no usable number.
-//
-// The caller sees to it:
-// Each pointer is null or valid; `straight` and `spun` point to 2 numbers.
-enum goodbot_status goodbot_calibrate(const float *straight,
-                                      float metres,
-                                      const float *spun,
-                                      float turns,
-                                      struct goodbot_calibration *calibration);
 
 #ifdef __cplusplus
 }  // extern "C"

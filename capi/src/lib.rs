@@ -21,8 +21,7 @@
 //! - [`words`]: the meanings of its words;
 //! - [`model`]: saving and restoring a model;
 //! - [`starter`]: everyday sentences to begin with;
-//! - [`storage`]: a model in flash, safe from power cuts;
-//! - [`drive`]: from wheels to cells and back.
+//! - [`storage`]: a model in flash, safe from power cuts.
 
 #![no_std]
 #![deny(missing_docs)]
@@ -37,8 +36,6 @@ pub mod arena;
 pub mod asking;
 pub mod beliefs;
 pub mod capacities;
-#[cfg(feature = "drive")]
-pub mod drive;
 #[cfg(feature = "home")]
 pub mod home;
 pub mod memory;

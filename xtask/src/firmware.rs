@@ -122,12 +122,12 @@ pub fn trials() -> Result<&'static [Trial]> {
     Ok(once(&DONE, run_all)?)
 }
 
-/// Programs built for the Cortex-M4F: a robot of one's own, the first plan for tasks with ways, and the lessons on wheels that slip.
-pub fn alone() -> Result<[PathBuf; 3]> {
+/// Programs built for the Cortex-M4F: a robot of one's own, and the first plan for tasks with ways.
+pub fn alone() -> Result<[PathBuf; 2]> {
     // Programs with the same features are built once.
     let folder = build(AN386.target, &["--bin", "arm", "--features", "mps2-an386 arm"])?;
-    build(AN386.target, &["--bin", "ways", "--bin", "wheels", "--features", "mps2-an386 ways wheels"])?;
-    Ok(["arm", "ways", "wheels"].map(|name| folder.join(name)))
+    build(AN386.target, &["--bin", "ways", "--features", "mps2-an386 ways"])?;
+    Ok(["arm", "ways"].map(|name| folder.join(name)))
 }
 
 /// A robot that only obeys, built for the Cortex-M4F.

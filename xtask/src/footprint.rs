@@ -142,7 +142,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
         }
         rows.insert(format!("{} ({}), {}", image.board.name, image.board.processor, image.board.preset), row);
     }
-    let [arm, ways, _] = alone()?;
+    let [arm, ways] = alone()?;
     let mut binaries = vec![
         ("Rust, an arm of one's own (firmware/src/arm.rs)", arm),
         ("Rust, the arm when it only obeys (firmware/src/obey.rs)", obeying()?),

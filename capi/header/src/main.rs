@@ -6,7 +6,7 @@ use anyhow::{Context, Result, anyhow};
 use cbindgen::{Builder, Config};
 
 /// The sources of the header's items, in the header's order.
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 20] = [
     "status.rs",
     "version.rs",
     "capacities.rs",
@@ -27,7 +27,6 @@ const SOURCES: [&str; 21] = [
     "starter.rs",
     "parameters.rs",
     "storage.rs",
-    "drive.rs",
 ];
 
 fn capi() -> &'static Path {

@@ -4,7 +4,6 @@
 
 mod robots;
 
-mod drive;
 mod explained;
 mod hypotheses;
 mod memory;

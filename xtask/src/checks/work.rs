@@ -13,7 +13,7 @@ use crate::firmware::{
 };
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
-use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, WASM, WINDOWS};
+use crate::toolchain::{self, WASM, WINDOWS};
 
 /// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
 /// minutes to build, and making the page tests it.
@@ -97,7 +97,7 @@ pub fn clippy() -> Result<()> {
     for features in ["", "learning", "snapshot", "voice"] {
         cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
     }
-    for part in ["course", "drive", "lesson"] {
+    for part in ["course", "lesson"] {
         cmd!(sh, "cargo clippy --package goodbot-{part} -- -D warnings").run()?;
     }
     for kind in ["home", "table"] {
@@ -111,16 +111,13 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks, without a linker, that a robot on a board's pins compiles for a controller, and the command line for another system. To build the
-/// standard library of Windows takes minutes, so that is done only if no other step was chosen.
+/// Checks, without a linker, that the command line compiles for another system. To build the standard library of Windows takes minutes, so
+/// that is done only if no other step was chosen.
 pub fn portable(run: &Run) -> Result<()> {
     let sh = shell()?;
-    // Built, because the steps for C build the same standard library; to check it alone would take as long once more.
-    let build = toolchain::cargo(&sh, CORTEX_M4F, "build")?.args(["--locked", "--profile", CONTROLLER]);
-    build.args(["--package", "goodbot-drive", "--no-default-features", "--features", "embedded-hal"]).run()?;
     if toolchain::has_windows()? || run.chosen == [Step::Portable] {
         let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
-        check.args(["--package", "goodbot-cli", "--package", "goodbot-drive"]).run()?;
+        check.args(["--package", "goodbot-cli"]).run()?;
     } else {
         println!(
             "not checked: the command line for Windows, for lack of its standard library (`cargo xtask test --only portable` builds it)"
@@ -215,7 +212,7 @@ pub fn course() -> Result<()> {
             ensure!(found <= most, "{name}: {found} {what}, and {most} are the most");
         }
     }
-    let [arm, planned, wheels] = alone()?;
+    let [arm, planned] = alone()?;
     let planned = run_alone(&planned)?;
     let to_plan = planned.number("first-plan")?;
     println!("three storeys, with {} bytes of RAM:\n{}", planned.ram()?, planned.0);
@@ -227,7 +224,6 @@ pub fn course() -> Result<()> {
         learned == restored,
         "the arm that only obeys understands otherwise than the one whose parameters it has: {restored:08x}, not {learned:08x}"
     );
-    println!("the lessons on wheels:\n{}", run_alone(&wheels)?.0);
     Ok(())
 }
 
