@@ -15,11 +15,12 @@
    Rules for all of them:
 
    - Every function that can fail returns a status; GOODBOT_STATUS_OK is 0. A call that fails changes nothing, unless its text says so.
-   - Memory is yours, aligned to 8. It must stay in place and hold nothing else; nothing has to be freed.
+   - Memory is yours, aligned to 8. It must stay in place and hold nothing else; nothing has to be freed. A handle that was copied or moved
+     is told by GOODBOT_STATUS_BAD_HANDLE.
    - Texts are UTF-8 and end with 0. They are copied, but for those that a goodbot_table points to.
    - Nothing is global: robots do not know of each other. One robot is one thread's at a time.
-   - No function may be called from an interrupt handler while another may be under way: the handler sets a flag, the control loop looks at
-     it and calls goodbot_feedback.
+   - No function may be called for a robot while another is under way for it: an interrupt handler sets a flag, the control loop looks at
+     it and calls goodbot_feedback. A call from an interrupt or from a function of yours answers GOODBOT_STATUS_BUSY and does nothing.
    - A function with a budget does about as much work as the budget says and no more. goodbot_hear, goodbot_hear_one_of, goodbot_listen,
      goodbot_finish, goodbot_home_build, goodbot_join_starter, goodbot_save, goodbot_store, goodbot_restore and goodbot_load do all at once;
      the others are short, as docs/footprint.md counts. */
@@ -33,8 +34,39 @@
 #include <stddef.h>
 #include <stdint.h>
 
+// The library's version.
+#define GOODBOT_VERSION_MAJOR 0
+#define GOODBOT_VERSION_MINOR 1
+#define GOODBOT_VERSION_PATCH 0
+
+// The features of the library that this header came with: 1 for those that it has. Only their functions are there to be linked.
+#define GOODBOT_HAS_ASKING 1
+#define GOODBOT_HAS_BOUNDS 1
+#define GOODBOT_HAS_CHECKS 1
+#define GOODBOT_HAS_DERIVED 1
+#define GOODBOT_HAS_EXPLAIN 1
+#define GOODBOT_HAS_FORGETTING 1
+#define GOODBOT_HAS_HOME 1
+#define GOODBOT_HAS_LEARNING 1
+#define GOODBOT_HAS_TABLE 1
+#define GOODBOT_HAS_TALK 1
+#define GOODBOT_HAS_UNICODE 1
+#define GOODBOT_HAS_VOICE 1
+#define GOODBOT_HAS_WAYS 1
+
+// Warns where the result of a function is not used. Define it as nothing before the header is included, if that is too strict.
+#ifndef GOODBOT_MUST_USE
+#if (defined(__cplusplus) && __cplusplus >= 201703L) || (defined(__STDC_VERSION__) && __STDC_VERSION__ >= 202311L)
+#define GOODBOT_MUST_USE [[nodiscard]]
+#elif defined(__GNUC__)
+#define GOODBOT_MUST_USE __attribute__((warn_unused_result))
+#else
+#define GOODBOT_MUST_USE
+#endif
+#endif
+
 // The version of this interface. It rises when a program that was compiled with an older header would go wrong.
-#define GOODBOT_API_VERSION 1
+#define GOODBOT_API_VERSION 2
 
 // How many capacities there are.
 #define GOODBOT_CAPACITIES 25
@@ -195,7 +227,11 @@
 #define GOODBOT_FLASH_UNIT 256
 
 // The result of a call.
-typedef enum goodbot_status {
+enum goodbot_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
   // Done.
   GOODBOT_STATUS_OK = 0,
   // Not done yet: call again.
@@ -265,10 +301,23 @@ typedef enum goodbot_status {
   // The library has no checks, and the table is none that was checked: print it by `goodbot table --c`, or link a library with the feature
   // `checks`. A task with a way needs them.
   GOODBOT_STATUS_UNCHECKED = 33,
-} goodbot_status;
+  // Another call is using this robot: this one came from a function of the caller's, an interrupt or another thread. It did nothing.
+  GOODBOT_STATUS_BUSY = 34,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum goodbot_status goodbot_status;
+#else
+typedef int32_t goodbot_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 // What words ask the robot to do.
-typedef enum goodbot_said_kind {
+enum goodbot_said_kind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
   // A command: `goodbot_listen`.
   GOODBOT_SAID_KIND_COMMAND,
   // A word to the last step: `goodbot_feedback` with `GOODBOT_REWARD`.
@@ -290,10 +339,21 @@ typedef enum goodbot_said_kind {
   GOODBOT_SAID_KIND_AGAIN,
   // There is nothing to do.
   GOODBOT_SAID_KIND_NOTHING,
-} goodbot_said_kind;
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum goodbot_said_kind goodbot_said_kind;
+#else
+typedef uint32_t goodbot_said_kind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 // The robot's verdict on an utterance.
-typedef enum goodbot_verdict {
+enum goodbot_verdict
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
   // The task is meant: plan and act.
   GOODBOT_VERDICT_SURE,
   // It is not sure which task is meant: ask, or wait. `goodbot_forget` ends the session.
@@ -302,10 +362,21 @@ typedef enum goodbot_verdict {
   GOODBOT_VERDICT_DONE,
   // It means nothing that the robot can do here.
   GOODBOT_VERDICT_NONE,
-} goodbot_verdict;
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum goodbot_verdict goodbot_verdict;
+#else
+typedef uint32_t goodbot_verdict;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 // The most likely reading of an utterance.
-typedef enum goodbot_taken_for {
+enum goodbot_taken_for
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
   // A command for one task.
   GOODBOT_TAKEN_FOR_COMMAND,
   // Nothing that the robot can do.
@@ -326,7 +397,14 @@ typedef enum goodbot_taken_for {
   GOODBOT_TAKEN_FOR_AGAIN,
   // Praise, stop, a greeting and the like: `goodbot_said` says which.
   GOODBOT_TAKEN_FOR_TALK,
-} goodbot_taken_for;
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum goodbot_taken_for goodbot_taken_for;
+#else
+typedef uint32_t goodbot_taken_for;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
 
 // The tables, by their positions in `goodbot_capacities`.
 enum goodbot_capacity
@@ -614,9 +692,9 @@ typedef struct goodbot_listened {
   // The tasks that are meant, one bit each by their positions; several if all things of a kind are meant.
   uint64_t tasks;
   // What to do.
-  enum goodbot_verdict verdict;
+  goodbot_verdict verdict;
   // The reading.
-  enum goodbot_taken_for taken_for;
+  goodbot_taken_for taken_for;
   // The most likely task, by its position.
   uint32_t task;
   // How probable it is that the tasks are meant, from 0 to 1.
@@ -665,28 +743,30 @@ extern "C" {
 #endif // __cplusplus
 
 // What is wrong, as a sentence for people; a constant text that is never null.
-const char *goodbot_status_text(int32_t status);
+GOODBOT_MUST_USE const char *goodbot_status_text(int32_t status);
 
 // The version of the library that is linked: compare it with `GOODBOT_API_VERSION`.
-uint32_t goodbot_api_version(void);
+GOODBOT_MUST_USE uint32_t goodbot_api_version(void);
 
 // Fills in a preset: `GOODBOT_SMALL`, `GOODBOT_TINY`, `GOODBOT_OWN` or `GOODBOT_STANDARD`.
 //
 // The caller sees to it:
 // `capacities` is null or points to memory for it.
-enum goodbot_status goodbot_preset(uint32_t preset, struct goodbot_capacities *capacities);
+GOODBOT_MUST_USE
+goodbot_status goodbot_preset(uint32_t preset,
+                              struct goodbot_capacities *capacities);
 
 // Bytes that a robot in a home takes with these capacities; 0 for null.
 //
 // The caller sees to it:
 // `capacities` is null or points to capacities.
-size_t goodbot_size(const struct goodbot_capacities *capacities);
+GOODBOT_MUST_USE size_t goodbot_size(const struct goodbot_capacities *capacities);
 
 // Bytes that a robot of the caller's own takes with these capacities; 0 for null.
 //
 // The caller sees to it:
 // `capacities` is null or points to capacities.
-size_t goodbot_table_size(const struct goodbot_capacities *capacities);
+GOODBOT_MUST_USE size_t goodbot_table_size(const struct goodbot_capacities *capacities);
 
 // The least capacities with which a robot like this one, in its present world, takes such lessons and forgets none. Ask a robot with ample
 // memory, on a host: `FULL` if its own is too small for one session. A session under way ends unlearned.
@@ -696,9 +776,10 @@ size_t goodbot_table_size(const struct goodbot_capacities *capacities);
 //
 // The caller sees to it:
 // `robot` is null or a handle, `lessons` null or points to lessons, `capacities` is null or points to memory for it.
-enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
-                                             const struct goodbot_lessons *lessons,
-                                             struct goodbot_capacities *capacities);
+GOODBOT_MUST_USE
+goodbot_status goodbot_least_capacities(struct goodbot *robot,
+                                        const struct goodbot_lessons *lessons,
+                                        struct goodbot_capacities *capacities);
 
 // The capacities that the robot needed so far: with them, another robot has room for the same sessions. Give a robot with
 // `GOODBOT_STANDARD` its lessons on a host; these are then the capacities for the controller. `GOAL_ENTRIES` is 0: goal entries only save
@@ -706,41 +787,44 @@ enum goodbot_status goodbot_least_capacities(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle, `capacities` null or points to memory for it.
-enum goodbot_status goodbot_usage(struct goodbot *robot,
-                                  struct goodbot_capacities *capacities);
+GOODBOT_MUST_USE
+goodbot_status goodbot_usage(struct goodbot *robot,
+                             struct goodbot_capacities *capacities);
 
 // How many sessions it has learned from and still keeps.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `count` null or room for a number.
-enum goodbot_status goodbot_session_count(struct goodbot *robot, uint32_t *count);
+GOODBOT_MUST_USE goodbot_status goodbot_session_count(const struct goodbot *robot, uint32_t *count);
 
 // Begins the robot's own random choices anew: the same seed, the same choices.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
+GOODBOT_MUST_USE goodbot_status goodbot_seed(struct goodbot *robot, uint64_t seed);
 
 // The table that was full last, after `FULL` or after a session gave way. `name` receives its name (cut to `bytes` with its 0), `limit`
 // the entries that it holds, and `given` the entries that were needed. `UNKNOWN` if none was full.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
-enum goodbot_status goodbot_full(struct goodbot *robot,
-                                 char *name,
-                                 size_t bytes,
-                                 uint32_t *limit,
-                                 uint32_t *given);
+GOODBOT_MUST_USE
+goodbot_status goodbot_full(const struct goodbot *robot,
+                            char *name,
+                            size_t bytes,
+                            uint32_t *limit,
+                            uint32_t *given);
 
 // Makes a robot that will live in homes, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_size` says. It
 // understands commands to go to a room and to bring a block to a room.
 //
 // The caller sees to it:
 // `memory` is null, or the caller's memory for the robot alone, which does not move; `capacities` and `robot` are null or valid.
-enum goodbot_status goodbot_init_home(void *memory,
-                                      size_t bytes,
-                                      const struct goodbot_capacities *capacities,
-                                      struct goodbot **robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_init_home(void *memory,
+                                 size_t bytes,
+                                 const struct goodbot_capacities *capacities,
+                                 struct goodbot **robot);
 
 // As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
 // `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
@@ -749,76 +833,83 @@ enum goodbot_status goodbot_init_home(void *memory,
 //
 // The caller sees to it:
 // As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.
-enum goodbot_status goodbot_init_home_tasks(void *memory,
-                                            size_t bytes,
-                                            const struct goodbot_capacities *capacities,
-                                            const char *const *tasks,
-                                            uint32_t task_count,
-                                            struct goodbot **robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_init_home_tasks(void *memory,
+                                       size_t bytes,
+                                       const struct goodbot_capacities *capacities,
+                                       const char *const *tasks,
+                                       uint32_t task_count,
+                                       struct goodbot **robot);
 
 // Begins to describe a home. What was learned stays; a session under way ends unlearned.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_home_begin(struct goodbot *robot);
+GOODBOT_MUST_USE goodbot_status goodbot_home_begin(struct goodbot *robot);
 
 // Adds a room: the box of its border, whose cells are wall where no door is, and its colour.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings.
-enum goodbot_status goodbot_home_room(struct goodbot *robot,
-                                      const char *name,
-                                      int32_t left,
-                                      int32_t bottom,
-                                      int32_t right,
-                                      int32_t top,
-                                      const char *color);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_room(struct goodbot *robot,
+                                 const char *name,
+                                 int32_t left,
+                                 int32_t bottom,
+                                 int32_t right,
+                                 int32_t top,
+                                 const char *color);
 
 // Adds a door: a box of cells without walls.
 //
 // The caller sees to it:
 // As `goodbot_home_room`.
-enum goodbot_status goodbot_home_door(struct goodbot *robot,
-                                      const char *name,
-                                      int32_t left,
-                                      int32_t bottom,
-                                      int32_t right,
-                                      int32_t top);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_door(struct goodbot *robot,
+                                 const char *name,
+                                 int32_t left,
+                                 int32_t bottom,
+                                 int32_t right,
+                                 int32_t top);
 
 // Adds a block.
 //
 // The caller sees to it:
 // As `goodbot_home_room`.
-enum goodbot_status goodbot_home_block(struct goodbot *robot,
-                                       const char *name,
-                                       int32_t x,
-                                       int32_t y,
-                                       const char *color,
-                                       const char *shape);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_block(struct goodbot *robot,
+                                  const char *name,
+                                  int32_t x,
+                                  int32_t y,
+                                  const char *color,
+                                  const char *shape);
 
 // Adds the robot itself.
 //
 // The caller sees to it:
 // As `goodbot_home_room`.
-enum goodbot_status goodbot_home_agent(struct goodbot *robot,
-                                       const char *name,
-                                       int32_t x,
-                                       int32_t y);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_agent(struct goodbot *robot,
+                                  const char *name,
+                                  int32_t x,
+                                  int32_t y);
 
 // Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
 // again. Once it is done, `goodbot_home_build` is short. Adding an object starts it anew.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_home_find_cells(struct goodbot *robot,
-                                            uint32_t budget);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_find_cells(struct goodbot *robot,
+                                       uint32_t budget);
 
 // Checks the whole home. Actions 0 to 3 are then north, south, east and west; a block in the way is pushed. If it fails, begin the
 // description again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_home_build(struct goodbot *robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_build(struct goodbot *robot);
 
 // Sets whether words may mean derived facts, as well as colours and shapes: the `leftmost`, `rightmost`, `topmost`, `bottommost`,
 // `largest` or `smallest` room, the `nearest` or `farthest` room or block. It holds for this home, once it is built; the next home begins
@@ -826,46 +917,51 @@ enum goodbot_status goodbot_home_build(struct goodbot *robot);
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_home_derived(struct goodbot *robot,
-                                         bool derived);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_derived(struct goodbot *robot,
+                                    bool derived);
 
 // Says where the robot itself or a block is, as sensed.
 //
 // The caller sees to it:
 // As `goodbot_home_room`.
-enum goodbot_status goodbot_home_place(struct goodbot *robot,
-                                       const char *name,
-                                       int32_t x,
-                                       int32_t y);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_place(struct goodbot *robot,
+                                  const char *name,
+                                  int32_t x,
+                                  int32_t y);
 
 // Says where the robot itself and blocks are, all at once, as sensed, so that two of them can change places. Things that are not named
 // stay. `UNKNOWN` if a name is that of nothing that moves, `NUMBER` if a cell is wall or two things are in one cell; nothing changes then.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `sensed` is null or points to `count` of them; the names are null or C strings.
-enum goodbot_status goodbot_home_sense(struct goodbot *robot,
-                                       const struct goodbot_sensed *sensed,
-                                       uint32_t count);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_sense(struct goodbot *robot,
+                                  const struct goodbot_sensed *sensed,
+                                  uint32_t count);
 
 // Where the robot itself or a block is.
 //
 // The caller sees to it:
 // As `goodbot_home_room`; `x` and `y` are null or room for a number.
-enum goodbot_status goodbot_home_where(struct goodbot *robot,
-                                       const char *name,
-                                       int32_t *x,
-                                       int32_t *y);
+GOODBOT_MUST_USE
+goodbot_status goodbot_home_where(const struct goodbot *robot,
+                                  const char *name,
+                                  int32_t *x,
+                                  int32_t *y);
 
 // Makes a robot of the caller's own, in the caller's memory: `bytes` bytes, aligned to 8, as many as `goodbot_table_size` says. The
 // description and all that it points to must stay as long as the robot is used.
 //
 // The caller sees to it:
 // `memory` is null, or the caller's memory for the robot alone, which does not move; the other pointers are null or valid.
-enum goodbot_status goodbot_init_table(void *memory,
-                                       size_t bytes,
-                                       const struct goodbot_capacities *capacities,
-                                       const struct goodbot_table *table,
-                                       struct goodbot **robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_init_table(void *memory,
+                                  size_t bytes,
+                                  const struct goodbot_capacities *capacities,
+                                  const struct goodbot_table *table,
+                                  struct goodbot **robot);
 
 // Like `goodbot_init_table`, in the same memory, but also writes the fault of the description, with a 0 at its end: the list, the
 // item's position, the field, its value and the allowed values; or the full table, its size and the size needed. The text is empty if there
@@ -873,34 +969,36 @@ enum goodbot_status goodbot_init_table(void *memory,
 //
 // The caller sees to it:
 // As `goodbot_init_table`; `text` is null or room for `text_bytes` bytes.
-enum goodbot_status goodbot_explain_table(void *memory,
-                                          size_t bytes,
-                                          const struct goodbot_capacities *capacities,
-                                          const struct goodbot_table *table,
-                                          char *text,
-                                          size_t text_bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_explain_table(void *memory,
+                                     size_t bytes,
+                                     const struct goodbot_capacities *capacities,
+                                     const struct goodbot_table *table,
+                                     char *text,
+                                     size_t text_bytes);
 
 // Sets the current state, as sensed.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
+GOODBOT_MUST_USE goodbot_status goodbot_table_set_state(struct goodbot *robot, uint32_t state);
 
 // The current state.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `state` null or room for a number.
-enum goodbot_status goodbot_table_state(struct goodbot *robot, uint32_t *state);
+GOODBOT_MUST_USE goodbot_status goodbot_table_state(const struct goodbot *robot, uint32_t *state);
 
 // Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
 // for the other. The defaults are 0.7, 0.7 and 0.1. A session under way ends unlearned.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_trainer(struct goodbot *robot,
-                                    float mu_plus,
-                                    float mu_minus,
-                                    float epsilon);
+GOODBOT_MUST_USE
+goodbot_status goodbot_trainer(struct goodbot *robot,
+                               float mu_plus,
+                               float mu_minus,
+                               float epsilon);
 
 // Sets the `count` strategies that the trainer may have; the robot finds out which. A session under way ends unlearned. `FULL` if they are
 // more than the capacity `STRATEGIES`, `NUMBER` if there are none, a number is out of range, or all priors are 0; the strategies are then
@@ -908,15 +1006,16 @@ enum goodbot_status goodbot_trainer(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle, `strategies` null or points to `count` of them.
-enum goodbot_status goodbot_trainers(struct goodbot *robot,
-                                     const struct goodbot_strategy *strategies,
-                                     uint32_t count);
+GOODBOT_MUST_USE
+goodbot_status goodbot_trainers(struct goodbot *robot,
+                                const struct goodbot_strategy *strategies,
+                                uint32_t count);
 
 // Hears a command: a session begins in the current state.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
-enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
+GOODBOT_MUST_USE goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 
 // Hears the most probable of `count` transcripts of one command, by its weight and its possible meanings here. `chosen` receives its
 // position, and the session is as if only that one had been heard. It takes the time of hearing each transcript, and one of them twice.
@@ -924,47 +1023,53 @@ enum goodbot_status goodbot_hear(struct goodbot *robot, const char *command);
 // The caller sees to it:
 // `robot` is null or a handle; `hypotheses` is null or points to `count` of them; the commands are null or C strings; `chosen` is null or
 // room for a number.
-enum goodbot_status goodbot_hear_one_of(struct goodbot *robot,
-                                        const struct goodbot_hypothesis *hypotheses,
-                                        uint32_t count,
-                                        uint32_t *chosen);
+GOODBOT_MUST_USE
+goodbot_status goodbot_hear_one_of(struct goodbot *robot,
+                                   const struct goodbot_hypothesis *hypotheses,
+                                   uint32_t count,
+                                   uint32_t *chosen);
 
 // Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.
-enum goodbot_status goodbot_begin_hearing(struct goodbot *robot,
-                                          const char *command);
+GOODBOT_MUST_USE
+goodbot_status goodbot_begin_hearing(struct goodbot *robot,
+                                     const char *command);
 
 // Hears the last command again, in the state in which the session began: the belief goes on. This also takes up an ended session, learned
 // from or forgotten; `NO_SESSION` if the last one began in another state.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_hear_again(struct goodbot *robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_hear_again(struct goodbot *robot);
 
 // Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_hear_on(struct goodbot *robot,
-                                    uint32_t budget);
+GOODBOT_MUST_USE
+goodbot_status goodbot_hear_on(struct goodbot *robot,
+                               uint32_t budget);
 
 // Plans for the current state, with at most about `budget` node expansions. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_plan(struct goodbot *robot,
-                                 uint32_t budget);
+GOODBOT_MUST_USE
+goodbot_status goodbot_plan(struct goodbot *robot,
+                            uint32_t budget);
 
 // Decides on an action in the current state, for which the plan must be done. `plan` may be null; it receives `GOODBOT_PLAN_GOAL` and so
 // on.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `action` is room for one, `plan` is null or room for a number.
-enum goodbot_status goodbot_decide(struct goodbot *robot,
-                                   uint8_t *action,
-                                   uint32_t *plan);
+GOODBOT_MUST_USE
+goodbot_status goodbot_decide(struct goodbot *robot,
+                              uint8_t *action,
+                              uint32_t *plan);
 
 // Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
 // `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
@@ -972,113 +1077,125 @@ enum goodbot_status goodbot_decide(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
-enum goodbot_status goodbot_feedback(struct goodbot *robot,
-                                     int32_t feedback,
-                                     uint32_t *evidence);
+GOODBOT_MUST_USE
+goodbot_status goodbot_feedback(struct goodbot *robot,
+                                int32_t feedback,
+                                uint32_t *evidence);
 
 // Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
 // where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
-enum goodbot_status goodbot_trainer_ended(struct goodbot *robot,
-                                          uint32_t *evidence);
+GOODBOT_MUST_USE
+goodbot_status goodbot_trainer_ended(struct goodbot *robot,
+                                     uint32_t *evidence);
 
 // Takes in an action that the trainer did to show the way, and applies it to the current state as `goodbot_done` does. `evidence` receives
 // `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
-enum goodbot_status goodbot_demonstration(struct goodbot *robot,
-                                          uint8_t action,
-                                          uint32_t *evidence);
+GOODBOT_MUST_USE
+goodbot_status goodbot_demonstration(struct goodbot *robot,
+                                     uint8_t action,
+                                     uint32_t *evidence);
 
 // Records that an action was done in the current state, for which the plan must be done, and had the effect that the description says. A
 // robot with sensors calls this after each action too, and then reports the places that differ.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_done(struct goodbot *robot,
-                                 uint8_t action);
+GOODBOT_MUST_USE
+goodbot_status goodbot_done(struct goodbot *robot,
+                            uint8_t action);
 
 // Ends the session and begins to learn from it: call `goodbot_learn` until it is done. `gave_way` is null, or receives the number of older
 // sessions that were forgotten because memory was full; `goodbot_full` then names the table to raise.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `gave_way` null or room for a number.
-enum goodbot_status goodbot_finish(struct goodbot *robot,
-                                   uint32_t *gave_way);
+GOODBOT_MUST_USE
+goodbot_status goodbot_finish(struct goodbot *robot,
+                              uint32_t *gave_way);
 
 // Begins to end the session as `goodbot_finish` does, but in parts: call `goodbot_finish_on` until it is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_begin_finishing(struct goodbot *robot);
+GOODBOT_MUST_USE
+goodbot_status goodbot_begin_finishing(struct goodbot *robot);
 
 // Goes on ending the session, at most about `budget` table cells of work. `WORKING` means: call again. Once it is done, `gave_way` is
 // set as by `goodbot_finish`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `gave_way` null or room for a number.
-enum goodbot_status goodbot_finish_on(struct goodbot *robot,
-                                      uint32_t budget,
-                                      uint32_t *gave_way);
+GOODBOT_MUST_USE
+goodbot_status goodbot_finish_on(struct goodbot *robot,
+                                 uint32_t budget,
+                                 uint32_t *gave_way);
 
 // Ends the session without learning from it.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_forget(struct goodbot *robot);
+GOODBOT_MUST_USE goodbot_status goodbot_forget(struct goodbot *robot);
 
 // Goes on learning, at most about `budget` table cells of work. `WORKING` means: call again.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
+GOODBOT_MUST_USE goodbot_status goodbot_learn(struct goodbot *robot, uint32_t budget);
 
 // Reads the robot's options, to be changed and handed to `goodbot_set_options`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `options` null or room for them.
-enum goodbot_status goodbot_current_options(struct goodbot *robot, struct goodbot_options *options);
+GOODBOT_MUST_USE
+goodbot_status goodbot_current_options(const struct goodbot *robot,
+                                       struct goodbot_options *options);
 
 // Sets the robot's options. The training data stay; a session under way ends unlearned. `NUMBER` if one is out of range: the options are
 // then unchanged.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `options` null or points to them.
-enum goodbot_status goodbot_set_options(struct goodbot *robot,
-                                        const struct goodbot_options *options);
+GOODBOT_MUST_USE
+goodbot_status goodbot_set_options(struct goodbot *robot,
+                                   const struct goodbot_options *options);
 
 // How many tasks the command may mean.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `count` null or room for a number.
-enum goodbot_status goodbot_task_count(struct goodbot *robot, uint32_t *count);
+GOODBOT_MUST_USE goodbot_status goodbot_task_count(const struct goodbot *robot, uint32_t *count);
 
 // How probable a task is.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `probability` null or room for a number.
-enum goodbot_status goodbot_task_probability(struct goodbot *robot,
-                                             uint32_t task,
-                                             float *probability);
+GOODBOT_MUST_USE
+goodbot_status goodbot_task_probability(const struct goodbot *robot,
+                                        uint32_t task,
+                                        float *probability);
 
 // The most likely task.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `task` null or room for a number.
-enum goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
+GOODBOT_MUST_USE goodbot_status goodbot_most_likely(struct goodbot *robot, uint32_t *task);
 
 // Writes a task as text, such as `blockInRoom(block0,room1)` or, with a way, `agentInRoom(agent0,room1) avoiding agentInRoom(agent0,room2)`,
 // with a 0 at its end. `BUFFER` where it does not fit.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
-enum goodbot_status goodbot_task_text(struct goodbot *robot,
-                                      uint32_t task,
-                                      char *buffer,
-                                      size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_task_text(const struct goodbot *robot,
+                                 uint32_t task,
+                                 char *buffer,
+                                 size_t bytes);
 
 // Explains a word of the last command, if this task is meant. `position` counts the words from 0; `rank` 0 is the word's most probable
 // meaning, 1 the next, and so on. `UNKNOWN` beyond the last word or the last meaning, or for no task. `word` receives the word, empty if
@@ -1089,15 +1206,16 @@ enum goodbot_status goodbot_task_text(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
-enum goodbot_status goodbot_explain_word(struct goodbot *robot,
-                                         uint32_t task,
-                                         uint32_t position,
-                                         uint32_t rank,
-                                         char *word,
-                                         size_t word_bytes,
-                                         char *meaning,
-                                         size_t meaning_bytes,
-                                         float *share);
+GOODBOT_MUST_USE
+goodbot_status goodbot_explain_word(struct goodbot *robot,
+                                    uint32_t task,
+                                    uint32_t position,
+                                    uint32_t rank,
+                                    char *word,
+                                    size_t word_bytes,
+                                    char *meaning,
+                                    size_t meaning_bytes,
+                                    float *share);
 
 // Proposes a question if it teaches more than acting. The plan for the current state must be done. `kappa` is the cost of a question, in
 // steps (8 is a good number, infinite: never ask), and `eta` the probability of a wrong answer (0.05). It looks ahead with at most about
@@ -1107,22 +1225,24 @@ enum goodbot_status goodbot_explain_word(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; `kind` and `choices` are null or room for a number.
-enum goodbot_status goodbot_question(struct goodbot *robot,
-                                     float kappa,
-                                     float eta,
-                                     uint32_t budget,
-                                     uint32_t *kind,
-                                     uint32_t *choices);
+GOODBOT_MUST_USE
+goodbot_status goodbot_question(struct goodbot *robot,
+                                float kappa,
+                                float eta,
+                                uint32_t budget,
+                                uint32_t *kind,
+                                uint32_t *choices);
 
 // Writes the text of one choice of the open question, with a 0 at its end: the name of an object such as `room1`, a task such as
 // `blockInRoom(block0,room1)`, or a kind of task such as `blockInRoom`. `BUFFER` if it does not fit, `NOT_ASKED` without an open question.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
-enum goodbot_status goodbot_question_text(struct goodbot *robot,
-                                          uint32_t choice,
-                                          char *buffer,
-                                          size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_question_text(const struct goodbot *robot,
+                                     uint32_t choice,
+                                     char *buffer,
+                                     size_t bytes);
 
 // Takes in the trainer's answer to the open question: `GOODBOT_YES`, `GOODBOT_NO`, or the number of a choice, from 0 on. `NOT_ASKED`
 // without an open question, `NO_ANSWER` if this is no answer to it; the question then stays open. `evidence` receives
@@ -1130,9 +1250,10 @@ enum goodbot_status goodbot_question_text(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
-enum goodbot_status goodbot_answer(struct goodbot *robot,
-                                   int32_t answer,
-                                   uint32_t *evidence);
+GOODBOT_MUST_USE
+goodbot_status goodbot_answer(struct goodbot *robot,
+                              int32_t answer,
+                              uint32_t *evidence);
 
 // Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
 // only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
@@ -1140,11 +1261,12 @@ enum goodbot_status goodbot_answer(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
-enum goodbot_status goodbot_said(struct goodbot *robot,
-                                 const char *words,
-                                 const char *closed_words,
-                                 enum goodbot_said_kind *said,
-                                 int32_t *answer);
+GOODBOT_MUST_USE
+goodbot_status goodbot_said(const struct goodbot *robot,
+                            const char *words,
+                            const char *closed_words,
+                            goodbot_said_kind *said,
+                            int32_t *answer);
 
 // The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
 //
@@ -1158,99 +1280,108 @@ enum goodbot_status goodbot_said(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `listened` is null or room for one.
-enum goodbot_status goodbot_listen(struct goodbot *robot,
-                                   const char *utterance,
-                                   const char *closed_words,
-                                   goodbot_pause pause,
-                                   void *context,
-                                   struct goodbot_listened *listened);
+GOODBOT_MUST_USE
+goodbot_status goodbot_listen(struct goodbot *robot,
+                              const char *utterance,
+                              const char *closed_words,
+                              goodbot_pause pause,
+                              void *context,
+                              struct goodbot_listened *listened);
 
 // As `goodbot_listen`, for the rest of an utterance of several commands, when the previous command is done and its session over: `rest` is
 // the utterance from `goodbot_listened.rest` on. It may leave out a word that the previous command has.
 //
 // The caller sees to it:
 // As `goodbot_listen`.
-enum goodbot_status goodbot_listen_on(struct goodbot *robot,
-                                      const char *rest,
-                                      const char *closed_words,
-                                      goodbot_pause pause,
-                                      void *context,
-                                      struct goodbot_listened *listened);
+GOODBOT_MUST_USE
+goodbot_status goodbot_listen_on(struct goodbot *robot,
+                                 const char *rest,
+                                 const char *closed_words,
+                                 goodbot_pause pause,
+                                 void *context,
+                                 struct goodbot_listened *listened);
 
 // Remembers that the robot followed a task of the session, by its position: `goodbot_listen` then knows what "it", "there", "back", "the
 // other one" and "again" mean. Call it before the session is finished or forgotten.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_remember(struct goodbot *robot,
-                                     uint32_t task);
+GOODBOT_MUST_USE
+goodbot_status goodbot_remember(struct goodbot *robot,
+                                uint32_t task);
 
 // Begins another conversation: the previous one is forgotten.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
-enum goodbot_status goodbot_converse_anew(struct goodbot *robot);
+GOODBOT_MUST_USE goodbot_status goodbot_converse_anew(struct goodbot *robot);
 
 // Takes in words that correct a robot on its way: "no, the other one", "I meant the blue one", "not the red one". The belief in the task
 // that it follows drops to at most a twentieth of that in the next one.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings.
-enum goodbot_status goodbot_correct(struct goodbot *robot,
-                                    const char *words,
-                                    const char *closed_words);
+GOODBOT_MUST_USE
+goodbot_status goodbot_correct(struct goodbot *robot,
+                               const char *words,
+                               const char *closed_words);
 
 // Bytes that `goodbot_save` would write now.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `bytes` null or room for a number.
-enum goodbot_status goodbot_saved_size(struct goodbot *robot, size_t *bytes);
+GOODBOT_MUST_USE goodbot_status goodbot_saved_size(const struct goodbot *robot, size_t *bytes);
 
 // Saves everything learned, in a format that is the same on every machine. `written` receives the length.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
-enum goodbot_status goodbot_save(struct goodbot *robot,
-                                 uint8_t *buffer,
-                                 size_t bytes,
-                                 size_t *written);
+GOODBOT_MUST_USE
+goodbot_status goodbot_save(struct goodbot *robot,
+                            uint8_t *buffer,
+                            size_t bytes,
+                            size_t *written);
 
 // Replaces everything learned here by a saved model. Call `goodbot_learn` until it is done. On any failure the robot is as
 // before.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes.
-enum goodbot_status goodbot_restore(struct goodbot *robot,
-                                    const uint8_t *model,
-                                    size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_restore(struct goodbot *robot,
+                               const uint8_t *model,
+                               size_t bytes);
 
 // Begins to save as `goodbot_save` does, but in parts, to `buffer`: call `goodbot_save_on` until it is done. `saving` and the buffer stay
 // until then.
 //
 // The caller sees to it:
 // `saving` is null or room for one; `buffer` is null or room for `bytes` bytes.
-enum goodbot_status goodbot_begin_saving(struct goodbot_saving *saving,
-                                         uint8_t *buffer,
-                                         size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_begin_saving(struct goodbot_saving *saving,
+                                    uint8_t *buffer,
+                                    size_t bytes);
 
 // Goes on saving, at most about `budget` bytes. `WORKING` means: call again; the robot may hear, plan and act meanwhile. `CHANGED` if a
 // session was learned meanwhile: begin again. Once it is done, `written` receives the length.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `saving` is null, zeros, or begun by `goodbot_begin_saving`; `written` is null or room for a number.
-enum goodbot_status goodbot_save_on(struct goodbot *robot,
-                                    struct goodbot_saving *saving,
-                                    uint32_t budget,
-                                    size_t *written);
+GOODBOT_MUST_USE
+goodbot_status goodbot_save_on(struct goodbot *robot,
+                               struct goodbot_saving *saving,
+                               uint32_t budget,
+                               size_t *written);
 
 // Begins to restore as `goodbot_restore` does, but in parts: call `goodbot_restore_on` until it is done. `restoring` and the model stay until
 // then.
 //
 // The caller sees to it:
 // `restoring` is null or room for one; `model` is null or points to `bytes` bytes.
-enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
-                                            const uint8_t *model,
-                                            size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
+                                       const uint8_t *model,
+                                       size_t bytes);
 
 // Goes on restoring, at most about `budget` entries of the model. `WORKING` means: call again. While the model is checked, the robot is as
 // before and may do anything. While it is then read, the robot knows nothing, and answers a command by `STILL_RESTORING`. Once it is done,
@@ -1258,9 +1389,10 @@ enum goodbot_status goodbot_begin_restoring(struct goodbot_restoring *restoring,
 //
 // The caller sees to it:
 // `robot` is null or a handle; `restoring` is null, zeros, or begun by `goodbot_begin_restoring`.
-enum goodbot_status goodbot_restore_on(struct goodbot *robot,
-                                       struct goodbot_restoring *restoring,
-                                       uint32_t budget);
+GOODBOT_MUST_USE
+goodbot_status goodbot_restore_on(struct goodbot *robot,
+                                  struct goodbot_restoring *restoring,
+                                  uint32_t budget);
 
 // Gives the robot everyday sentences to begin with, from a starter: a model that
 // `goodbot learn --starter en --learner roles --out starter.goodbot` writes. The sentences are learned from beside the robot's own sessions,
@@ -1277,20 +1409,22 @@ enum goodbot_status goodbot_restore_on(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes; `added` is null or room for a number.
-enum goodbot_status goodbot_join_starter(struct goodbot *robot,
-                                         const uint8_t *model,
-                                         size_t bytes,
-                                         uint32_t *added);
+GOODBOT_MUST_USE
+goodbot_status goodbot_join_starter(struct goodbot *robot,
+                                    const uint8_t *model,
+                                    size_t bytes,
+                                    uint32_t *added);
 
 // Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
 // with `BUFFER`, if `bytes` are too few. `STILL_LEARNING` until `goodbot_learn` is done.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `buffer` is null or room for `bytes` bytes; `written` is null or room for a number.
-enum goodbot_status goodbot_save_parameters(struct goodbot *robot,
-                                            uint8_t *buffer,
-                                            size_t bytes,
-                                            size_t *written);
+GOODBOT_MUST_USE
+goodbot_status goodbot_save_parameters(struct goodbot *robot,
+                                       uint8_t *buffer,
+                                       size_t bytes,
+                                       size_t *written);
 
 // Replaces everything learned here by the parameters that `goodbot_save_parameters` or `goodbot parameters` wrote. The robot then
 // understands like the one that learned them, without training. Parameters hold no lessons: a lesson given to this robot replaces them.
@@ -1298,9 +1432,10 @@ enum goodbot_status goodbot_save_parameters(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle; `parameters` is null or points to `bytes` bytes.
-enum goodbot_status goodbot_restore_parameters(struct goodbot *robot,
-                                               const uint8_t *parameters,
-                                               size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_restore_parameters(struct goodbot *robot,
+                                          const uint8_t *parameters,
+                                          size_t bytes);
 
 // Stores everything learned in the older of two slots, without a buffer; a plan under way is forgotten. `stored` is null, or receives the
 // model's bytes. After a power cut at any moment, a whole model is left: this one or the previous one. `STILL_LEARNING` until
@@ -1309,36 +1444,164 @@ enum goodbot_status goodbot_restore_parameters(struct goodbot *robot,
 //
 // The caller sees to it:
 // `robot` is null or a handle, `flash` null or points to a flash, `stored` null or room for a number.
-enum goodbot_status goodbot_store(struct goodbot *robot,
-                                  const struct goodbot_flash *flash,
-                                  size_t *stored);
+GOODBOT_MUST_USE
+goodbot_status goodbot_store(struct goodbot *robot,
+                             const struct goodbot_flash *flash,
+                             size_t *stored);
 
 // Restores the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` has room for it,
 // and is free again afterwards. `NOTHING_STORED` if there is none; otherwise as `goodbot_store` and `goodbot_restore`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `flash` null or points to a flash, `buffer` null or room for `bytes` bytes.
-enum goodbot_status goodbot_load(struct goodbot *robot,
-                                 const struct goodbot_flash *flash,
-                                 uint8_t *buffer,
-                                 size_t bytes);
+GOODBOT_MUST_USE
+goodbot_status goodbot_load(struct goodbot *robot,
+                            const struct goodbot_flash *flash,
+                            uint8_t *buffer,
+                            size_t bytes);
 
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus
+
+/* What the library takes for granted: a program for which it does not hold is not compiled. */
+#if defined(__cplusplus)
+#define GOODBOT_ASSERT(name, holds) static_assert(holds, "goodbot: the library was compiled with another " #name)
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
+#define GOODBOT_ASSERT(name, holds) _Static_assert(holds, "goodbot: the library was compiled with another " #name)
+#else
+#define GOODBOT_ASSERT(name, holds) typedef char goodbot_another_##name[(holds) ? 1 : -1]
+#endif
+#define GOODBOT_AT(type, field, at_32, at_64) \
+  GOODBOT_ASSERT(type##_##field, offsetof(type, field) == (sizeof(void *) == 4 ? (at_32) : (at_64)))
+#define GOODBOT_SIZE(type, size_32, size_64) GOODBOT_ASSERT(type, sizeof(type) == (sizeof(void *) == 4 ? (size_32) : (size_64)))
+GOODBOT_ASSERT(bool, sizeof(bool) == 1);
+GOODBOT_ASSERT(pointer, sizeof(size_t) == sizeof(void *));
+GOODBOT_AT(goodbot_capacities, entries, 0, 0);
+GOODBOT_SIZE(goodbot_capacities, 100, 100);
+GOODBOT_AT(goodbot_lessons, sessions, 0, 0);
+GOODBOT_AT(goodbot_lessons, words_per_command, 4, 4);
+GOODBOT_AT(goodbot_lessons, different_words, 8, 8);
+GOODBOT_AT(goodbot_lessons, word_bytes, 12, 12);
+GOODBOT_SIZE(goodbot_lessons, 16, 16);
+GOODBOT_AT(goodbot_sensed, name, 0, 0);
+GOODBOT_AT(goodbot_sensed, x, 4, 8);
+GOODBOT_AT(goodbot_sensed, y, 8, 12);
+GOODBOT_SIZE(goodbot_sensed, 12, 16);
+GOODBOT_AT(goodbot_carrier, object_class, 0, 0);
+GOODBOT_AT(goodbot_carrier, prefix, 4, 8);
+GOODBOT_SIZE(goodbot_carrier, 8, 16);
+GOODBOT_AT(goodbot_attribute, name, 0, 0);
+GOODBOT_AT(goodbot_attribute, carriers, 4, 8);
+GOODBOT_AT(goodbot_attribute, carrier_count, 8, 16);
+GOODBOT_SIZE(goodbot_attribute, 12, 24);
+GOODBOT_AT(goodbot_proposition, name, 0, 0);
+GOODBOT_AT(goodbot_proposition, parameters, 4, 8);
+GOODBOT_AT(goodbot_proposition, parameter_count, 8, 12);
+GOODBOT_SIZE(goodbot_proposition, 12, 16);
+GOODBOT_AT(goodbot_object, object_class, 0, 0);
+GOODBOT_AT(goodbot_object, name, 4, 8);
+GOODBOT_AT(goodbot_object, values, 8, 16);
+GOODBOT_SIZE(goodbot_object, 24, 48);
+GOODBOT_AT(goodbot_action, name, 0, 0);
+GOODBOT_AT(goodbot_action, cost, 4, 8);
+GOODBOT_SIZE(goodbot_action, 8, 16);
+GOODBOT_AT(goodbot_kind, classes, 0, 0);
+GOODBOT_AT(goodbot_kind, class_count, 6, 6);
+GOODBOT_AT(goodbot_kind, propositions, 7, 7);
+GOODBOT_AT(goodbot_kind, proposition_count, 11, 11);
+GOODBOT_AT(goodbot_kind, variables, 12, 12);
+GOODBOT_SIZE(goodbot_kind, 24, 24);
+GOODBOT_AT(goodbot_table, classes, 0, 0);
+GOODBOT_AT(goodbot_table, class_count, 4, 8);
+GOODBOT_AT(goodbot_table, attributes, 8, 16);
+GOODBOT_AT(goodbot_table, attribute_count, 12, 24);
+GOODBOT_AT(goodbot_table, propositions, 16, 32);
+GOODBOT_AT(goodbot_table, proposition_count, 20, 40);
+GOODBOT_AT(goodbot_table, objects, 24, 48);
+GOODBOT_AT(goodbot_table, object_count, 28, 56);
+GOODBOT_AT(goodbot_table, actions, 32, 64);
+GOODBOT_AT(goodbot_table, action_count, 36, 72);
+GOODBOT_AT(goodbot_table, tasks, 40, 80);
+GOODBOT_AT(goodbot_table, task_count, 44, 88);
+GOODBOT_AT(goodbot_table, state_count, 48, 92);
+GOODBOT_AT(goodbot_table, start, 52, 96);
+GOODBOT_AT(goodbot_table, next, 56, 104);
+GOODBOT_AT(goodbot_table, step, 60, 112);
+GOODBOT_AT(goodbot_table, holds, 64, 120);
+GOODBOT_AT(goodbot_table, derived, 68, 128);
+GOODBOT_AT(goodbot_table, context, 72, 136);
+GOODBOT_AT(goodbot_table, kinds, 76, 144);
+GOODBOT_SIZE(goodbot_table, 80, 152);
+GOODBOT_AT(goodbot_strategy, mu_plus, 0, 0);
+GOODBOT_AT(goodbot_strategy, mu_minus, 4, 4);
+GOODBOT_AT(goodbot_strategy, epsilon, 8, 8);
+GOODBOT_AT(goodbot_strategy, lags, 12, 12);
+GOODBOT_AT(goodbot_strategy, rests, 24, 24);
+GOODBOT_AT(goodbot_strategy, prior, 40, 40);
+GOODBOT_SIZE(goodbot_strategy, 44, 44);
+GOODBOT_AT(goodbot_hypothesis, command, 0, 0);
+GOODBOT_AT(goodbot_hypothesis, weight, 4, 8);
+GOODBOT_SIZE(goodbot_hypothesis, 8, 16);
+GOODBOT_AT(goodbot_hazard, moved, 0, 0);
+GOODBOT_AT(goodbot_hazard, rested, 4, 4);
+GOODBOT_AT(goodbot_hazard, resting, 8, 8);
+GOODBOT_AT(goodbot_hazard, praised, 12, 12);
+GOODBOT_AT(goodbot_hazard, scolded, 16, 16);
+GOODBOT_SIZE(goodbot_hazard, 20, 20);
+GOODBOT_AT(goodbot_options, telling, 0, 0);
+GOODBOT_AT(goodbot_options, drift, 4, 4);
+GOODBOT_AT(goodbot_options, ends_at_goal, 8, 8);
+GOODBOT_AT(goodbot_options, ends_elsewhere, 28, 28);
+GOODBOT_AT(goodbot_options, weights, 48, 48);
+GOODBOT_AT(goodbot_options, least_weight, 52, 52);
+GOODBOT_SIZE(goodbot_options, 56, 56);
+GOODBOT_AT(goodbot_listened, tasks, 0, 0);
+GOODBOT_AT(goodbot_listened, verdict, 8, 8);
+GOODBOT_AT(goodbot_listened, taken_for, 12, 12);
+GOODBOT_AT(goodbot_listened, task, 16, 16);
+GOODBOT_AT(goodbot_listened, probability, 20, 20);
+GOODBOT_AT(goodbot_listened, command, 24, 24);
+GOODBOT_AT(goodbot_listened, sure, 28, 28);
+GOODBOT_AT(goodbot_listened, rest, 32, 32);
+GOODBOT_AT(goodbot_listened, unread, 36, 36);
+GOODBOT_SIZE(goodbot_listened, 40, 40);
+GOODBOT_AT(goodbot_saving, opaque, 0, 0);
+GOODBOT_SIZE(goodbot_saving, 64, 128);
+GOODBOT_AT(goodbot_restoring, opaque, 0, 0);
+GOODBOT_SIZE(goodbot_restoring, 320, 640);
+GOODBOT_AT(goodbot_flash, context, 0, 0);
+GOODBOT_AT(goodbot_flash, read, 4, 8);
+GOODBOT_AT(goodbot_flash, write, 8, 16);
+GOODBOT_AT(goodbot_flash, erase, 12, 24);
+GOODBOT_AT(goodbot_flash, start, 16, 32);
+GOODBOT_AT(goodbot_flash, slot_bytes, 20, 36);
+GOODBOT_SIZE(goodbot_flash, 24, 40);
+#undef GOODBOT_SIZE
+#undef GOODBOT_AT
+#undef GOODBOT_ASSERT
 
 #endif  /* GOODBOT_H */
 
 /** Aligns a robot's memory, in C and in C++: `GOODBOT_ALIGNED static unsigned char memory[GOODBOT_SMALL_BYTES];` */
 #ifdef __cplusplus
 #define GOODBOT_ALIGNED alignas(8)
-#else
+#elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define GOODBOT_ALIGNED _Alignas(8)
+#else
+#define GOODBOT_ALIGNED __attribute__((aligned(8)))
 #endif
-/** Bytes of a robot in a home, known when the program is compiled. */
-#define GOODBOT_SMALL_BYTES (sizeof(void *) == 4 ? GOODBOT_SMALL_BYTES_32 : GOODBOT_SMALL_BYTES_64)
-#define GOODBOT_TINY_BYTES (sizeof(void *) == 4 ? GOODBOT_TINY_BYTES_32 : GOODBOT_TINY_BYTES_64)
+/** Bytes of a robot in a home, known when the program is compiled, also in `#if`. */
+#if UINTPTR_MAX > 0xffffffff
+#define GOODBOT_SMALL_BYTES GOODBOT_SMALL_BYTES_64
+#define GOODBOT_TINY_BYTES GOODBOT_TINY_BYTES_64
+#define GOODBOT_OWN_BYTES GOODBOT_OWN_BYTES_64
+#else
+#define GOODBOT_SMALL_BYTES GOODBOT_SMALL_BYTES_32
+#define GOODBOT_TINY_BYTES GOODBOT_TINY_BYTES_32
+#define GOODBOT_OWN_BYTES GOODBOT_OWN_BYTES_32
+#endif
 /** Bytes of a robot of the caller's own. */
 #define GOODBOT_SMALL_TABLE_BYTES (GOODBOT_SMALL_BYTES + GOODBOT_TABLE_BYTES)
 #define GOODBOT_TINY_TABLE_BYTES (GOODBOT_TINY_BYTES + GOODBOT_TABLE_BYTES)
-#define GOODBOT_OWN_BYTES (sizeof(void *) == 4 ? GOODBOT_OWN_BYTES_32 : GOODBOT_OWN_BYTES_64)
+

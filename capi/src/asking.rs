@@ -1,7 +1,7 @@
 //! Questions to the trainer.
 
 use crate::beliefs::{Writer, put_object, put_task};
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, give, look, with};
 use crate::status::GoodbotStatus;
 use crate::training::write;
 use crate::world::{World, in_world};
@@ -81,10 +81,10 @@ pub unsafe extern "C" fn goodbot_question(
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_question_text(robot: *mut Goodbot, choice: u32, buffer: *mut c_char, bytes: usize) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_question_text(robot: *const Goodbot, choice: u32, buffer: *mut c_char, bytes: usize) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let mut writer = Writer::new(buffer, bytes)?;
             let subject = robot.agent.open_question().ok_or(GoodbotStatus::NotAsked)?.subject;
             let count = u32::from(subject.choices().max(1));

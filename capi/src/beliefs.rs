@@ -1,6 +1,6 @@
 //! The possible meanings of a command.
 
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, give, look, with};
 use crate::status::GoodbotStatus;
 use crate::world::{Surroundings, World, in_world};
 use core::ffi::c_char;
@@ -14,9 +14,9 @@ use goodbot::task::{Piece, Wording};
 /// # Safety
 /// `robot` is null or a handle, `count` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_task_count(robot: *mut Goodbot, count: *mut u32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_task_count(robot: *const Goodbot, count: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| give(count, robot.agent.tasks().len() as u32)) }
+    unsafe { look(robot, |robot| give(count, robot.agent.tasks().len() as u32)) }
 }
 
 /// How probable a task is.
@@ -24,10 +24,10 @@ pub unsafe extern "C" fn goodbot_task_count(robot: *mut Goodbot, count: *mut u32
 /// # Safety
 /// `robot` is null or a handle, `probability` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_task_probability(robot: *mut Goodbot, task: u32, probability: *mut f32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_task_probability(robot: *const Goodbot, task: u32, probability: *mut f32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             robot.agent.tasks().get(task as usize).ok_or(GoodbotStatus::Unknown)?;
             give(probability, robot.agent.belief().probability(task as usize))
         })
@@ -55,10 +55,10 @@ pub unsafe extern "C" fn goodbot_most_likely(robot: *mut Goodbot, task: *mut u32
 /// # Safety
 /// `robot` is null or a handle; `buffer` is null or room for `bytes` bytes.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_task_text(robot: *mut Goodbot, task: u32, buffer: *mut c_char, bytes: usize) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_task_text(robot: *const Goodbot, task: u32, buffer: *mut c_char, bytes: usize) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let mut writer = Writer::new(buffer, bytes)?;
             in_world!(&robot.world, |domain, _state| put_task(&mut writer, domain, &robot.agent, task as usize)?);
             writer.end()

@@ -1,7 +1,7 @@
 //! The home environment: rooms, doors, blocks, an agent.
 
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, give, plot, settle, text, with};
+use crate::robot::{Goodbot, Robot, give, look, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::tasks::kinds_of_tasks;
 use crate::world::World;
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn goodbot_home_begin(robot: *mut Goodbot) -> GoodbotStatu
     }
 }
 
-fn plan(robot: &mut Goodbot) -> Result<&mut HomeBuilder<HomeTables<'static>>, Failure> {
+fn plan(robot: &mut Robot) -> Result<&mut HomeBuilder<HomeTables<'static>>, Failure> {
     match &mut robot.world {
         World::Plan(builder) => Ok(builder),
         World::Nothing(_) => Err(GoodbotStatus::NoWorld.into()),
@@ -308,10 +308,10 @@ pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const 
 /// # Safety
 /// As `goodbot_home_room`; `x` and `y` are null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_home_where(robot: *mut Goodbot, name: *const c_char, x: *mut i32, y: *mut i32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_home_where(robot: *const Goodbot, name: *const c_char, x: *mut i32, y: *mut i32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let World::Here(Either::Floor(home), Either::Floor(state)) = &robot.world else {
                 return Err(GoodbotStatus::NoWorld.into());
             };

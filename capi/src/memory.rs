@@ -2,7 +2,7 @@
 
 use crate::arena::{after, after_agent, after_home};
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, Robot, give, look, with};
 use crate::status::GoodbotStatus;
 #[cfg(feature = "table")]
 use crate::table;
@@ -131,7 +131,7 @@ pub unsafe extern "C" fn goodbot_least_capacities(
             let [sessions, words, different_words, word_bytes] =
                 [sessions, words_per_command, different_words, word_bytes].map(|it| it as usize);
             let lessons = Lessons { sessions, words, different_words, word_bytes };
-            let Goodbot { agent, world, .. } = robot;
+            let Robot { agent, world, .. } = robot;
             let least = in_world!(&*world, |domain, _state| agent.least_capacities(domain, &lessons)?);
             give(capacities, (&least).into())
         })
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn goodbot_usage(robot: *mut Goodbot, capacities: *mut Goo
 /// # Safety
 /// `robot` is null or a handle, `count` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_session_count(robot: *mut Goodbot, count: *mut u32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_session_count(robot: *const Goodbot, count: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| give(count, robot.agent.language().bitext().sessions() as u32)) }
+    unsafe { look(robot, |robot| give(count, robot.agent.language().bitext().sessions() as u32)) }
 }

@@ -1,6 +1,6 @@
 //! Saving and restoring a model.
 
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, give, look, with};
 use crate::status::{Failure, GoodbotStatus};
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
@@ -11,9 +11,9 @@ use goodbot::snapshot::{Restoring, Saving};
 /// # Safety
 /// `robot` is null or a handle, `bytes` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_saved_size(robot: *mut Goodbot, bytes: *mut usize) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_saved_size(robot: *const Goodbot, bytes: *mut usize) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| give(bytes, robot.agent.saved_bytes()?)) }
+    unsafe { look(robot, |robot| give(bytes, robot.agent.saved_bytes()?)) }
 }
 
 /// Saves everything learned, in a format that is the same on every machine. `written` receives the length.
@@ -77,7 +77,19 @@ struct Begun<T> {
     work: T,
 }
 
-const BEGUN: usize = 0x676f_6f65;
+/// The mark of begun work, combined with its own address: a copy elsewhere has a wrong one.
+fn mark_at<T>(at: *const Begun<T>) -> usize {
+    0x676f_6f65 ^ at.addr()
+}
+
+/// Writes work that begins.
+///
+/// # Safety
+/// `at` is aligned room for it.
+unsafe fn begin<T>(at: *mut Begun<T>, work: T) {
+    // SAFETY: the caller's promise.
+    unsafe { at.write(Begun { mark: mark_at(at), work }) };
+}
 
 struct Writing {
     saving: Saving,
@@ -100,7 +112,7 @@ unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
         return Err(GoodbotStatus::Null.into());
     }
     // SAFETY: the caller's promise; the mark is a plain number.
-    if at.align_offset(align_of::<usize>()) != 0 || unsafe { (&raw const (*at).mark).read() } != BEGUN {
+    if at.align_offset(align_of::<usize>()) != 0 || unsafe { (&raw const (*at).mark).read() } != mark_at(at) {
         return Err(GoodbotStatus::BadHandle.into());
     }
     // SAFETY: the caller's promise.
@@ -120,7 +132,7 @@ pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer
     // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         buffer.write_bytes(0, bytes);
-        saving.cast::<OfSaving>().write(Begun { mark: BEGUN, work: Writing { saving: Saving::new(), buffer, bytes } });
+        begin(saving.cast::<OfSaving>(), Writing { saving: Saving::new(), buffer, bytes });
     }
     GoodbotStatus::Ok
 }
@@ -163,7 +175,7 @@ pub unsafe extern "C" fn goodbot_begin_restoring(restoring: *mut GoodbotRestorin
     // SAFETY: the caller's promise.
     unsafe {
         let model = core::slice::from_raw_parts(model, bytes);
-        restoring.cast::<OfRestoring>().write(Begun { mark: BEGUN, work: Restoring::of(model) });
+        begin(restoring.cast::<OfRestoring>(), Restoring::of(model));
     }
     GoodbotStatus::Ok
 }

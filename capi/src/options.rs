@@ -1,6 +1,6 @@
 //! How a robot takes evidence and acts, if the defaults do not fit.
 
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, give, look, with};
 use crate::status::GoodbotStatus;
 use goodbot::Options;
 use goodbot::feedback::{Ending, Hazard};
@@ -65,10 +65,10 @@ pub struct GoodbotOptions {
 /// # Safety
 /// `robot` is null or a handle, `options` null or room for them.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_current_options(robot: *mut Goodbot, options: *mut GoodbotOptions) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_current_options(robot: *const Goodbot, options: *mut GoodbotOptions) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let &Options { telling, drift, ending, weights, least_weight, .. } = robot.agent.options();
             let weights = match weights {
                 Weights::Paper => GOODBOT_WEIGHTS_PAPER,

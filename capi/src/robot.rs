@@ -4,8 +4,10 @@ use crate::arena::{Arena, deal_agent, deal_home};
 use crate::capacities::GoodbotCapacities;
 use crate::status::{At, Failure, Fault, GoodbotStatus, Place};
 use crate::world::World;
+use core::cell::UnsafeCell;
 use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
+use core::sync::atomic::{AtomicU32, Ordering};
 use goodbot::capacity::CapacityError;
 use goodbot::memory::{AgentTables, HomeTables};
 #[cfg(feature = "home")]
@@ -16,12 +18,21 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use rand_pcg::Pcg32;
 
-const MAGIC: u32 = 0x676f_6f64;
+/// The mark of a robot at rest, and of one that a call uses, each combined with the handle's own address: a copy elsewhere has a wrong one.
+const AT_REST: u32 = 0x676f_6f64;
+const IN_A_CALL: u32 = !AT_REST;
 
 /// A robot. Its memory is the caller's and must not be moved, copied over or freed while it is used.
 #[derive(Debug)]
 pub struct Goodbot {
-    magic: u32,
+    /// Beside the robot, so that a second call reads it while the first one changes the robot.
+    mark: AtomicU32,
+    robot: UnsafeCell<Robot>,
+}
+
+/// Everything that is behind a handle.
+#[derive(Debug)]
+pub(crate) struct Robot {
     pub(crate) full: Option<CapacityError>,
     pub(crate) random: Pcg32,
     pub(crate) agent: Agent<AgentTables<'static>>,
@@ -34,7 +45,7 @@ pub struct Goodbot {
 }
 
 #[cfg(feature = "home")]
-impl Goodbot {
+impl Robot {
     /// The home's memory, for a new description. The old world is gone, and a session under way with it.
     pub(crate) fn empty_home(&mut self) -> Result<HomeTables<'static>, Failure> {
         if !matches!(self.world, World::Nothing(_) | World::Plan(_) | World::Here(Either::Floor(_), _)) {
@@ -96,61 +107,107 @@ pub(crate) unsafe fn settle(
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
         plot.at.write(Goodbot {
-            magic: MAGIC,
-            full: None,
-            random: Pcg32::new(0, 0x2014),
-            agent,
-            world,
-            #[cfg(feature = "learning")]
-            starter: Places::default(),
-            #[cfg(feature = "learning")]
-            starter_aside: Places::default(),
+            mark: AtomicU32::new(marked(AT_REST, plot.at.as_ptr())),
+            robot: UnsafeCell::new(Robot {
+                full: None,
+                random: Pcg32::new(0, 0x2014),
+                agent,
+                world,
+                #[cfg(feature = "learning")]
+                starter: Places::default(),
+                #[cfg(feature = "learning")]
+                starter_aside: Places::default(),
+            }),
         });
         robot.write(plot.at.as_ptr());
     }
     Ok(GoodbotStatus::Ok)
 }
 
-/// Runs a call on the robot, if the handle is valid; remembers which table was full.
+/// Runs a call on the robot, if the handle is valid and no other call uses it; remembers which table was full.
 ///
 /// # Safety
-/// `robot` is null or a handle that an init function gave, and no other call uses it now.
-pub(crate) unsafe fn with(robot: *mut Goodbot, run: impl FnOnce(&mut Goodbot) -> Result<GoodbotStatus, Failure>) -> GoodbotStatus {
-    // SAFETY: the caller's promise.
-    let robot = match unsafe { found(robot) } {
-        Ok(robot) => robot,
-        Err(status) => return status,
-    };
-    let result = run(robot);
-    ended(robot, &result)
+/// `handle` is null or a handle that an init function gave.
+pub(crate) unsafe fn with(handle: *mut Goodbot, run: impl FnOnce(&mut Robot) -> Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+    // SAFETY: the caller's promise. The mark keeps every other call from the robot until this one has ended.
+    unsafe {
+        let robot = match entered(handle) {
+            Ok(robot) => &mut *robot,
+            Err(status) => return status,
+        };
+        let result = run(robot);
+        ended(handle, result)
+    }
 }
 
-/// The robot, if the handle is valid. A function of its own, as the next: every call links them.
+/// As [`with`], for a call that changes nothing.
+///
+/// # Safety
+/// As [`with`].
+pub(crate) unsafe fn look(handle: *const Goodbot, run: impl FnOnce(&Robot) -> Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+    // SAFETY: as in `with`.
+    unsafe {
+        let robot = match entered(handle) {
+            Ok(robot) => &*robot,
+            Err(status) => return status,
+        };
+        let result = run(robot);
+        left(handle);
+        result.unwrap_or_else(|failure| failure.status)
+    }
+}
+
+fn marked(mark: u32, handle: *const Goodbot) -> u32 {
+    mark ^ handle.addr() as u32
+}
+
+/// The robot, if the handle is valid and no other call uses it; it is then in use until [`left`]. A function of its own, as the next: every
+/// call links them.
 ///
 /// # Safety
 /// As [`with`].
 #[inline(never)]
-unsafe fn found<'a>(robot: *mut Goodbot) -> Result<&'a mut Goodbot, GoodbotStatus> {
-    if robot.is_null() {
+unsafe fn entered(handle: *const Goodbot) -> Result<*mut Robot, GoodbotStatus> {
+    if handle.is_null() {
         return Err(GoodbotStatus::Null);
     }
-    // SAFETY: the caller's promise; the first words of a robot are plain numbers.
-    if robot.align_offset(align_of::<Goodbot>()) != 0 || unsafe { (&raw const (*robot).magic).read() } != MAGIC {
+    if handle.align_offset(align_of::<Goodbot>()) != 0 {
         return Err(GoodbotStatus::BadHandle);
     }
-    // SAFETY: as above.
-    Ok(unsafe { &mut *robot })
+    // SAFETY: the caller's promise; the mark is a plain number, which no reference to the robot covers.
+    let mark = unsafe { &*(&raw const (*handle).mark) };
+    match mark.load(Ordering::Acquire) {
+        found if found == marked(AT_REST, handle) => {}
+        found if found == marked(IN_A_CALL, handle) => return Err(GoodbotStatus::Busy),
+        _ => return Err(GoodbotStatus::BadHandle),
+    }
+    mark.store(marked(IN_A_CALL, handle), Ordering::Release);
+    // SAFETY: the caller's promise.
+    Ok(unsafe { UnsafeCell::raw_get(&raw const (*handle).robot) })
 }
 
+/// Ends a call that used the robot.
+///
+/// # Safety
+/// `handle` is one that [`entered`] took.
+unsafe fn left(handle: *const Goodbot) {
+    // SAFETY: the caller's promise.
+    unsafe { &*(&raw const (*handle).mark) }.store(marked(AT_REST, handle), Ordering::Release);
+}
+
+/// # Safety
+/// As [`left`]; the call's own reference to the robot is used no more.
 #[inline(never)]
-fn ended(robot: &mut Goodbot, result: &Result<GoodbotStatus, Failure>) -> GoodbotStatus {
-    match result {
-        Ok(status) => *status,
-        Err(failure) => {
-            robot.full = failure.full.or(robot.full);
-            failure.status
-        }
-    }
+unsafe fn ended(handle: *mut Goodbot, result: Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+    let status = result.unwrap_or_else(|failure| {
+        // SAFETY: the caller's promise.
+        let robot = unsafe { &mut *UnsafeCell::raw_get(&raw const (*handle).robot) };
+        robot.full = failure.full.or(robot.full);
+        failure.status
+    });
+    // SAFETY: the caller's promise.
+    unsafe { left(handle) };
+    status
 }
 
 /// A list of the caller's.
@@ -218,7 +275,7 @@ pub unsafe extern "C" fn goodbot_seed(robot: *mut Goodbot, seed: u64) -> Goodbot
 /// `robot` is null or a handle; `name` is room for `bytes` bytes; the others are room for a number.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_full(
-    robot: *mut Goodbot,
+    robot: *const Goodbot,
     name: *mut c_char,
     bytes: usize,
     limit: *mut u32,
@@ -226,7 +283,7 @@ pub unsafe extern "C" fn goodbot_full(
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise, for each of them.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let full = robot.full.ok_or(GoodbotStatus::Unknown)?;
             let field = full.capacity.name();
             if name.is_null() || bytes == 0 {

@@ -1,12 +1,12 @@
 //! A robot that begins with everyday sentences.
 
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, Robot, give, with};
 use crate::status::GoodbotStatus;
 use goodbot::AgentError;
 use goodbot::session::{Finished, Phase};
 use goodbot::snapshot::Places;
 
-impl Goodbot {
+impl Robot {
     /// What was learned has been replaced, and the starter's sentences with it.
     pub(crate) fn forget_starter(&mut self) {
         self.starter = Places::default();
@@ -44,7 +44,7 @@ pub unsafe extern "C" fn goodbot_join_starter(robot: *mut Goodbot, model: *const
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let Goodbot { agent, starter, .. } = robot;
+            let Robot { agent, starter, .. } = robot;
             if matches!(agent.phase(), Phase::Finishing | Phase::Restoring) {
                 return Err(AgentError::NotNow(agent.phase()).into());
             }

@@ -9,7 +9,7 @@ use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
 
 /// The result of a call.
-#[repr(C)]
+#[repr(i32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotStatus {
     /// Done.
@@ -81,6 +81,8 @@ pub enum GoodbotStatus {
     /// The library has no checks, and the table is none that was checked: print it by `goodbot table --c`, or link a library with the feature
     /// `checks`. A task with a way needs them.
     Unchecked = 33,
+    /// Another call is using this robot: this one came from a function of the caller's, an interrupt or another thread. It did nothing.
+    Busy = 34,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -299,6 +301,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"what was learned has changed meanwhile; begin again",
         c"a model is coming back; restore on until it is done",
         c"the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks",
+        c"another call is using this robot; call again when it has returned",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
 }

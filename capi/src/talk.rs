@@ -8,7 +8,7 @@ use core::ffi::{c_char, c_void};
 use goodbot::talk::{Conversation, Hypothesis, Listened, Verdict};
 
 /// The robot's verdict on an utterance.
-#[repr(C)]
+#[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotVerdict {
     /// The task is meant: plan and act.
@@ -22,7 +22,7 @@ pub enum GoodbotVerdict {
 }
 
 /// The most likely reading of an utterance.
-#[repr(C)]
+#[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotTakenFor {
     /// A command for one task.

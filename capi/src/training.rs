@@ -1,6 +1,6 @@
 //! Hear, plan, decide, feedback, learn.
 
-use crate::robot::{Goodbot, give, text, with};
+use crate::robot::{Goodbot, Robot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::{World, in_world};
 use core::ffi::c_char;
@@ -244,7 +244,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let Goodbot { agent, random, .. } = robot;
+            let Robot { agent, random, .. } = robot;
             let decision = in_world!(&robot.world, |domain, state| agent.decide_by(domain, state, random)?);
             let kind = match decision.plan {
                 OptimalSet::Goal => GOODBOT_PLAN_GOAL,
@@ -396,7 +396,7 @@ pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> Goodbot
 }
 
 #[cfg(feature = "learning")]
-fn begin_finishing(robot: &mut Goodbot) -> Result<(), Failure> {
+fn begin_finishing(robot: &mut Robot) -> Result<(), Failure> {
     in_world!(&robot.world, |domain, _state| robot.agent.begin_finishing(domain)?);
     robot.set_starter_aside();
     Ok(())
@@ -422,7 +422,7 @@ pub unsafe extern "C" fn goodbot_finish_on(robot: *mut Goodbot, budget: u32, gav
 /// # Safety
 /// `gave_way` is null or room for a number.
 #[cfg(feature = "learning")]
-unsafe fn tell(robot: &mut Goodbot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
+unsafe fn tell(robot: &mut Robot, gave_way: *mut u32, finished: Finished) -> Result<GoodbotStatus, Failure> {
     robot.find_starter_after(&finished);
     if let Some(table) = finished.gave_way.full() {
         let limit = robot.agent.capacities().get(table);

@@ -1,6 +1,6 @@
 //! The trainer's voice: praise, blame, "stop", "yes" and the like, in words.
 
-use crate::robot::{Goodbot, give, text, with};
+use crate::robot::{Goodbot, give, look, text};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::{World, in_world};
 use core::ffi::c_char;
@@ -9,7 +9,7 @@ use goodbot::feedback::Feedback;
 use goodbot::voice::{ClosedWords, Said};
 
 /// What words ask the robot to do.
-#[repr(C)]
+#[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GoodbotSaid {
     /// A command: `goodbot_listen`.
@@ -56,7 +56,7 @@ pub(crate) unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>,
 /// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_said(
-    robot: *mut Goodbot,
+    robot: *const Goodbot,
     words: *const c_char,
     closed_words: *const c_char,
     said: *mut GoodbotSaid,
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn goodbot_said(
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             let (words, closed) = (text(words)?, closed(closed_words)?);
             let agent = &robot.agent;
             let heard = in_world!(&robot.world, |domain, state| agent.said(words, closed, agent.stage(domain, state), |_| None)?);

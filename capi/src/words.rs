@@ -1,7 +1,7 @@
 //! The meanings of the words of a command.
 
 use crate::beliefs::Writer;
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, Robot, give, with};
 use crate::status::GoodbotStatus;
 use crate::world::{World, in_world};
 use core::ffi::c_char;
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn goodbot_explain_word(
     // SAFETY: the caller's promise, for each of them.
     unsafe {
         with(robot, |robot| {
-            let Goodbot { agent, world, .. } = robot;
+            let Robot { agent, world, .. } = robot;
             let (task, position) = (task as usize, position as usize);
             agent.tasks().get(task).ok_or(GoodbotStatus::Unknown)?;
             let symbol = *agent.sentence().get(position).ok_or(GoodbotStatus::Unknown)?;

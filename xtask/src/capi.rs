@@ -1,10 +1,10 @@
 //! The C interface: its header, its static library, and the C examples on this machine and on an emulated board.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use clap::Args;
-use xshell::cmd;
+use xshell::{Shell, cmd};
 
 use crate::firmware::{nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
@@ -29,6 +29,37 @@ pub fn header() -> Result<()> {
     let sh = shell()?;
     let header = cmd!(sh, "cargo run --package goodbot-header").read()? + "\n";
     Ok(sh.write_file(HEADER, header)?)
+}
+
+/// Puts both headers into a folder, beside a library with these features: the macros say which it has.
+pub fn headers_beside(sh: &Shell, features: &[&str], folder: &Path) -> Result<()> {
+    for file in HEADERS {
+        sh.copy_file(file, folder)?;
+    }
+    Ok(sh.write_file(folder.join("goodbot.h"), of_features(&sh.read_file(HEADER)?, features))?)
+}
+
+/// The header of a library with these features.
+fn of_features(header: &str, features: &[&str]) -> String {
+    let has = |line: &str| {
+        let name = line.strip_prefix("#define GOODBOT_HAS_")?.strip_suffix(" 1")?;
+        let given = features.iter().any(|feature| feature.eq_ignore_ascii_case(name));
+        Some(format!("#define GOODBOT_HAS_{name} {}\n", u8::from(given)))
+    };
+    header.lines().map(|line| has(line).unwrap_or_else(|| format!("{line}\n"))).collect()
+}
+
+/// Compiles the header alone, by each standard of C and C++ and with enums of either size: it asserts the layout of every struct.
+fn assert_layouts(sh: &Shell, gcc: &Path) -> Result<()> {
+    for (language, standards) in [("c", ["c99", "c11", "c2x"]), ("c++", ["c++11", "c++17", "c++20"])] {
+        for standard in standards {
+            for enums in ["-fshort-enums", "-fno-short-enums"] {
+                let strict = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffreestanding", "-fsyntax-only"];
+                cmd!(sh, "{gcc} -x {language} -std={standard} {enums} {strict...} {HEADER}").run()?;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The names of all functions that a header declares.
@@ -72,14 +103,15 @@ pub fn deliver(options: &Library) -> Result<()> {
     let features: Vec<_> = options.features.iter().map(String::as_str).collect();
     let folder = sh.create_dir(format!("dist/c/{}", target.unwrap_or("host")))?;
     sh.copy_file(library(target, &features)?, folder.join("libgoodbot.a"))?;
-    sh.copy_file(HEADER, &folder)?;
-    eprintln!("written: libgoodbot.a and goodbot.h in {}", folder.display());
+    headers_beside(&sh, &features, &folder)?;
+    eprintln!("written: libgoodbot.a, goodbot.h and goodbot.hpp in {}", folder.display());
     Ok(())
 }
 
 /// Builds every example with the host's compiler and both sanitizers, and runs it.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &ALL_FEATURES)?);
+    assert_layouts(&sh, &gcc)?;
     for example in ["home", "lift", "obey", "talk", "world"] {
         let binary = library.with_file_name(example);
         let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
@@ -133,6 +165,7 @@ impl Example {
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator.
 pub fn on_board() -> Result<()> {
+    assert_layouts(&shell()?, &ARM_GCC.path()?)?;
     for example in [HOME, LIFT, TALK, LIFT_ALONE, OBEY, EVERY_FUNCTION] {
         let binary = example.build()?;
         print!("{}", run_alone(&binary)?.0);
@@ -150,5 +183,16 @@ mod tests {
         let header = "enum goodbot_status goodbot_save(struct goodbot *robot,\n    void *(to));\nconst char *goodbot_status_text(int32_t status);\n\
                       typedef bool (*goodbot_holds)(void *context,\n * `goodbot_full` names it (see there).";
         assert_eq!(functions(header), ["goodbot_save", "goodbot_status_text"]);
+    }
+
+    #[test]
+    fn a_header_says_which_features_its_library_has() {
+        let header = shell().unwrap().read_file(HEADER).unwrap();
+        let named = header.lines().filter_map(|line| line.strip_prefix("#define GOODBOT_HAS_")?.strip_suffix(" 1"));
+        let mut all = ALL_FEATURES.map(str::to_uppercase);
+        all.sort_unstable();
+        assert!(named.eq(all.iter().map(String::as_str)));
+        let of = of_features("int a;\n#define GOODBOT_HAS_TALK 1\n#define GOODBOT_HAS_HOME 1\n", &["home"]);
+        assert_eq!(of, "int a;\n#define GOODBOT_HAS_TALK 0\n#define GOODBOT_HAS_HOME 1\n");
     }
 }

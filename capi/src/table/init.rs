@@ -9,7 +9,7 @@ use crate::arena::{Arena, after};
 #[cfg(feature = "explain")]
 use crate::beliefs::Writer;
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, give, list, plot, settle, text, with};
+use crate::robot::{Goodbot, give, list, look, plot, settle, text, with};
 #[cfg(feature = "explain")]
 use crate::status::text_of;
 use crate::status::{At, Failure, Fault, GoodbotStatus, Place};
@@ -399,10 +399,10 @@ pub unsafe extern "C" fn goodbot_table_set_state(robot: *mut Goodbot, state: u32
 /// # Safety
 /// `robot` is null or a handle, `state` null or room for a number.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn goodbot_table_state(robot: *mut Goodbot, state: *mut u32) -> GoodbotStatus {
+pub unsafe extern "C" fn goodbot_table_state(robot: *const Goodbot, state: *mut u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
     unsafe {
-        with(robot, |robot| {
+        look(robot, |robot| {
             #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
             let World::Here(_, Either::Other(now)) = &robot.world else { return Err(GoodbotStatus::World.into()) };
             give(state, *now)

@@ -8,7 +8,10 @@ use goodbot_capi::home::{goodbot_home_begin, goodbot_init_home};
 use goodbot_capi::memory::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
+use goodbot_capi::table::description::GoodbotTable;
+use goodbot_capi::training::{goodbot_decide, goodbot_done, goodbot_forget, goodbot_hear};
 use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
+use std::ffi::c_void;
 use std::ptr::{null, null_mut};
 
 fn make(memory: *mut u8, bytes: usize, capacities: *const GoodbotCapacities) -> GoodbotStatus {
@@ -98,6 +101,51 @@ fn a_handle_whose_memory_was_written_over_is_refused() {
     assert_eq!(unsafe { goodbot_home_begin(owned.robot) }, GoodbotStatus::BadHandle);
     let crooked = owned.robot.cast::<u8>().wrapping_add(1).cast::<Goodbot>();
     assert_eq!(unsafe { goodbot_home_begin(crooked) }, GoodbotStatus::BadHandle);
+}
+
+#[test]
+fn a_handle_whose_memory_was_copied_elsewhere_is_refused_there() {
+    let owned = at_home();
+    let mut copy = owned.memory.clone();
+    let moved: *mut Goodbot = copy.as_mut_ptr().cast();
+    assert_eq!(unsafe { goodbot_hear(moved, c"go to the green room".as_ptr()) }, GoodbotStatus::BadHandle);
+    let mut count = 7;
+    assert_eq!(unsafe { goodbot_session_count(moved, &raw mut count) }, GoodbotStatus::BadHandle);
+    assert_eq!(count, 7);
+    // The robot itself goes on.
+    hear_and_plan(owned.robot, c"go to the green room");
+}
+
+#[test]
+fn a_call_from_the_callers_own_function_is_told_that_the_robot_is_busy() {
+    struct Caller {
+        robot: *mut Goodbot,
+        answers: Vec<GoodbotStatus>,
+    }
+    unsafe extern "C" fn step(context: *mut c_void, state: u32, action: u8, next: *mut u32) -> bool {
+        let caller = unsafe { &mut *context.cast::<Caller>() };
+        let mut count = 0;
+        // While the robot is made there is no handle yet.
+        if !caller.robot.is_null() {
+            caller.answers.push(unsafe { goodbot_forget(caller.robot) });
+            caller.answers.push(unsafe { goodbot_session_count(caller.robot, &raw mut count) });
+        }
+        unsafe { next.write(if action == 0 { (state + 1) % 3 } else { (state + 2) % 3 }) };
+        true
+    }
+    let lift = Lift::new();
+    let mut caller = Caller { robot: null_mut(), answers: vec![] };
+    let context = (&raw mut caller).cast();
+    let owned = of_table(&GoodbotTable { next: std::ptr::null(), step: Some(step), context, ..lift.table() }).unwrap();
+    unsafe { (*context.cast::<Caller>()).robot = owned.robot };
+    hear_and_plan(owned.robot, c"go to the roof");
+    let (mut action, mut count) = (9, 0);
+    assert_eq!(unsafe { goodbot_decide(owned.robot, &raw mut action, null_mut()) }, GoodbotStatus::Ok);
+    // The session was not forgotten.
+    assert_eq!(unsafe { goodbot_done(owned.robot, action) }, GoodbotStatus::Ok);
+    assert!(!caller.answers.is_empty());
+    assert!(caller.answers.iter().all(|&answer| answer == GoodbotStatus::Busy), "{:?}", caller.answers);
+    assert_eq!(unsafe { goodbot_session_count(owned.robot, &raw mut count) }, GoodbotStatus::Ok);
 }
 
 #[test]

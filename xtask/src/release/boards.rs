@@ -7,7 +7,7 @@ use anyhow::Result;
 use xshell::Shell;
 
 use super::texts::Texts;
-use crate::capi::{FEATURES, HEADERS, library};
+use crate::capi::{FEATURES, headers_beside, library};
 use crate::toolchain::{CORTEX_M0, CORTEX_M3, CORTEX_M4, CORTEX_M4F, CORTEX_M33F, RISCV, RISCV_C3};
 
 const SOURCES: &str = "capi/packages/boards";
@@ -70,9 +70,7 @@ fn describe(sh: &Shell, folder: &Path) -> Result<()> {
     let texts = Texts::new(sh)?.with("@ESP_TARGETS@", espressif.join("\n")).with("@PROCESSORS@", processors.join(", "));
     texts.copy_all(sh, Path::new(SOURCES), folder)?;
     let src = sh.create_dir(folder.join("src"))?;
-    for file in HEADERS {
-        sh.copy_file(file, &src)?;
-    }
+    headers_beside(sh, FEATURES, &src)?;
     super::licences(sh, folder)
 }
 

@@ -16,7 +16,7 @@ use anyhow::{Context, Result, ensure};
 use clap::{Args, ValueEnum};
 use xshell::{Shell, cmd};
 
-use crate::capi::{ALL_FEATURES, FEATURES, HEADERS, library};
+use crate::capi::{ALL_FEATURES, FEATURES, headers_beside, library};
 use crate::process::{folder_named_by, root, shell, target_dir};
 use crate::programs::{installed_by_cargo, on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
@@ -200,11 +200,9 @@ fn c_archive(sh: &Shell, texts: &Texts, target: Option<&str>, to: &Path) -> Resu
     let machine = target.map_or_else(|| this_machine(sh), |target| Ok(target.to_owned()))?;
     let folder = above.path().join(format!("goodbot-c-{}-{machine}", texts.text("@VERSION@")));
     let (include, lib) = (sh.create_dir(folder.join("include"))?, sh.create_dir(folder.join("lib"))?);
-    for file in HEADERS {
-        sh.copy_file(file, &include)?;
-    }
     // A computer has room for talk.
     let features: &[&str] = if target.is_some() { FEATURES } else { &ALL_FEATURES };
+    headers_beside(sh, features, &include)?;
     sh.copy_file(library(target, features)?, lib.join("libgoodbot.a"))?;
     let sources = Path::new("capi/packages/archive");
     for file in ["goodbotConfig.cmake", "goodbotConfigVersion.cmake"] {
@@ -334,7 +332,7 @@ mod tests {
 
     #[test]
     fn the_pages_that_the_header_names_are_packed_with_it() {
-        let header = shell().unwrap().read_file(HEADERS[0]).unwrap();
+        let header = shell().unwrap().read_file(crate::capi::HEADERS[0]).unwrap();
         let names = header.split(|c: char| c.is_whitespace() || "`,()".contains(c));
         let named: std::collections::BTreeSet<_> = names.filter(|name| name.starts_with("docs/")).collect();
         assert!(named.into_iter().eq(PAGES));
