@@ -9,6 +9,7 @@
 //! | [`starter`] | everyday sentences to begin with |
 //! | [`restored`] | an agent or a language model from a model file |
 //! | [`output`] | the files to write, and which of them are never replaced |
+//! | [`claim`] | the right to write a file, which one program has at a time |
 //! | [`messages`] | remarks and progress on standard error |
 //! | [`refusal`] | the core's errors in the user's words |
 //! | [`outcome`] | the exit code of a command |
@@ -17,6 +18,7 @@
 #![deny(missing_docs)]
 
 pub mod believes;
+pub mod claim;
 pub mod learner;
 pub mod load;
 pub mod messages;

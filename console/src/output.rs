@@ -1,5 +1,6 @@
 //! Writes files on request. Input files are never overwritten, and files that goodbot did not write only with `--force`.
 
+use crate::claim::Claim;
 use crate::messages::printable;
 use crate::outcome::Failure;
 use crate::whole_file::write_whole;
@@ -78,6 +79,8 @@ impl Kind {
 pub struct Output {
     path: PathBuf,
     kind: Kind,
+    /// A model is not written while somebody teaches it.
+    claim: Option<Claim>,
 }
 
 /// Whether this path means standard output or, for an input, standard input.
@@ -99,7 +102,7 @@ impl Output {
     /// # Errors
     /// The reason why it cannot or must not be written, before the work begins.
     pub fn new(kind: Kind, path: &Path, inputs: impl IntoIterator<Item: AsRef<Path>>, force: bool) -> Result<Self, Failure> {
-        let output = Self { path: path.to_owned(), kind };
+        let mut output = Self { path: path.to_owned(), kind, claim: None };
         if is_standard(path) {
             return Ok(output);
         }
@@ -120,10 +123,16 @@ impl Output {
         // The folder of a link's target counts.
         let real = std::fs::canonicalize(path);
         let folder = real.as_deref().unwrap_or(path).parent().filter(|folder| !folder.as_os_str().is_empty());
-        match tempfile::tempfile_in(folder.unwrap_or(Path::new("."))) {
-            Ok(_) => Ok(output),
-            Err(error) => refused(format!("no file can be written there ({error}); check that the folder is there and may be written to")),
+        if let Err(error) = tempfile::tempfile_in(folder.unwrap_or(Path::new("."))) {
+            return refused(format!("no file can be written there ({error}); check that the folder is there and may be written to"));
         }
+        if kind == Kind::Model {
+            match Claim::take(path) {
+                Ok(claim) => output.claim = Some(claim),
+                Err(error) => return refused(format!("cannot be written to: {error}")),
+            }
+        }
+        Ok(output)
     }
 
     /// Whether it goes to standard output.
@@ -167,7 +176,8 @@ impl Output {
             out.write_all(bytes)?;
             return Ok(out.flush()?);
         }
-        write_whole(&self.path, bytes).map_err(|error| Failure::Input(format!("{} cannot be written: {error}", self.path.display())))
+        let written = self.claim.as_ref().map_or_else(|| write_whole(&self.path, bytes), |claim| claim.write(bytes));
+        written.map_err(|error| Failure::Input(format!("{} cannot be written: {error}", self.path.display())))
     }
 }
 

@@ -6,7 +6,7 @@ use goodbot::Options;
 use goodbot::snapshot::Contents;
 use std::fs::{DirEntry, File};
 use std::io::{Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The most bytes of a model or a home: endless input is not read to its end.
@@ -57,8 +57,7 @@ pub fn options_of_model(file: &Path) -> Result<Options, Failure> {
 /// # Errors
 /// The file system's error. An ordinary file is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let real = std::fs::canonicalize(path);
-    let path = real.as_deref().unwrap_or(path);
+    let path = &*followed(path);
     let there = std::fs::metadata(path).ok();
     if there.as_ref().is_some_and(|there| !there.is_file()) {
         return std::fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
@@ -84,6 +83,11 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+/// The file at the end of links; the path itself where no file is.
+pub(crate) fn followed(path: &Path) -> PathBuf {
+    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// Removes the unfinished files of stopped programs beside a file, if they are at least this old. Returns their number.

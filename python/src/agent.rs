@@ -22,9 +22,10 @@ use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::TaskSet;
 use goodbot::{AgentError, Options};
+use goodbot_console::claim::Claim;
 use goodbot_console::output::Kind;
 use goodbot_console::restored::{room_for, room_for_tasks};
-use goodbot_console::whole_file::{MOST_BYTES, write_whole};
+use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_lesson::first_words::{self, heard};
 use goodbot_lesson::kept_kinds;
 use goodbot_lesson::world::robot as world;
@@ -187,7 +188,7 @@ fn write_model(path: &Path, bytes: &[u8], force: bool) -> PyResult<()> {
         let message = format!("{} is there and is no model; name another file, or say force=True", path.display());
         return Err(PyFileExistsError::new_err(message));
     }
-    Ok(write_whole(path, bytes)?)
+    Ok(Claim::take(path)?.write(bytes)?)
 }
 
 #[pymethods]

@@ -1,22 +1,26 @@
 //! The files of a robot: its model, and its sessions as a log.
 //!
 //! Both are written as soon as a session is over. The log is appended to; the model is replaced as a whole. A foreign file is never written
-//! to. While a robot is taught, its log is locked, so that two programs do not teach it at once.
+//! to. While a robot is taught, both files are [claimed](Claim), each for itself, because two robots may share a log, and two logs a robot.
+//! [`torn`]: the end of a log whose writing was interrupted.
+
+mod torn;
 
 use super::site::{self, Recorded};
 use etcetera::BaseStrategy;
 use goodbot::snapshot::Contents;
+use goodbot_console::claim::Claim;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::are_one;
-use goodbot_console::whole_file::{read_model, remove_torn, write_whole};
+use goodbot_console::whole_file::{read_model, remove_torn};
 use goodbot_formats::FormatError;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldFile, WorldReader};
 use goodbot_lesson::Fault;
 use goodbot_lesson::first_words::words_read;
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{BufReader, Read, Seek, SeekFrom, Write};
+use std::fs::{File, OpenOptions};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -97,11 +101,20 @@ struct Written {
     model: Option<Vec<u8>>,
 }
 
+/// A log, opened for appending.
+#[derive(Debug)]
+struct Log {
+    path: PathBuf,
+    file: File,
+    claim: Claim,
+}
+
 /// A robot's files.
 #[derive(Debug)]
 pub struct Kept {
     files: RobotFiles,
-    log: File,
+    log: Log,
+    claim: Claim,
     /// The model in the file.
     model: Option<Vec<u8>>,
     written: Vec<Written>,
@@ -113,10 +126,10 @@ pub struct Kept {
 }
 
 /// Removes the log if it is empty.
-impl Drop for Kept {
+impl Drop for Log {
     fn drop(&mut self) {
-        if self.log.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
-            let _ = std::fs::remove_file(&self.files.log);
+        if self.file.metadata().is_ok_and(|log| log.is_file() && log.len() == 0) {
+            let _ = std::fs::remove_file(&self.path);
         }
     }
 }
@@ -125,17 +138,18 @@ fn cannot(path: &Path, what: &str, error: impl std::fmt::Display) -> Failure {
     Failure::Input(format!("{}: cannot be {what} ({error}); name other files with --model and --log", path.display()))
 }
 
-/// Opens the log for appending, and locks it.
-fn open_log(path: &Path) -> Result<File, Failure> {
-    let log = OpenOptions::new().read(true).append(true).create(true).open(path).map_err(|error| cannot(path, "written to", error))?;
-    match log.try_lock() {
-        Err(TryLockError::WouldBlock) => Err(Failure::Input(format!(
-            "{}: this robot is being taught in another window; leave that one first, or teach another robot with --robot NAME",
+fn claim(path: &Path) -> Result<Claim, Failure> {
+    Claim::take(path).map_err(|error| match error.kind() {
+        ErrorKind::ResourceBusy => Failure::Input(format!(
+            "{}: this robot is being taught or learned in another window; leave that one first, or teach another robot with --robot NAME",
             path.display()
-        ))),
-        // Some file systems cannot lock. Other programs are not kept out there.
-        Ok(()) | Err(TryLockError::Error(_)) => Ok(log),
-    }
+        )),
+        _ => cannot(path, "written to", error),
+    })
+}
+
+fn open_to_append(path: &Path) -> Result<File, Failure> {
+    OpenOptions::new().read(true).append(true).create(true).open(path).map_err(|error| cannot(path, "written to", error))
 }
 
 /// The line end that a log lacks if another program left its last line incomplete.
@@ -149,52 +163,87 @@ fn missing_line_end(mut log: &File) -> std::io::Result<&'static str> {
     Ok(if last == *b"\n" { "" } else { "\n" })
 }
 
+/// The sessions of a log, and the last world of that name in it.
+fn read_log(log: impl BufRead, world: Option<&Arc<WorldFile>>) -> Result<(Past, Option<Arc<WorldFile>>), FormatError> {
+    let (mut past, mut known) = (Past::default(), None);
+    let Some(world) = world else {
+        for session in SessionReader::new(log) {
+            past.add(session?);
+        }
+        return Ok((past, known));
+    };
+    for line in WorldReader::new(log) {
+        match line? {
+            Line::World(named) if named.name == world.name => known = Some(named),
+            Line::World(_) | Line::Command(_) => {}
+            Line::Session(session) => past.add(session.session),
+        }
+    }
+    Ok((past, known))
+}
+
+impl Log {
+    fn open(path: &Path) -> Result<Self, Failure> {
+        Ok(Self { claim: claim(path)?, file: open_to_append(path)?, path: path.to_owned() })
+    }
+
+    /// Reads the log. If the writing of its last session was interrupted, that session is first moved to a file beside the log.
+    fn read(&self, world: Option<&Arc<WorldFile>>) -> Result<(Past, Option<Arc<WorldFile>>), Failure> {
+        let name = self.path.display();
+        let error = match read_log(BufReader::new(&self.file), world) {
+            Ok(read) => return Ok(read),
+            Err(error) => error,
+        };
+        let unreadable = |error| cannot(&self.path, "read", error);
+        let log = if self.path.is_file() { std::fs::read(&self.path).map_err(unreadable)? } else { Vec::new() };
+        let Some(begins) = torn::begins_at(&log, |text| read_log(text, world).is_ok()) else {
+            let fault = Fault::from_format(&name.to_string(), error);
+            return Err(Failure::Input(format!("{fault}\nthis log is not written to; mend it, or name another with --log")));
+        };
+        let (whole, end) = log.split_at(begins);
+        let changed = |error| cannot(&self.path, "mended", error);
+        let beside = torn::keep_beside(&self.path, end).map_err(changed)?;
+        self.file.set_len(begins as u64).and_then(|()| self.file.sync_all()).map_err(changed)?;
+        say!(
+            "{name}: the program was stopped while it wrote line {} and what follows; the log ends before that now, and {} are in {}",
+            whole.iter().filter(|&&byte| byte == b'\n').count() + 1,
+            counted(end.len(), "cut-off byte"),
+            beside.display()
+        );
+        read_log(whole, world).map_err(|error| Fault::from_format(&name.to_string(), error).into())
+    }
+}
+
 impl Kept {
     /// Opens a robot's files, and creates the log if it is missing. `world` is the world from a file in which the robot is taught; `None`
     /// in a home.
     ///
     /// # Errors
-    /// A [`Failure`] if one of the files is foreign, or cannot be written to.
+    /// A [`Failure`] if another program teaches the robot, or if one of the files is foreign, or cannot be written to.
     pub fn open(files: RobotFiles, world: Option<&Arc<WorldFile>>) -> Result<(Self, Past), Failure> {
-        let mut past = Past::default();
-        if files.model.exists() {
-            past.model = Some(read_model(&files.model)?);
+        let log = Log::open(&files.log)?;
+        // The log exists now, so this finds two names of one file.
+        if are_one(&files.model, &files.log) {
+            return Err(Failure::Input(format!("{}: is both the model and the log; name two files", files.log.display())));
         }
-        let log = open_log(&files.log)?;
-        // The lock ensures that nobody else writes these files now.
+        let claim = claim(&files.model)?;
+        // Nobody else writes these files from here on.
         let torn = [&files.model, &files.log].map(|path| remove_torn(path, Duration::ZERO)).iter().sum();
         if torn > 0 {
             say!("{}: the program was stopped while it wrote; {} removed", files.model.display(), counted(torn, "unfinished file"));
         }
-        let mut kept =
-            Self { files, log, model: past.model.clone(), written: Vec::new(), unwritten: String::new(), newest: None, introduction: None };
-        let name = kept.files.log.display().to_string();
-        // Both files exist now, so this finds two names of one file.
-        if are_one(&kept.files.model, &kept.files.log) {
-            return Err(Failure::Input(format!("{name}: is both the model and the log; name two files")));
-        }
-        let line_end = missing_line_end(&kept.log).map_err(|error| cannot(&kept.files.log, "read", error))?;
-        kept.introduction = Some(line_end).filter(|end| !end.is_empty()).map(str::to_owned);
-        let refused = |error: FormatError| {
-            Failure::Input(format!("{}\nthis log is not written to; mend it, or name another with --log", Fault::from_format(&name, error)))
-        };
-        let Some(world) = world else {
-            for session in SessionReader::new(BufReader::new(&kept.log)) {
-                past.add(session.map_err(refused)?);
+        let model = if files.model.exists() { Some(read_model(&files.model)?) } else { None };
+        let (past, known) = log.read(world)?;
+        let line_end = missing_line_end(&log.file).map_err(|error| cannot(&files.log, "read", error))?;
+        let introduction = match world.filter(|world| known.as_ref() != Some(world)) {
+            Some(world) => {
+                let line = world.to_json_line().map_err(|error| Fault::from_format(&files.log.display().to_string(), error))?;
+                Some(format!("{line_end}{line}\n"))
             }
-            return Ok((kept, past));
+            None => Some(line_end).filter(|end| !end.is_empty()).map(str::to_owned),
         };
-        let mut known = None;
-        for line in WorldReader::new(BufReader::new(&kept.log)) {
-            match line.map_err(refused)? {
-                Line::World(named) if named.name == world.name => known = Some(named),
-                Line::World(_) | Line::Command(_) => {}
-                Line::Session(session) => past.add(session.session),
-            }
-        }
-        if known.as_ref() != Some(world) {
-            kept.introduction = Some(format!("{line_end}{}\n", world.to_json_line().map_err(refused)?));
-        }
+        let past = Past { model: model.clone(), ..past };
+        let kept = Self { files, log, claim, model, written: Vec::new(), unwritten: String::new(), newest: None, introduction };
         Ok((kept, past))
     }
 
@@ -244,18 +293,19 @@ impl Kept {
     /// A [`Failure`] that names the file.
     pub fn write_what_is_left(&mut self) -> Result<u64, Failure> {
         let RobotFiles { model: model_path, log: log_path } = &self.files;
-        let start = self.log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
+        let log = &mut self.log.file;
+        let start = log.seek(SeekFrom::End(0)).map_err(|error| cannot(log_path, "written to", error))?;
         if !self.unwritten.is_empty() {
-            let appended = self.log.write_all(self.unwritten.as_bytes()).and_then(|()| self.log.sync_data());
+            let appended = log.write_all(self.unwritten.as_bytes()).and_then(|()| log.sync_data());
             appended.map_err(|error| {
                 // A partial session would make the log unreadable, so it is cut off.
-                let _ = self.log.set_len(start);
+                let _ = log.set_len(start);
                 cannot(log_path, "written to", error)
             })?;
         }
         let end = start.saturating_add(std::mem::take(&mut self.unwritten).len() as u64);
         if let Some(model) = self.newest.take() {
-            let written = write_whole(model_path, &model);
+            let written = self.claim.write(&model);
             *if written.is_ok() { &mut self.model } else { &mut self.newest } = Some(model);
             written.map_err(|error| cannot(model_path, "written to", error))?;
         }
@@ -281,11 +331,11 @@ impl Kept {
         }
         log.drain(range);
         match &last.model {
-            Some(model) => write_whole(model_path, model).map_err(|error| cannot(model_path, "written to", error))?,
+            Some(model) => self.claim.write(model).map_err(|error| cannot(model_path, "written to", error))?,
             None => std::fs::remove_file(model_path).map_err(|error| cannot(model_path, "removed", error))?,
         }
-        write_whole(log_path, &log).map_err(|error| cannot(log_path, "written to", error))?;
-        self.log = open_log(log_path)?;
+        self.log.claim.write(&log).map_err(|error| cannot(log_path, "written to", error))?;
+        self.log.file = open_to_append(log_path)?;
         let before = self.written.pop().and_then(|written| {
             self.introduction = written.introduction.or(self.introduction.take());
             written.model
@@ -338,6 +388,105 @@ mod tests {
         assert_eq!(std::fs::read_to_string(&files.log).unwrap(), SESSION.repeat(2));
         kept.take_back().unwrap();
         assert_eq!(std::fs::read_to_string(&files.log).unwrap(), SESSION.trim_end());
+    }
+
+    /// A log as a power cut leaves it, and what the program makes of it: the log then, the cut-off bytes, and the number of sessions.
+    fn mended(log: &[u8], world: Option<&Arc<WorldFile>>) -> (Vec<u8>, Option<Vec<u8>>, usize) {
+        let folder = tempfile::tempdir().unwrap();
+        let files = files(&folder);
+        std::fs::write(&files.log, log).unwrap();
+        let (kept, past) = Kept::open(files.clone(), world).unwrap_or_else(|refused| panic!("{} bytes: {refused}", log.len()));
+        let left = std::fs::read(&files.log).unwrap();
+        drop(kept);
+        (left, std::fs::read(folder.path().join("robot.jsonl.end1")).ok(), past.sessions)
+    }
+
+    #[test]
+    fn a_log_that_was_cut_off_anywhere_goes_on_after_its_last_whole_session_and_the_rest_is_kept_beside_it() {
+        let first = SESSION.replace("go", "räum auf");
+        let log = [first.as_str(), &SESSION.replace("said-1", "said-2")].concat();
+        for cut in 0..log.len() {
+            // A session whose last line lacks only the end of the line is whole.
+            let end_of = |session: usize| session - usize::from(cut == session - 1);
+            let whole = if cut >= end_of(log.len()) {
+                log.len()
+            } else if cut >= end_of(first.len()) {
+                first.len()
+            } else {
+                0
+            };
+            let (left, beside, sessions) = mended(&log.as_bytes()[..cut], None);
+            assert_eq!(left, log.as_bytes()[..whole.min(cut)], "cut at {cut}");
+            let end = &log.as_bytes()[whole.min(cut)..cut];
+            assert_eq!(beside.unwrap_or_default(), end, "cut at {cut}");
+            assert_eq!(sessions, usize::from(whole > 0) + usize::from(whole == log.len()), "cut at {cut}");
+        }
+        println!("a log of two sessions, cut off at each of {} places: each goes on", log.len());
+        // A file system that had noted the length only.
+        let zeros = [first.as_bytes(), &[0; 300]].concat();
+        assert_eq!(mended(&zeros, None), (first.clone().into_bytes(), Some(vec![0; 300]), 1));
+        let after = [first.as_bytes(), &SESSION.as_bytes()[..40], &[0; 300]].concat();
+        assert_eq!(mended(&after, None).0, first.into_bytes());
+    }
+
+    #[test]
+    fn a_log_of_a_world_that_was_cut_off_goes_on_too() {
+        const WORLD: &str = concat!(
+            r#"{"type":"world","name":"lamps","classes":["lamp"],"attributes":{},"propositions":{"lampOn":["lamp"]},"#,
+            r#""objects":[{"name":"l","class":"lamp","attributes":{}}],"task_kinds":["lampOn(?l)"]}"#,
+            "\n"
+        );
+        const LESSON: &str = concat!(
+            r#"{"type":"session","version":1,"world":"lamps","kind":"feedback","facts":[],"command":"light"}"#,
+            "\n",
+            r#"{"type":"end","learn":true}"#,
+            "\n"
+        );
+        let world = Arc::new(WorldFile::parse(WORLD).unwrap());
+        let log = [WORLD, LESSON, LESSON].concat();
+        assert_eq!(mended(log.as_bytes(), Some(&world)), (log.clone().into_bytes(), None, 2));
+        for cut in 1..log.len() - 1 {
+            let (left, beside, sessions) = mended(&log.as_bytes()[..cut], Some(&world));
+            assert_eq!([left.clone(), beside.unwrap_or_default()].concat(), log.as_bytes()[..cut], "cut at {cut}");
+            let whole = [WORLD.len() + LESSON.len() - 1, WORLD.len() - 1].into_iter().find(|&whole| cut >= whole).unwrap_or(0);
+            assert!(left.len() >= whole && sessions == usize::from(cut >= WORLD.len() + LESSON.len() - 1), "cut at {cut}");
+        }
+    }
+
+    #[test]
+    fn a_log_that_somebody_changed_in_the_middle_is_refused_and_stays() {
+        let broken = SESSION.replace("reward", "rewrd");
+        let (line, rest) = SESSION.split_once('\n').unwrap();
+        for log in [
+            broken.clone() + SESSION,
+            SESSION.to_owned() + &broken,
+            broken.replace(r#"{"type":"end","learn":true}"#, ""),
+            format!("{line}\nnonsense\n"),
+            format!("{SESSION}my diary"),
+            format!("{rest}{{\"type\":\"se"),
+            "my diary".to_owned(),
+            "\0\0\0".to_owned(),
+        ] {
+            let folder = tempfile::tempdir().unwrap();
+            let files = files(&folder);
+            std::fs::write(&files.log, &log).unwrap();
+            let refused = Kept::open(files.clone(), None).map(|_| ()).unwrap_err().to_string();
+            assert!(refused.contains("this log is not written to"), "{log}: {refused}");
+            assert_eq!(std::fs::read_to_string(&files.log).unwrap(), log);
+            assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "{log}");
+        }
+    }
+
+    #[test]
+    fn the_ends_of_one_log_are_all_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let files = files(&folder);
+        for end in 1..=3 {
+            std::fs::write(&files.log, &SESSION.as_bytes()[..SESSION.len() - 10 - end]).unwrap();
+            drop(Kept::open(files.clone(), None).unwrap());
+            let kept = std::fs::read(folder.path().join(format!("robot.jsonl.end{end}"))).unwrap();
+            assert_eq!(kept, SESSION.as_bytes()[..SESSION.len() - 10 - end]);
+        }
     }
 
     #[test]
@@ -407,7 +556,15 @@ mod tests {
     fn a_robot_is_taught_in_one_place_at_a_time_and_no_foreign_file_is_written_to() {
         let folder = tempfile::tempdir().unwrap();
         let (kept, _) = Kept::open(files(&folder), None).unwrap();
-        assert!(Kept::open(files(&folder), None).unwrap_err().to_string().contains("in another window"));
+        let taught = |files: RobotFiles| Kept::open(files, None).map(drop).unwrap_err().to_string();
+        let (model, log) = (folder.path().join("robot.goodbot"), folder.path().join("robot.jsonl"));
+        assert!(taught(files(&folder)).contains("robot.jsonl: this robot is being taught or learned in another window"));
+        // The model is the robot, whatever its log is called; and two robots do not write one log at once.
+        let other = RobotFiles::beside(&model, Some(&folder.path().join("other.jsonl")));
+        assert!(taught(other).contains("robot.goodbot: this robot is being taught"));
+        assert!(!folder.path().join("other.jsonl").exists());
+        let other = RobotFiles::beside(&folder.path().join("other.goodbot"), Some(&log));
+        assert!(taught(other).contains("robot.jsonl: this robot is being taught"));
         drop(kept);
         std::fs::write(folder.path().join("robot.jsonl"), "my diary\n").unwrap();
         assert!(Kept::open(files(&folder), None).unwrap_err().to_string().contains("this log is not written to"));

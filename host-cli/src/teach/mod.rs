@@ -38,12 +38,11 @@ use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use goodbot_console::starter::StarterOptions;
-use goodbot_console::whole_file::read_model;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::words_read;
 use goodbot_lesson::world::robot::{self, Tables};
-use kept::{Kept, RobotFiles};
+use kept::{Kept, Past, RobotFiles};
 use keys::Intent;
 use lessons::Tour;
 use pace::Pace;
@@ -227,9 +226,11 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
     let files = robot_files(options, lines, world)?;
-    let pupil = match files.as_ref().filter(|files| world.is_none() && files.model.exists()) {
-        Some(RobotFiles { model, .. }) => of_kept_kinds(options, pupil, model)?,
-        None => pupil,
+    // What is read of these files is still there when they are written: nobody else writes them from here on.
+    let kept = files.map(|files| Kept::open(files, world)).transpose()?;
+    let pupil = match kept.as_ref().filter(|_| world.is_none()) {
+        Some((kept, Past { model: Some(model), .. })) => of_kept_kinds(options, pupil, &kept.files().model, model)?,
+        _ => pupil,
     };
     if options.starter.is_given() && world.is_some() {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
@@ -237,7 +238,6 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let starter = options.starter.read(pupil.lesson().agent.lifted(), Learner::Default.options())?;
     let pupil = pupil.with_starter(starter)?;
     let pupil = pupil.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
-    let kept = files.map(|files| Kept::open(files, world)).transpose()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
@@ -273,10 +273,10 @@ fn robot_files(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile
 }
 
 /// The robot, with the kinds of task that its file keeps.
-fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, model: &Path) -> Result<Pupil, Failure> {
-    let Some(kinds) = kinds::kept(model, &read_model(model)?)? else { return Ok(pupil) };
+fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, file: &Path, model: &[u8]) -> Result<Pupil, Failure> {
+    let Some(kinds) = kinds::kept(file, model)? else { return Ok(pupil) };
     let asked = options.routes.then(|| pupil.lesson().agent.lifted().to_vec());
-    let kinds = kinds::agreed(model, kinds, asked, "--routes")?;
+    let kinds = kinds::agreed(file, kinds, asked, "--routes")?;
     pupil.with_kinds(&kinds)
 }
 

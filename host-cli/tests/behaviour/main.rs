@@ -36,5 +36,6 @@ mod teach;
 #[cfg(unix)]
 mod teach_screen;
 mod trainers_and_questions;
+mod two_teachers;
 mod ways;
 mod worlds;
