@@ -8,10 +8,13 @@ const LEAST_LETTERS: usize = 5;
 
 /// The known word that `word` counts as: itself; one that begins with the same `letters` letters (0 turns this off), also if "ä" is written
 /// "ae"; or, for a word of five letters or more, the first of the `learned` words that differs by one letter left out, added or replaced,
-/// or by two neighbours exchanged.
+/// or by two neighbours exchanged. A word with a digit counts as itself alone: `bay12` and `bay13` are two places.
 pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters: usize) -> Option<Symbol> {
     if let Some(known) = words.find(word) {
         return Some(known);
+    }
+    if has_digit(word) {
+        return None;
     }
     // A Korean character is a syllable, so two of them count as four letters; the rest is a particle or an ending.
     let letters = if word.starts_with(|first| matches!(first, '\u{ac00}'..='\u{d7a3}')) { letters.div_ceil(2) } else { letters };
@@ -19,8 +22,10 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
     // A shorter word is alike to itself alone.
     let has_form = letters > 0 && (form.len() < word.len() || self::letters(form) == letters);
     let begins_alike = |known: &str| has_form && known.starts_with(form);
-    let find =
-        |alike: &dyn Fn(&str) -> bool, most: usize| words.iter().take(most).find(|(_, known)| alike(known)).map(|(symbol, _)| symbol);
+    let find = |alike: &dyn Fn(&str) -> bool, most: usize| {
+        let is_variant = |known: &str| alike(known) && !has_digit(known);
+        words.iter().take(most).find(|(_, known)| is_variant(known)).map(|(symbol, _)| symbol)
+    };
     let alike = find(&begins_alike, usize::MAX);
     #[cfg(feature = "marks")]
     let alike = alike.or_else(|| find(&|known| super::letters::is_spelled_alike(known, word, letters), usize::MAX));
@@ -36,6 +41,10 @@ pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters
 /// ```
 pub fn is_slip(one: &str, other: &str) -> bool {
     letters(one).min(letters(other)) >= LEAST_LETTERS && is_slip_of_any_length(one, other)
+}
+
+fn has_digit(word: &str) -> bool {
+    word.bytes().any(|byte| byte.is_ascii_digit())
 }
 
 /// The number of bytes that two words share, from one end.

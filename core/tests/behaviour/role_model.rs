@@ -323,6 +323,17 @@ fn a_slip_of_the_pen_counts_as_the_word() {
     assert_eq!(best(&right), best(&slips));
 }
 
+#[test]
+fn words_that_differ_in_a_digit_alone_are_different_words() {
+    let lessons = [("go to bay12", "red", 1.0), ("go to bay13", "green", 1.0), ("enter bay12", "red", 1.0), ("enter bay13", "green", 1.0)];
+    trained(8, &lessons, |likelihood| {
+        assert!(likelihood("bay12", "red") > 2.0 * likelihood("bay12", "green"));
+        assert!(likelihood("bay13", "green") > 2.0 * likelihood("bay13", "red"));
+        let (of_red, of_green) = (likelihood("bay14", "red"), likelihood("bay14", "green"));
+        assert!((of_red - of_green).abs() < 1e-3 * of_red, "a bay never heard of is neither: {of_red}, {of_green}");
+    });
+}
+
 /// "Living room" and "bedroom" with one particle, then with another.
 #[test]
 fn a_korean_word_with_another_particle_is_the_same_word() {
