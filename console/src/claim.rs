@@ -25,7 +25,7 @@ impl Claim {
     /// # Errors
     /// [`ErrorKind::ResourceBusy`] if another program has claimed it; otherwise the file system's error: nothing can be written there.
     pub fn take(path: &Path) -> Result<Self> {
-        let path = followed(path);
+        let path = followed(path)?;
         if path.exists() && !path.is_file() {
             return Ok(Self { path, lock: None });
         }

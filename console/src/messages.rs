@@ -1,5 +1,6 @@
 //! Remarks and progress on standard error. `--quiet` suppresses them.
 
+use crate::printed::Printed;
 use goodbot_lesson::Fault;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::borrow::Cow;
@@ -48,20 +49,8 @@ pub use crate::say;
 
 /// Writes a line to standard error. Where it cannot be written, as on a full disk, the work goes on.
 pub fn tell(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{}", printable(line));
-}
-
-/// A text for a terminal. Control characters, as in file names and logs, are escaped; line ends and tabs stay.
-pub fn printable(text: &str) -> Cow<'_, str> {
-    let obeyed = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
-    if !text.contains(obeyed) {
-        return Cow::Borrowed(text);
-    }
-    let mut shown = String::with_capacity(text.len());
-    for letter in text.chars() {
-        if obeyed(letter) { shown.extend(letter.escape_default()) } else { shown.push(letter) }
-    }
-    Cow::Owned(shown)
+    let mut out = Printed::stderr();
+    let _ = writeln!(out, "{line}").and_then(|()| out.flush());
 }
 
 /// A count with its noun: "1 session", "2 sessions".
@@ -131,11 +120,5 @@ mod tests {
         let fault = |line, message: &str| Fault::on_line("log", line, message);
         let faults = [fault(1, "the sum is 0.9"), fault(2, "no end"), fault(3, "the sum is 0.8"), fault(5, "the sum is 0.7")];
         assert_eq!(summed(&faults), ["log:1: the sum is 0.9; and 2 lines like it", "log:2: no end"]);
-    }
-
-    #[test]
-    fn control_characters_are_shown_and_not_obeyed() {
-        assert_eq!(printable("a\u{1b}[31mred.json:1: no\n\tthing\r\u{9b}2J"), "a\\u{1b}[31mred.json:1: no\n\tthing\\r\\u{9b}2J");
-        assert_eq!(printable("grüner Raum"), "grüner Raum");
     }
 }

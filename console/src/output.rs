@@ -1,11 +1,11 @@
 //! Writes files on request. Input files are never overwritten, and files that goodbot did not write only with `--force`.
 
 use crate::claim::Claim;
-use crate::messages::printable;
 use crate::outcome::Failure;
-use crate::whole_file::write_whole;
+use crate::printed::{self, Printed, printable, well_formed};
+use crate::whole_file::{followed, write_whole};
 use std::fs::File;
-use std::io::{self, BufWriter, Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The mark of a picture that goodbot drew.
@@ -121,8 +121,11 @@ impl Output {
             return refused(format!("is there already and is no {what} of goodbot's; name another file, or replace it with --force"));
         }
         // The folder of a link's target counts.
-        let real = std::fs::canonicalize(path);
-        let folder = real.as_deref().unwrap_or(path).parent().filter(|folder| !folder.as_os_str().is_empty());
+        let real = match followed(path) {
+            Ok(real) => real,
+            Err(error) => return refused(format!("cannot be written: {error}; name another file")),
+        };
+        let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty());
         if let Err(error) = tempfile::tempfile_in(folder.unwrap_or(Path::new("."))) {
             return refused(format!("no file can be written there ({error}); check that the folder is there and may be written to"));
         }
@@ -163,18 +166,16 @@ impl Output {
         let bytes = match self.kind {
             Kind::Model | Kind::Microbit | Kind::Parameters => bytes,
             Kind::Page => {
-                marked = [PAGE_MARK.as_bytes(), b"\n", bytes].concat();
-                &marked
+                marked = [PAGE_MARK, "\n", &printable(&String::from_utf8_lossy(bytes))].concat();
+                marked.as_bytes()
             }
             Kind::Picture => {
-                marked = with_mark(bytes);
-                &marked
+                marked = with_mark(&well_formed(bytes));
+                marked.as_bytes()
             }
         };
         if self.is_standard() {
-            let mut out = io::stdout().lock();
-            out.write_all(bytes)?;
-            return Ok(out.flush()?);
+            return Ok(printed::data(bytes)?);
         }
         let written = self.claim.as_ref().map_or_else(|| write_whole(&self.path, bytes), |claim| claim.write(bytes));
         written.map_err(|error| Failure::Input(format!("{} cannot be written: {error}", self.path.display())))
@@ -185,7 +186,7 @@ impl Output {
 ///
 /// # Errors
 /// [`Failure::Input`] if two files have the same path.
-pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Failure> {
+pub fn text(outputs: &[Option<&Output>]) -> Result<Printed, Failure> {
     let files: Vec<&Output> = outputs.iter().copied().flatten().filter(|output| !output.is_standard()).collect();
     if let [one, other] = files.as_slice()
         && are_one(&one.path, &other.path)
@@ -194,21 +195,22 @@ pub fn text(outputs: &[Option<&Output>]) -> Result<BufWriter<Box<dyn Write>>, Fa
     }
     let standard = outputs.iter().flatten().filter(|output| output.is_standard()).count();
     match standard {
-        0 => Ok(BufWriter::new(Box::new(io::stdout()))),
-        1 => Ok(BufWriter::new(Box::new(io::stderr()))),
+        0 => Ok(Printed::stdout()),
+        1 => Ok(Printed::stderr()),
         _ => Err(Failure::Input("two things cannot both go to standard output (-); name a file for one of them".to_owned())),
     }
 }
 
 /// A picture with the mark after its first tag.
-fn with_mark(svg: &[u8]) -> Vec<u8> {
-    let end = svg.iter().position(|&byte| byte == b'>').map_or(0, |at| at + 1);
-    [&svg[..end], b"\n", MARK.as_bytes(), &svg[end..]].concat()
+fn with_mark(svg: &str) -> String {
+    let (tag, rest) = svg.split_at(svg.find('>').map_or(0, |at| at + 1));
+    [tag, "\n", MARK, rest].concat()
 }
 
 /// Whether two paths lead to one file, through symbolic or hard links. The files need not exist.
 pub fn are_one(a: &Path, b: &Path) -> bool {
     let real = |path: &Path| {
+        let path = &followed(path).ok()?;
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let new = || Some(std::fs::canonicalize(folder).ok()?.join(path.file_name()?));
         std::fs::canonicalize(path).ok().or_else(new)

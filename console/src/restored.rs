@@ -9,7 +9,7 @@ use crate::whole_file::read_model;
 use goodbot::language::LanguageModel;
 use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::planning::Progress;
-use goodbot::snapshot::{Contents, RestoreError, SAVED};
+use goodbot::snapshot::{Contents, RestoreError};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use std::path::Path;
@@ -44,6 +44,14 @@ pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Re
     let _ = starter.join(&mut agent, own)?;
     learn_fully(&mut agent);
     Ok(agent)
+}
+
+/// An agent without tasks with the model of a file, from homes or from any world: it hears no commands, but shows what was learned.
+///
+/// # Errors
+/// The errors of [`agent`].
+pub fn model(file: &Path) -> Result<Agent<AgentHeap>, Failure> {
+    agent(file, &[])
 }
 
 /// Learns to the end, with a spinner if that may take seconds.
@@ -104,9 +112,5 @@ pub fn room_for_tasks(contents: &Contents<'_>) -> usize {
 
 /// Capacities for the tables of a model file, and for more sessions.
 pub fn room_for(contents: &Contents<'_>) -> Capacities {
-    let mut most = Capacities::STANDARD;
-    for capacity in SAVED {
-        most.set(capacity, MOST_OF_A_FIELD);
-    }
-    Capacities::STANDARD.at_least(contents.sizes.at_most(most))
+    contents.room(Capacities::STANDARD, MOST_OF_A_FIELD)
 }

@@ -51,13 +51,29 @@ pub fn options_of_model(file: &Path) -> Result<Options, Failure> {
     Ok(contents.options)
 }
 
+/// The file that a path leads to. Links are followed, and one may lead to a file that is not there yet.
+///
+/// # Errors
+/// An error if links lead in a circle.
+pub fn followed(path: &Path) -> std::io::Result<PathBuf> {
+    const MOST_LINKS: usize = 40;
+    let mut path = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match std::fs::read_link(&path) {
+            Ok(target) => path = folder_of(&path).join(target),
+            Err(_) => return Ok(path),
+        }
+    }
+    Err(std::io::Error::other("its links lead in a circle"))
+}
+
 /// Writes a file so that it has its old or its new content, even after a power cut. A new file is written beside it to the disk, and then
 /// renamed. Links are followed. Pipes and devices are written to directly.
 ///
 /// # Errors
 /// The file system's error. An ordinary file is then unchanged.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let path = &*followed(path);
+    let path = &followed(path)?;
     let there = std::fs::metadata(path).ok();
     if there.as_ref().is_some_and(|there| !there.is_file()) {
         return std::fs::OpenOptions::new().write(true).open(path)?.write_all(bytes);
@@ -83,11 +99,6 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         let _ = folder.sync_all();
     }
     Ok(())
-}
-
-/// The file at the end of links; the path itself where no file is.
-pub(crate) fn followed(path: &Path) -> PathBuf {
-    std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned())
 }
 
 /// Removes the unfinished files of stopped programs beside a file, if they are at least this old. Returns their number.
@@ -134,6 +145,27 @@ mod tests {
         assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(std::fs::read(&file).unwrap(), b"new");
         assert_eq!(std::fs::metadata(&file).unwrap().permissions().mode() & 0o777, 0o600);
+    }
+
+    #[test]
+    fn a_link_to_a_file_that_is_not_there_yet_stays_a_link_to_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, link, other] = ["model", "link", "other"].map(|name| folder.path().join(name));
+        symlink("model", &link).unwrap();
+        symlink(&link, &other).unwrap();
+        write_whole(&other, b"new").unwrap();
+        assert!([&link, &other].iter().all(|link| std::fs::symlink_metadata(link).unwrap().is_symlink()));
+        assert_eq!(std::fs::read(&file).unwrap(), b"new");
+    }
+
+    #[test]
+    fn links_in_a_circle_are_refused_and_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let [one, other] = ["one", "other"].map(|name| folder.path().join(name));
+        symlink(&one, &other).unwrap();
+        symlink(&other, &one).unwrap();
+        assert!(write_whole(&one, b"new").unwrap_err().to_string().contains("circle"));
+        assert!(std::fs::symlink_metadata(&one).unwrap().is_symlink());
     }
 
     #[test]

@@ -4,6 +4,7 @@ use clap::{Args, ValueHint};
 use goodbot_console::load::input;
 use goodbot_console::messages::tell;
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_lesson::Fault;
 use goodbot_lesson::world::pddl;
@@ -48,7 +49,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     // A world in which no robot can act is refused here, before it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;
     tables.lend(|robot| robot::tasks(tables.file(), robot)).map_err(refused)?;
-    let mut out = std::io::stdout().lock();
+    let mut out = Printed::stdout();
     serde_json::to_writer_pretty(&mut out, tables.file().as_ref()).map_err(std::io::Error::from)?;
     writeln!(out)?;
     Ok(out.flush()?)

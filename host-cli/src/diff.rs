@@ -5,8 +5,7 @@ use crate::paper::lexicon::Lexicon;
 use crate::teach::full_words::FullWords;
 use crate::teach::plain_names::{percent, token_words};
 use clap::{Args, ValueHint};
-use goodbot::home::paper_tasks;
-use goodbot_console::messages::{counted, printable};
+use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use goodbot_console::restored;
@@ -86,14 +85,14 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
         }
         return Ok(out.flush()?);
     }
-    let [a, b] = [&args.first, &args.second].map(|file| printable(&file.display().to_string()).into_owned());
+    let [a, b] = [&args.first, &args.second].map(|file| file.display().to_string());
     for (name, known) in [(&a, &before), (&b, &after)] {
         writeln!(out, "{name}: {}, {}", counted(known.sessions.len(), "session"), counted(known.words.len(), "word"))?;
     }
     for (what, name, texts) in [("Sessions", &a, &gone), ("Sessions", &b, &added), ("Words", &a, &forgotten), ("Words", &b, &learned)] {
         if !texts.is_empty() {
             writeln!(out, "\n{what} that only {name} has:")?;
-            texts.iter().try_for_each(|text| writeln!(out, "  {}", printable(text)))?;
+            texts.iter().try_for_each(|text| writeln!(out, "  {}", text))?;
         }
     }
     if !moved.is_empty() {
@@ -112,8 +111,7 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
 }
 
 fn known(file: &Path) -> Result<ModelContents, Failure> {
-    let tasks = paper_tasks()?;
-    let agent = restored::agent(file, &tasks)?;
+    let agent = restored::model(file)?;
     let lexicon = Lexicon::of(agent.language());
     let full = FullWords::new(agent.language().settings().letters_kept());
     let shares = |column: usize| {

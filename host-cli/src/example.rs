@@ -2,8 +2,8 @@
 
 use clap::ValueEnum;
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::data;
 use goodbot_lesson::closed_words::CLOSED_WORDS;
-use std::io::Write;
 
 /// The examples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -53,7 +53,7 @@ pub fn run(what: Example) -> Result<(), Failure> {
         Example::Log => include_str!("example/sessions.jsonl"),
         Example::World => include_str!("example/world.json"),
         Example::Synonyms => include_str!("example/synonyms.txt"),
-        Example::ClosedWords => return Ok(write!(std::io::stdout().lock(), "{CLOSED_WORDS}{WORDS_OF_ALL}")?),
+        Example::ClosedWords => return Ok(data(format!("{CLOSED_WORDS}{WORDS_OF_ALL}").as_bytes())?),
     };
-    Ok(std::io::stdout().lock().write_all(text.as_bytes())?)
+    Ok(data(text.as_bytes())?)
 }

@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+#![deny(clippy::print_stdout, clippy::print_stderr)]
 
 mod ask;
 mod check;
@@ -30,10 +31,10 @@ mod unlearn;
 use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
 use goodbot_console::outcome::Failure;
-use goodbot_console::{messages, outcome};
+use goodbot_console::{messages, outcome, printed};
 use goodbot_lab::{evaluate, fit_trainers, questions, study, ways};
 use std::ffi::OsString;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 
 /// Runs the command that was typed, beginning with the program's name, and returns the exit code.
 ///
@@ -53,7 +54,7 @@ pub fn run(typed: &[OsString]) -> u8 {
     messages::set_colored(match cli.color {
         Color::Always => true,
         Color::Never => false,
-        Color::Auto => std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
+        Color::Auto => printed::is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|set| set.is_empty()),
     });
     let done = match cli.command.unwrap_or(Command::Paper(cli.paper)) {
         Command::Paper(options) => paper::run(&options),
@@ -87,7 +88,7 @@ pub fn run(typed: &[OsString]) -> u8 {
 fn completions(shell: clap_complete::Shell) -> Result<(), Failure> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "goodbot", &mut script);
-    Ok(std::io::stdout().lock().write_all(&script)?)
+    Ok(printed::data(&script)?)
 }
 
 /// One manual page for all commands: the pages of clap_mangen, one after another.
@@ -105,5 +106,5 @@ fn manual() -> Result<(), Failure> {
         writeln!(page, ".SH \"GOODBOT {}\"", command.get_name().to_uppercase())?;
         page.extend_from_slice(String::from_utf8_lossy(&part).replace(".SH ", ".SS ").as_bytes());
     }
-    Ok(std::io::stdout().lock().write_all(&page)?)
+    Ok(printed::data(&page)?)
 }

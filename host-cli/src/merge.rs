@@ -51,11 +51,13 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     let target = Output::new(Kind::Model, &options.out, [&options.first, &options.second], options.force)?;
     let (first, second) = (read_model(&options.first)?, read_model(&options.second)?);
     let refused = |path: &Path, error: RestoreError| Failure::Input(format!("{}: {error}", path.display()));
-    let tasks = paper_tasks()?;
     let contents = |path, bytes| Contents::read(bytes).map_err(|error| refused(path, error));
     let (ours, theirs) = (contents(&options.first, &first)?, contents(&options.second, &second)?);
+    if ours.vocabulary != 0 && theirs.vocabulary != 0 && ours.vocabulary != theirs.vocabulary {
+        return Err(refused(&options.second, RestoreError::OtherDomain));
+    }
     let memory = learner::memory(&room_for(&ours, &theirs), &ours.options.language, ours.possible.len() + theirs.possible.len());
-    let mut agent = Agent::new(memory, &tasks, Options::PAPER)?;
+    let mut agent = Agent::new(memory, &[], Options::PAPER)?;
     agent.restore(&first).map_err(|error| refused(&options.first, error))?;
     let added = agent.join(&second).map_err(|error| refused(&options.second, error))?;
     // The belief about the trainer has nothing to do with how words were learned.
@@ -63,7 +65,7 @@ pub fn run(options: &MergeArgs) -> Result<(), Failure> {
     if learns(&ours.options) != learns(&theirs.options) {
         say!("{}: trained with other settings; those of {} stay", options.second.display(), options.first.display());
     }
-    let model = agent.saved()?;
+    let model = agent.saved_for(if ours.vocabulary == 0 { theirs.vocabulary } else { ours.vocabulary })?;
     target.write(&match kinds(&options.first, &first, &options.second, &second)? {
         Some(kinds) => with_kinds(model, &kinds),
         None => model,

@@ -15,6 +15,7 @@ use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use goodbot_console::refusal::InWords;
+use goodbot_console::restored::room_for;
 use goodbot_console::whole_file::{MOST_BYTES, read_model};
 use goodbot_formats::microbit::{MicrobitFile, SLOT_BYTES};
 use goodbot_lesson::home;
@@ -127,7 +128,7 @@ fn slots(path: &Path) -> Result<(Vec<u8>, usize), Failure> {
     let mut agent = Agent::new(AgentHeap::new(&CAPACITIES), &tasks, Options::DEFAULT)?;
     let is_layered = contents.options.language.layer;
     if contents.strategies.len() > 1 || is_layered {
-        let room = CAPACITIES.at_least(contents.sizes);
+        let room = room_for(&contents);
         let mut learned = Agent::new(AgentHeap::new(&room), &tasks, Options::DEFAULT)?;
         learned.restore(&model).map_err(|error| refused(path, &error))?;
         if contents.strategies.len() > 1 {

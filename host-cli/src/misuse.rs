@@ -2,6 +2,8 @@
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use goodbot_console::messages;
+use goodbot_console::printed::printable;
+use std::borrow::Cow;
 use std::ffi::OsString;
 
 /// Common names for commands that have another name here.
@@ -19,7 +21,7 @@ pub fn tell(error: &clap::Error, typed: &[OsString]) -> u8 {
     match in_words(error) {
         Some(message) => messages::tell(&format!("error: {message}\n\nFor more information, try 'goodbot --help'.")),
         // The command line may have control characters. The error then has no colours.
-        None if typed.iter().any(|typed| typed.to_string_lossy().contains(char::is_control)) => {
+        None if typed.iter().any(|typed| matches!(printable(&typed.to_string_lossy()), Cow::Owned(_))) => {
             messages::tell(error.render().to_string().trim_end());
         }
         // Help is no error, and neither is a reader who stops early.

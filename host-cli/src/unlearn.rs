@@ -2,7 +2,7 @@
 
 use crate::inspect::sessions;
 use clap::{Args, ValueHint};
-use goodbot::home::paper_tasks;
+use goodbot::snapshot::Contents;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
@@ -10,7 +10,6 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
-use goodbot_formats::session::SessionReader;
 use goodbot_lesson::Fault;
 use std::path::{Path, PathBuf};
 
@@ -49,9 +48,10 @@ pub struct UnlearnArgs {
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
     let inputs = [Some(args.model.as_path()), args.log.as_deref().map(Path::new)];
     let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
-    let tasks = paper_tasks()?;
-    let mut agent = restored::agent(&args.model, &tasks)?;
-    let kinds = kept(&args.model, &read_model(&args.model)?)?;
+    let mut agent = restored::model(&args.model)?;
+    let file = read_model(&args.model)?;
+    let kinds = kept(&args.model, &file)?;
+    let vocabulary = Contents::read(&file)?.vocabulary;
     let commands = sessions::commands(&agent);
     let at = match &args.log {
         Some(log) => position_in_log(&args.model, log, &args.session, commands.len())?,
@@ -62,7 +62,7 @@ pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
         return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
     }
     restored::learn_fully(&mut agent);
-    let model = agent.saved()?;
+    let model = agent.saved_for(vocabulary)?;
     target.write(&match kinds {
         Some(kinds) => with_kinds(model, &kinds),
         None => model,
@@ -88,7 +88,7 @@ fn position_in_log(model: &Path, log: &str, id: &str, count: usize) -> Result<us
     let name = input::name(log);
     let opened = input::log(log)?;
     let mut ids = Vec::new();
-    for session in SessionReader::new(opened) {
+    for session in input::sessions(opened) {
         let session = session.map_err(|error| Fault::from_format(name, error))?;
         if session.learn {
             ids.push(session.header.id);

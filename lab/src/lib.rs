@@ -14,6 +14,7 @@
 // Each command's documentation lists its private modules, for readers of the source.
 #![allow(rustdoc::private_intra_doc_links)]
 #![deny(missing_docs)]
+#![deny(clippy::print_stdout, clippy::print_stderr)]
 
 pub mod calibration;
 pub mod canvas;

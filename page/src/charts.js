@@ -54,19 +54,24 @@ export function renderCharts() {
 // The paper that the robot implements.
 const CITATION = 'MacGlashan et al. (2014): Training an Agent to Ground Commands with Reward and Punishment';
 
-const cell = value => (/[",\n]/.test(String(value)) ? '"' + String(value).replaceAll('"', '""') + '"' : String(value));
+// A program for tables takes a text that begins like a formula for one, and a formula can read files; an apostrophe says that it is text.
+const cell = value => {
+  const text = typeof value === 'string' && /^[=+\-@\t\r]/.test(value) ? "'" + value : String(value);
+  return /[",\r\n]/.test(text) ? '"' + text.replaceAll('"', '""') + '"' : text;
+};
 
 /** The sessions of this robot's log as a table: a line for each step. */
 export function saveTable() {
+  /** @type {unknown[][]} */
   const rows = [['session', 'command', 'heard', 'step', 'action', 'feedback', 'seed', 'version', 'citation', 'condition', 'consent']];
   const about = () => [state.robot.seeds?.[learned] ?? '', 'goodbot ' + GOODBOT_VERSION, CITATION, state.robot.study?.id ?? '', state.robot.study?.consent ?? ''];
   let [session, step, command, learned] = [0, 0, '', 0];
   for (const line of logOf(state.robot).split('\n').filter(Boolean)) {
     const record = JSON.parse(line);
     if (record.type === 'session') [session, step, command] = [session + 1, 0, record.command];
-    if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? '', ...about()].map(String));
+    if (record.type === 'step') rows.push([session, command, scores()[learned] ?? '', step += 1, record.action, record.feedback ?? '', ...about()]);
     // A session that was ended before its first step is one, too.
-    if (record.type === 'end' && !step) rows.push([session, command, scores()[learned] ?? '', '', '', '', ...about()].map(String));
+    if (record.type === 'end' && !step) rows.push([session, command, scores()[learned] ?? '', '', '', '', ...about()]);
     if (record.type === 'end' && record.learn) learned += 1;
   }
   if (rows.length === 1) tell(t('settings.noLog'));

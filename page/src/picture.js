@@ -73,7 +73,9 @@ export async function picture(name, score, known, link = '', meet = '') {
     ...(code ? [line(meet, below, 34, 700), draw('rect', { x: left, y: under, width: side, height: side, fill: '#fff' }),
       draw('path', { d: code.path, fill: '#000', 'shape-rendering': 'crispEdges', transform: 'translate(' + left + ' ' + under + ') scale(' + side / (code.size + 8) + ') translate(4 4)' })] : []));
   const image = new Image();
-  image.src = 'data:image/svg+xml,' + encodeURIComponent(new XMLSerializer().serializeToString(root));
+  // A name may have characters that XML forbids: with them there would be no picture.
+  const xml = new XMLSerializer().serializeToString(root).replace(/[^\t\n\r -\uD7FF\uE000-\uFFFD\u{10000}-\u{10FFFF}]/gu, '\uFFFD');
+  image.src = 'data:image/svg+xml,' + encodeURIComponent(xml);
   await image.decode();
   const canvas = Object.assign(document.createElement('canvas'), { width: WIDTH, height });
   canvas.getContext('2d')?.drawImage(image, 0, 0);

@@ -4,6 +4,7 @@ use crate::arrays::array;
 use crate::decision::Decision;
 use crate::error::{self, InUseError, InternalError, ModelError, value};
 use crate::home as home_of;
+use crate::items::Items;
 use crate::kinds::{Kinds, are_same, kinds_of_tasks};
 use crate::mind::{Mind, Part, words_read};
 use crate::options::{as_dict, capacities_of, options};
@@ -198,21 +199,21 @@ impl Agent {
     #[expect(clippy::too_many_arguments, reason = "Python's arguments have names")]
     fn new(
         py: Python<'_>,
-        tasks: Option<Vec<String>>,
+        tasks: Option<Items<String>>,
         domain: Option<&Bound<'_, PyAny>>,
         learner: &str,
         weights: Option<&str>,
-        strategies: Option<Vec<StrategyNumbers>>,
+        strategies: Option<Items<StrategyNumbers>>,
         capacities: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let kinds = tasks_of(py, tasks, domain)?;
+        let kinds = tasks_of(py, tasks.map(|tasks| tasks.0), domain)?;
         let capacities = capacities_of(capacities)?;
         let tasks = capacities.sessions.saturating_mul(capacities.tasks).min(MOST_OF_A_FIELD);
         let made = Mind::new(&capacities, tasks, kinds, options(learner, weights)?, seed);
         let mut mind = made.map_err(|refused| error::agent(py, refused))?;
         if let Some(strategies) = strategies {
-            mind.set_strategies(py, &strategies_of(&strategies)?)?;
+            mind.set_strategies(py, &strategies_of(&strategies.0)?)?;
         }
         Ok(Self(Mutex::new(mind)))
     }
@@ -223,7 +224,7 @@ impl Agent {
     /// Raises `ValueError` if `tasks` differ from the kinds in the file, `ModelError`, `CapacityError` and `OSError`.
     #[staticmethod]
     #[pyo3(signature = (path, tasks=None, *, domain=None, seed=0))]
-    fn load(py: Python<'_>, path: PathBuf, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
+    fn load(py: Python<'_>, path: PathBuf, tasks: Option<Items<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
         let mut bytes = Vec::new();
         std::fs::File::open(&path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
         Self::from_bytes(py, &bytes, tasks, domain, seed)
@@ -235,11 +236,11 @@ impl Agent {
     fn from_bytes(
         py: Python<'_>,
         model: &[u8],
-        tasks: Option<Vec<String>>,
+        tasks: Option<Items<String>>,
         domain: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let kinds = kinds_of_model(py, model, tasks, domain)?;
+        let kinds = kinds_of_model(py, model, tasks.map(|tasks| tasks.0), domain)?;
         Self::restored(py, model, kinds, seed)
     }
 
@@ -260,8 +261,8 @@ impl Agent {
     }
 
     /// Replaces the trainer strategies: for each mu+, mu-, epsilon and prior. A session under way ends unlearned.
-    fn set_strategies(&self, py: Python<'_>, strategies: Vec<StrategyNumbers>) -> PyResult<()> {
-        self.with(|mind| mind.set_strategies(py, &strategies_of(&strategies)?))
+    fn set_strategies(&self, py: Python<'_>, strategies: Items<StrategyNumbers>) -> PyResult<()> {
+        self.with(|mind| mind.set_strategies(py, &strategies_of(&strategies.0)?))
     }
 
     /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit. Of

@@ -1,6 +1,7 @@
 //! Homes and their states.
 
 use crate::error::{format, full, misformed, value};
+use crate::items::Items;
 use crate::names::{action_of, task_name};
 use crate::options::{as_dict, capacities_of};
 use goodbot::capacity::{Capacity, CapacityError};
@@ -258,16 +259,20 @@ impl Home {
     /// >>> home = goodbot.Home.from_map("####\n#r@#\n####")
     /// >>> home.holds("agentInRoom", ["agent0", "room0"], home.start)
     /// True
-    fn holds(&self, proposition: &str, objects: Vec<String>, state: &Bound<'_, PyAny>) -> PyResult<bool> {
+    fn holds(&self, proposition: &str, objects: Items<String>, state: &Bound<'_, PyAny>) -> PyResult<bool> {
         let at = self.check(state)?;
         let Some(known) = SCHEMA.proposition(proposition) else {
             let names: Vec<&str> = SCHEMA.propositions.iter().map(|known| known.name).collect();
             return Err(value(format!("{proposition:?} is no propositional function; known are {}", names.join(", "))));
         };
-        if SCHEMA.parameters(known).len() != objects.len() {
-            return Err(value(format!("{proposition} takes {} objects, and {} are given", SCHEMA.parameters(known).len(), objects.len())));
+        if SCHEMA.parameters(known).len() != objects.0.len() {
+            return Err(value(format!(
+                "{proposition} takes {} objects, and {} are given",
+                SCHEMA.parameters(known).len(),
+                objects.0.len()
+            )));
         }
-        let ids = objects.iter().map(|name| self.object(name)).collect::<PyResult<Vec<_>>>()?;
+        let ids = objects.0.iter().map(|name| self.object(name)).collect::<PyResult<Vec<_>>>()?;
         Ok(self.rooms.holds(&GroundProposition::new(known, &ids), &at))
     }
 
@@ -340,9 +345,9 @@ impl Home {
     /// >>> goodbot.Home.from_map("#####\n#r@r#\n##+##\n#ggg#\n#####").tasks()
     /// ['agentInRoom(agent0,room0)']
     #[pyo3(signature = (state=None, kinds=None))]
-    fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Vec<String>>) -> PyResult<Vec<String>> {
+    fn tasks(&self, py: Python<'_>, state: Option<&Bound<'_, PyAny>>, kinds: Option<Items<String>>) -> PyResult<Vec<String>> {
         let at = state.map_or(Ok(self.start), |state| self.check(state))?;
-        let lifted = crate::kinds::kinds_of_tasks(py, kinds, &SCHEMA)?.lifted;
+        let lifted = crate::kinds::kinds_of_tasks(py, kinds.map(|kinds| kinds.0), &SCHEMA)?.lifted;
         let tasks = tasks(&self.rooms, &lifted, &at).map_err(|error| full(py, error))?;
         let name = |task: &GroundedTask| Some(task_name(&self.rooms, lifted.get(usize::from(task.lifted))?, task));
         Ok(tasks.iter().filter_map(name).collect())

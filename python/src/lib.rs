@@ -10,7 +10,7 @@
 //! - `log`: recorded sessions;
 //! - `worlds`: many homes at once, for reinforcement learning;
 //! - `command`: the command line;
-//! - `options`, `arrays`, `error`: settings by name, numpy arrays, and exceptions.
+//! - `options`, `items`, `arrays`, `error`: settings by name, lists, numpy arrays, and exceptions.
 //!
 //! What Python may call is listed with its types in `python/package/goodbot/_native.pyi`.
 
@@ -23,6 +23,7 @@ mod course;
 mod decision;
 mod error;
 mod home;
+mod items;
 mod kinds;
 mod log;
 mod mind;

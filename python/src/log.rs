@@ -4,6 +4,7 @@ use crate::agent::{Agent, evidence_name};
 use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
+use crate::items::Items;
 use crate::mind::{Mind, PART, warn};
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
@@ -141,7 +142,7 @@ impl Session {
         py: Python<'_>,
         command: String,
         home: &Bound<'_, Home>,
-        steps: Vec<(String, Option<String>)>,
+        steps: Items<(String, Option<String>)>,
         state: Option<&Bound<'_, PyAny>>,
         kind: &str,
         learn: bool,
@@ -153,7 +154,7 @@ impl Session {
         let at = state.map_or(Ok(home.start), |state| home.check(state))?;
         let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header(&home.rooms, &at, &command) };
         header.set_meant(intended.map(|text| text.parse::<GroundTaskText>().map_err(value)).transpose()?.as_ref());
-        let steps = steps.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
+        let steps = steps.0.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
         let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
         session.lines(py)?;
         Ok(session)

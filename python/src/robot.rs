@@ -4,6 +4,7 @@
 //! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
 
 use crate::error::{full, value};
+use crate::items::Items;
 use crate::vocabulary::Names;
 use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError};
 use goodbot::oomdp::{
@@ -53,7 +54,7 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
     let given = object.getattr("actions")?;
     let actions: Vec<(String, u8)> = match given.cast::<PyDict>() {
         Ok(dict) => dict.iter().map(|(name, cost)| Ok((name.extract()?, cost.extract()?))).collect::<PyResult<_>>()?,
-        Err(_) => given.extract::<Vec<String>>()?.into_iter().map(|name| (name, 1)).collect(),
+        Err(_) => given.extract::<Items<String>>()?.0.into_iter().map(|name| (name, 1)).collect(),
     };
     if actions.is_empty() || actions.len() > Action::MOST {
         return Err(value(format!("a robot has 1 to {} actions, and {} are given", Action::MOST, actions.len())));
@@ -81,7 +82,7 @@ fn class_id(names: &mut Names, class: &str) -> ClassId {
 fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
     let mut names = Names { actions: actions(object)?, ..Names::default() };
     for (name, parameters) in pairs(object, "propositions")? {
-        let parameters: Vec<String> = parameters.extract()?;
+        let Items::<String>(parameters) = parameters.extract()?;
         if parameters.is_empty() || parameters.len() > ARGUMENTS {
             return Err(value(format!("proposition {name:?} must be of 1 to {ARGUMENTS} classes")));
         }

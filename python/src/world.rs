@@ -1,6 +1,7 @@
 //! A world with a robot of any kind, from a file or a dict.
 
 use crate::error::{format as misformed, value};
+use crate::items::Items;
 use crate::names::{action_of, task_name};
 use goodbot::Capacities;
 use goodbot::oomdp::{Domain, apply};
@@ -126,8 +127,8 @@ impl World {
     /// The state in which these facts hold, and no others. For a robot that senses facts.
     ///
     /// Raises `ValueError` if there is no such state.
-    fn state(&self, facts: Vec<String>) -> PyResult<u64> {
-        let facts = facts.iter().map(|fact| parsed(fact)).collect::<PyResult<Vec<GroundAtomText>>>()?;
+    fn state(&self, facts: Items<String>) -> PyResult<u64> {
+        let facts = facts.0.iter().map(|fact| parsed(fact)).collect::<PyResult<Vec<GroundAtomText>>>()?;
         if let Some(strange) = facts.iter().find(|fact| self.0.lend(|robot| goodbot_lesson::checked::known_atom(robot, fact)).is_err()) {
             return Err(value(format!("{strange} is no proposition of this world's objects")));
         }

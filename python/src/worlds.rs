@@ -5,6 +5,7 @@
 
 use crate::error::value;
 use crate::home::{Home, State};
+use crate::items::Items;
 use crate::names::task_name;
 use goodbot::home::{self, Area, COLOR, Cell, DOOR, HomeState, Map, ROOM, SHAPE};
 use goodbot::oomdp::{Action, Domain, GroundProposition, apply};
@@ -89,7 +90,7 @@ fn color(name: &str) -> u8 {
 }
 
 impl Site {
-    fn new(py: Python<'_>, home: Py<Home>, commands: Vec<(String, String)>, size: usize) -> PyResult<Self> {
+    fn new(py: Python<'_>, home: Py<Home>, commands: Items<(String, String)>, size: usize) -> PyResult<Self> {
         let Home { rooms, start, .. } = home.get();
         let bounds = Map::new(rooms, start).bounds();
         let objects = rooms.objects();
@@ -116,7 +117,7 @@ impl Site {
         }
         let look = |&block| [index(&SHAPES, objects.value(block, SHAPE), AGENT + 1), color(objects.value(block, COLOR))];
         let blocks = rooms.blocks().iter().map(look).collect();
-        let missions = missions(py, home.get(), commands)?;
+        let missions = missions(py, home.get(), commands.0)?;
         Ok(Self { missions, bare, bounds, blocks, home })
     }
 
@@ -225,7 +226,7 @@ impl Worlds {
 /// Images, rewards, terminated and truncated, as bytes.
 type Stepped<'py> = (Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>, Bound<'py, PyBytes>);
 
-type Places = Vec<(Py<Home>, Vec<(String, String)>)>;
+type Places = Items<(Py<Home>, Items<(String, String)>)>;
 
 #[pymethods]
 impl Worlds {
@@ -233,10 +234,10 @@ impl Worlds {
     #[pyo3(signature = (count, places, *, max_steps=300, seed=0, size=None))]
     fn new(py: Python<'_>, count: usize, places: Places, max_steps: u32, seed: u64, size: Option<usize>) -> PyResult<Self> {
         const MOST: usize = 1 << 20;
-        if count == 0 || count > MOST || places.is_empty() || max_steps == 0 {
+        if count == 0 || count > MOST || places.0.is_empty() || max_steps == 0 {
             return Err(value(format!("give 1 to {MOST} worlds, at least one place and at least one step")));
         }
-        let least = places.iter().map(|(home, _)| {
+        let least = places.0.iter().map(|(home, _)| {
             let Area { left, bottom, right, top } = Map::new(&home.get().rooms, &home.get().start).bounds();
             usize::try_from((right - left).max(top - bottom) + 1).unwrap_or(0)
         });
@@ -245,7 +246,7 @@ impl Worlds {
         if size < least || size > 1 << 10 {
             return Err(value(format!("size is {size}, and the largest home has {least} cells on a side; give it room")));
         }
-        let sites = places.into_iter().map(|(home, commands)| Site::new(py, home, commands, size)).collect::<PyResult<Vec<_>>>()?;
+        let sites = places.0.into_iter().map(|(home, commands)| Site::new(py, home, commands, size)).collect::<PyResult<Vec<_>>>()?;
         let mut inner = Inner { sites, worlds: Vec::new(), random: goodbot_course::generator(seed), size, most_steps: max_steps };
         inner.worlds = (0..count).map(|_| inner.begun()).collect();
         Ok(Self(Mutex::new(inner)))

@@ -29,6 +29,39 @@ def corpus(root: Path, name: str) -> list[bytes]:
     return inputs
 
 
+class Liar:
+    """A list of one item that says it has any number."""
+
+    def __init__(self, item: object, length: int) -> None:
+        self.item, self.length = item, length
+
+    def __len__(self) -> int:
+        return self.length
+
+    def __getitem__(self, at: int) -> object:
+        if at > 0:
+            raise IndexError
+        return self.item
+
+
+@pytest.mark.parametrize("length", [0, 10**12, 2**62])
+def test_a_list_has_the_items_that_it_gives_and_not_those_that_it_claims(home: goodbot.Home, length: int) -> None:
+    kind = Liar("agentInRoom(?a,?r)", length)
+    assert goodbot.Agent(kind).tasks == [] and len(home.tasks(kinds=kind)) > 0
+    goodbot.Agent(strategies=Liar((0.7, 0.7, 0.1, 1.0), length)).set_strategies(Liar((0.7, 0.7, 0.1, 1.0), length))
+    with pytest.raises(ValueError):
+        home.holds("agentInRoom", Liar("agent0", length), home.start)
+    assert goodbot._native.Worlds(1, Liar((home, Liar(("go", home.tasks()[0]), length)), length)) is not None
+
+
+def test_what_is_no_list_of_names_is_refused_at_once() -> None:
+    for wrong in (range(10**12), "agentInRoom(?a,?r)", {"agentInRoom(?a,?r)": 1}, b"agent", 7):
+        with pytest.raises(TypeError):
+            goodbot.Agent(wrong)
+    with pytest.raises(ValueError, match="give fewer"):
+        goodbot.Agent(["agentInRoom(?a,?r)"] * (2**20 + 1))
+
+
 def test_environments(root: Path) -> None:
     for given in corpus(root, "environment"):
         text = given.decode("utf-8", "replace")

@@ -7,7 +7,7 @@ use goodbot::home::Map;
 use goodbot::home::{self, Area, BLOCK, COLOR, DOOR, Home, HomeState, Moves, ROOM, SHAPE};
 use goodbot::memory::{AgentHeap, HomeHeap, HomeMemory};
 use goodbot::oomdp::ObjectId;
-use goodbot::snapshot::{Contents, Part, RestoreError, SAVED};
+use goodbot::snapshot::{Contents, Part, RestoreError};
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
@@ -93,15 +93,6 @@ pub(crate) fn build(file: &EnvironmentFile, moves: Moves, room: &Capacities) -> 
     })
 }
 
-/// The page's own capacities, or more for a model from another machine that needs more.
-fn room_for(contents: &Contents<'_>) -> Capacities {
-    let mut most = MIND;
-    for capacity in SAVED {
-        most.set(capacity, MOST_OF_A_FIELD);
-    }
-    MIND.at_least(contents.sizes.at_most(most))
-}
-
 /// A mind restored from a model file, which is still to be trained.
 fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
     let contents = Contents::read(bytes).map_err(|error| match error {
@@ -111,7 +102,8 @@ fn taught(bytes: &[u8], ways: bool) -> Result<Agent<AgentHeap>, Refusal> {
         }
         error => Refusal::from(error),
     })?;
-    let mut mind = new_mind(&room_for(&contents), ways)?;
+    // The page's own capacities, or more for a model from another machine that needs more.
+    let mut mind = new_mind(&contents.room(MIND, MOST_OF_A_FIELD), ways)?;
     mind.restore(bytes).map_err(Refusal::from)?;
     Ok(mind)
 }

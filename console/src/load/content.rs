@@ -2,6 +2,9 @@
 
 use goodbot::talk::Class;
 
+/// How many bytes tell the kind of a file.
+pub const HEAD: usize = 1 << 16;
+
 /// Kinds of files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
@@ -24,8 +27,10 @@ pub enum Content {
 }
 
 impl Content {
-    /// The kind of a file that begins with these bytes.
+    /// The kind of a file that begins with these bytes. Only the first [`HEAD`] are looked at: as a tree, a long line of JSON takes sixteen times
+    /// its length.
     pub fn of(bytes: &[u8]) -> Self {
+        let bytes = bytes.get(..HEAD).unwrap_or(bytes);
         if bytes.starts_with(b"goodbot\0") {
             return Self::Model;
         }

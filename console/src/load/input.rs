@@ -1,6 +1,6 @@
 //! Files, and standard input under the name `-`.
 
-use super::content::Content;
+use super::content::{Content, HEAD};
 use crate::messages;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::FormatError;
@@ -24,7 +24,7 @@ pub fn name(file: &str) -> &str {
 pub fn open(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
     let opened: Box<dyn Read> =
         if file == "-" { Box::new(std::io::stdin()) } else { Box::new(File::open(file).map_err(unreadable(file))?) };
-    Ok(BufReader::with_capacity(1 << 16, opened))
+    Ok(BufReader::with_capacity(HEAD, opened))
 }
 
 /// Opens a session log, and refuses a file of another kind.

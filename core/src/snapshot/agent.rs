@@ -107,8 +107,19 @@ impl<M: AgentMemory> Agent<M> {
     /// [`SaveError`], as for [`save`](Self::save).
     #[cfg(feature = "alloc")]
     pub fn saved(&self) -> Result<Vec<u8>, SaveError> {
-        let mut file = vec![0; self.saved_bytes()?];
-        let length = self.save(&mut file)?;
+        self.saved_for(self.vocabulary())
+    }
+
+    /// As [`saved`](Self::saved), for robots of another vocabulary, by its digest: an agent without tasks takes the model of any robot, for
+    /// example to leave a session out of it, and gives it back for the same robots.
+    ///
+    /// # Errors
+    /// As [`saved`](Self::saved).
+    #[cfg(feature = "alloc")]
+    pub fn saved_for(&self, vocabulary: u32) -> Result<Vec<u8>, SaveError> {
+        let model = Model { vocabulary, ..self.saving()? };
+        let mut file = vec![0; model.bytes()?];
+        let length = model.write(&mut file)?;
         file.truncate(length);
         Ok(file)
     }
@@ -116,7 +127,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Replaces all that was learned here by a model file, and begins training on it: call [`learn`](Self::learn) until it is done. The
     /// whole file is checked before anything is changed. A session under way ends unlearned. If the memory has no room for the
     /// [layer](crate::language::layer), or the core was built without it, a model with the layer becomes a role model, and is saved again
-    /// as one.
+    /// as one. An agent without tasks takes the model of any robot.
     ///
     /// # Errors
     /// [`RestoreError`]; the agent is then unchanged.
@@ -182,7 +193,7 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     fn check_strategies(&self, restoring: &Restoring<'_>) -> Result<(), RestoreError> {
         let contents = Contents::of(&restoring.checking)?;
-        if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
+        if !self.takes(contents.vocabulary) {
             return Err(RestoreError::OtherDomain);
         }
         let limit = self.belief().most_strategies();
@@ -190,6 +201,12 @@ impl<M: AgentMemory> Agent<M> {
             return Err(CapacityError::new(Capacity::Strategies, limit, contents.strategies.len()).into());
         }
         Ok(())
+    }
+
+    /// Whether a model of this vocabulary is for this agent. One without tasks hears no command, so that it takes every model.
+    pub(super) fn takes(&self, vocabulary: u32) -> bool {
+        let own = self.vocabulary();
+        own == 0 || vocabulary == 0 || vocabulary == own
     }
 
     #[inline(never)]

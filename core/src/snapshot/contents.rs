@@ -150,6 +150,15 @@ impl Contents<'_> {
         }
     }
 
+    /// Capacities for a robot that is restored from the file and goes on learning: at least `least`, and the sizes of the memory that it was
+    /// saved from, but at most twice what the file holds and `least` beside it, because anyone can write any number into a file. No table gets
+    /// more than `most` entries by the file's word.
+    #[must_use]
+    pub fn room(&self, least: Capacities, most: usize) -> Capacities {
+        let needs = self.needs();
+        least.at_least(self.sizes.at_most(needs.plus(needs).plus(least)).at_most(Capacities::of(|_| most)))
+    }
+
     /// The cells of Model 2's alignment tables together, and the number of tables.
     fn alignment_tables(&self) -> (usize, usize) {
         let (commands, mut pairs) = (self.commands.index(), self.pairs.iter());

@@ -34,7 +34,7 @@ impl<M: AgentMemory> Agent<M> {
     /// As [`join`](Self::join).
     pub fn join_beside(&mut self, bytes: &[u8], own: usize) -> Result<usize, RestoreError> {
         let contents = Contents::read(bytes)?;
-        if contents.vocabulary != 0 && contents.vocabulary != self.vocabulary() {
+        if !self.takes(contents.vocabulary) {
             return Err(RestoreError::OtherDomain);
         }
         self.language().check_forms(&contents)?;

@@ -3,18 +3,19 @@
 use goodbot::home::Map;
 use goodbot::memory::HomeMemory;
 use goodbot_console::messages::is_colored;
+use goodbot_console::printed::Printed;
 use std::io::{self, Write};
 
 /// Draws a home.
 ///
 /// # Errors
 /// The error of the output.
-pub fn draw(out: &mut impl Write, map: &Map<'_, impl HomeMemory>) -> io::Result<()> {
+pub fn draw(out: &mut Printed, map: &Map<'_, impl HomeMemory>) -> io::Result<()> {
     for line in map.to_string().lines() {
         write!(out, "  ")?;
         for character in line.chars() {
             match code(character).filter(|_| is_colored()) {
-                Some(code) => write!(out, "\u{1b}[{code}m{character}\u{1b}[0m")?,
+                Some(code) => out.paint(code, character.encode_utf8(&mut [0; 4]))?,
                 None => write!(out, "{character}")?,
             }
         }

@@ -9,6 +9,7 @@ use goodbot_console::load::input;
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use goodbot_console::restored;
 use goodbot_console::training_data::{Lesson, training, worlds};
 use goodbot_console::whole_file::options_of_model;
@@ -17,7 +18,7 @@ use goodbot_formats::world::WorldFile;
 use goodbot_lesson::first_words::read;
 use goodbot_lesson::world::robot;
 use serde_json::json;
-use std::io::{BufRead, BufWriter, Write};
+use std::io::{BufRead, Write};
 
 /// The most meanings that are printed.
 const TOLD: usize = 10;
@@ -87,7 +88,7 @@ pub fn ask(options: &AskOptions, questions: &Questions) -> Result<(), Failure> {
     let mut memory = AgentHeap::new(&Capacities::NONE);
     let mut model = restored::language(&options.with, &mut memory, questions.lessons.iter().flatten(), questions.act)?;
     let synonyms = options.synonyms.read()?;
-    let mut out = BufWriter::new(std::io::stdout().lock());
+    let mut out = Printed::stdout();
     let mut refused = 0_usize;
     for (number, lesson) in questions.lessons.iter().enumerate() {
         let lesson = match lesson {

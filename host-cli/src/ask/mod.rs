@@ -30,6 +30,7 @@ use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
 use goodbot_console::messages::{counted, tell};
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use goodbot_console::restored;
 use goodbot_console::starter::StarterOptions;
 use goodbot_formats::environment::EnvironmentFile;
@@ -41,7 +42,7 @@ use goodbot_lesson::{Fault, home};
 use meanings::{Interpretation, Meaning};
 use plan::{Plan, plan};
 use serde_json::json;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::PathBuf;
 use why::Word;
 
@@ -172,7 +173,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
     let starter = options.starter.of_model(&options.with, &lifted)?;
     let mut agent = restored::agent_beside(&options.with, &lifted, &starter)?;
     let (synonyms, closed) = (options.synonyms.read()?, options.closed_words.read()?);
-    let mut out = BufWriter::new(std::io::stdout().lock());
+    let mut out = Printed::stdout();
     let mut state = None;
     let questions = questions(options)?;
     let mut refused = 0_usize;
@@ -443,7 +444,7 @@ fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serd
 }
 
 fn print(
-    out: &mut impl Write,
+    out: &mut Printed,
     options: &AskOptions,
     question: &Question,
     answer: &Answer,

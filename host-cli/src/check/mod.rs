@@ -11,12 +11,13 @@ use goodbot::home::paper_tasks;
 use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::talk::{Class, ClosedWords, ClosedWordsError};
 use goodbot::task::LiftedTask;
-use goodbot_console::load::content::Content;
+use goodbot_console::load::content::{Content, HEAD};
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{self, counted, counting, printable, summed, summed_by};
+use goodbot_console::messages::{self, counted, counting, summed, summed_by};
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_formats::Problem;
@@ -142,7 +143,9 @@ fn tell(file: &str, found: &Findings) -> std::io::Result<()> {
         return Ok(());
     }
     let warnings = if found.warnings.is_empty() { String::new() } else { format!(", {}", counted(found.warnings.len(), "warning")) };
-    writeln!(std::io::stdout(), "{}: {}, no fault{warnings}", printable(file), found.what)
+    let mut out = Printed::stdout();
+    writeln!(out, "{file}: {}, no fault{warnings}", found.what)?;
+    out.flush()
 }
 
 /// The key of faults that one change mends: line, field and message. If an option mends the fault, the line does not count.
@@ -153,13 +156,14 @@ fn mended(fault: &Fault) -> Mended {
 }
 
 fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
-    let mut out = std::io::stdout().lock();
+    let mut out = Printed::stdout();
     for (kind, finding) in found.faults.iter().map(|it| ("fault", it)).chain(found.warnings.iter().map(|it| ("warning", it))) {
         let line = json!({"type": kind, "file": finding.file, "line": finding.line, "field": finding.field, "message": finding.message});
         writeln!(out, "{line}")?;
     }
     let line = json!({"type": "file", "file": file, "content": found.what, "faults": found.faults.len(), "warnings": found.warnings.len()});
-    writeln!(out, "{line}")
+    writeln!(out, "{line}")?;
+    out.flush()
 }
 
 /// The kind and size of a file, and its faults and warnings.
@@ -365,7 +369,10 @@ fn is_world(head: &[u8], is_more: bool) -> bool {
         // A world on several lines begins with a short, incomplete line.
         return !first.ends_with(b"}") && first.len() <= 1_000;
     }
-    // A single command is a log without its world.
+    // A single command is a log without its world. No command is as long as this, and only a world is.
+    if first.len() > HEAD {
+        return true;
+    }
     let kind = serde_json::from_slice::<serde_json::Value>(first.strip_prefix(b"\xef\xbb\xbf").unwrap_or(first));
     kind.map_or(true, |it| it.get("type").is_none_or(|kind| kind == "world"))
 }

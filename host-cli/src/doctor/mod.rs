@@ -7,11 +7,12 @@ mod robots;
 
 use crate::check;
 use clap::{Args, ValueHint};
-use goodbot_console::messages::{counted, printable};
+use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
+use goodbot_console::printed::is_terminal;
 use serde_json::json;
-use std::io::{IsTerminal, Write, stdin, stdout};
+use std::io::{IsTerminal, Write, stdin};
 
 /// The smallest screen for `goodbot teach`: columns and rows.
 const LEAST_SCREEN: (u16, u16) = (24, 8);
@@ -86,7 +87,7 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
             if args.json {
                 writeln!(out, "{}", json!({"type": state.name(), "of": section, "text": text}))?;
             } else {
-                writeln!(out, "  {:8} {}", state.name(), printable(text))?;
+                writeln!(out, "  {:8} {}", state.name(), text)?;
             }
         }
     }
@@ -103,7 +104,7 @@ fn program() -> Finding {
 
 /// Checks whether `goodbot teach` can draw its screen here.
 fn terminal() -> Vec<Finding> {
-    if !stdin().is_terminal() || !stdout().is_terminal() {
+    if !stdin().is_terminal() || !is_terminal() {
         let text = "no terminal here: goodbot teach reads requests line by line (docs/teach.md)";
         return vec![Finding::new(State::Fine, text)];
     }

@@ -6,7 +6,6 @@ use crate::paper::lexicon::Lexicon;
 use crate::paper::plot;
 use crate::teach::full_words::FullWords;
 use clap::{Args, ValueHint};
-use goodbot::home;
 use goodbot::language::Settings;
 use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::counted;
@@ -47,9 +46,8 @@ pub struct InspectOptions {
 
 /// Runs the command.
 pub fn run(options: &InspectOptions) -> Result<(), Failure> {
-    let lifted = home::paper_tasks()?;
     let target = Output::picture(&options.plot, [&options.model], options.force)?;
-    let agent = restored::agent(&options.model, &lifted)?;
+    let agent = restored::model(&options.model)?;
     if options.sessions {
         let mut out = output::text(&[])?;
         for (number, command) in (1..).zip(sessions::commands(&agent)) {

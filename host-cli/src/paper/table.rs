@@ -6,6 +6,7 @@ use super::options::PaperOptions;
 use super::reported::REPORTED;
 use super::settings::Setting;
 use super::summary::Summary;
+use goodbot_console::csv::{self, Cell};
 use goodbot_console::messages::counted;
 use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::mean::wilson;
@@ -94,26 +95,21 @@ pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summa
     names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
     names.extend(REPORTED.iter().map(|(token, _, word)| format!("t_{word}_given_{token}")));
     names.extend(["rewards", "punishments", "silences"].map(str::to_owned));
-    writeln!(out, "{}", names.join(","))?;
+    csv::line(out, names.into_iter().map(Cell::Text))?;
     for (setting, summary) in rows {
         let of = &setting.options;
         let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
         let (low, high) = wilson(summary.test_all_right, summary.runs);
-        let mut cells: Vec<String> = setting.values.iter().map(f32::to_string).collect();
-        cells.extend([
-            format!("\"{}\"", of.trainer.name),
-            format!("\"{}\"", of.believed().name),
-            of.homes().name().to_owned(),
-            of.learner.name().to_owned(),
-            of.seed.to_string(),
-            summary.runs.to_string(),
-        ]);
+        let mut cells: Vec<Cell> = setting.values.iter().map(Cell::number).collect();
+        cells.extend([&of.trainer.name, &of.believed().name].map(Cell::text));
+        cells.extend([of.homes().name(), of.learner.name()].map(Cell::text));
+        cells.extend([Cell::number(of.seed), Cell::number(summary.runs)]);
         let shares = [share(summary.test_all_right), low, high].into_iter();
         let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
-        cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| format!("{number:.6}")));
+        cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| Cell::Number(format!("{number:.6}"))));
         let said = summary.feedback;
-        cells.extend([said.reward, said.punish, said.neutral].map(|count| count.to_string()));
-        writeln!(out, "{}", cells.join(","))?;
+        cells.extend([said.reward, said.punish, said.neutral].map(Cell::number));
+        csv::line(out, cells)?;
     }
     Ok(())
 }

@@ -20,6 +20,7 @@ use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, counting, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
+use goodbot_console::printed::Printed;
 use goodbot_console::training_data::{MOST_FAULTS, tell_long};
 use goodbot_formats::session::SessionReader;
 use goodbot_formats::world::{Line, WorldReader};
@@ -28,7 +29,7 @@ use goodbot_lesson::Fault;
 use history::{History, Learning, Outcome};
 use indicatif::ProgressBar;
 use report::Totals;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// Replay recorded sessions, and print the robot's belief after each step
@@ -115,7 +116,7 @@ struct Replay {
     history: History,
     totals: Totals,
     progress: ProgressBar,
-    output: BufWriter<Box<dyn Write>>,
+    output: Printed,
     plot: Option<Output>,
     /// Commands that are read by their first words only.
     long: Vec<Fault>,

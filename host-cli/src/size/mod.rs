@@ -10,9 +10,10 @@ use clap::{Args, ValueHint};
 use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
 use goodbot_console::learner::Learner;
 use goodbot_console::load::kinds::TaskKinds;
-use goodbot_console::messages::{counted, printable};
+use goodbot_console::messages::counted;
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use needs::Needs;
 use serde_json::json;
 use std::io::Write;
@@ -59,7 +60,7 @@ pub struct SizeOptions {
 /// [`Failure`].
 pub fn run(options: &SizeOptions) -> Result<(), Failure> {
     let needs = Needs::find(options)?;
-    let mut out = std::io::stdout().lock();
+    let mut out = Printed::stdout();
     if options.json {
         writeln!(out, "{}", to_json(&needs))?;
     } else {
@@ -83,7 +84,7 @@ fn to_json(needs: &Needs) -> serde_json::Value {
 fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
     let lessons = &needs.lessons;
     let [homes, sessions] = [(needs.homes, "home"), (lessons.sessions, "session")].map(|(n, it)| counted(n, it));
-    let place = needs.world.as_ref().map_or(homes, |world| format!("the world {}", printable(world)));
+    let place = needs.world.as_ref().map_or(homes, |world| format!("the world {}", world));
     writeln!(
         out,
         "A robot in {place} that keeps {sessions} of at most {}, {} different:",

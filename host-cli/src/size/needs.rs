@@ -4,7 +4,7 @@ use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::oomdp::PushGrid;
+use goodbot::oomdp::{Domain, PushGrid};
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
@@ -22,6 +22,8 @@ use std::collections::BTreeSet;
 
 /// The most states for a home: on a controller, exact plans in larger homes cost more memory than they are worth.
 const MOST_STATES: usize = Capacities::SMALL.states;
+/// The most states for a world: with more, no plan on a controller is exact.
+pub const MOST_STATES_OF_WORLD: usize = 1_000_000;
 /// The limits of a controller: a set of tasks is a single machine word there.
 const OF_CONTROLLERS: Capacities = Capacities { tasks: TaskSet::MOST_OF_ONE_WORD, ..Capacities::STANDARD };
 /// The most objects and blocks of a home on a controller.
@@ -84,7 +86,10 @@ impl Needs {
                 return Err(Failure::Input("a log of worlds has no home to make room for; name the robot's world too".to_owned()));
             }
             Some(file) => {
-                let least = robot::with(&file.world, |robot, _| least_of_world(robot, &lessons, learner));
+                let least = robot::with(&file.world, |robot, _| {
+                    has_few_states(robot)?;
+                    least_of_world(robot, &lessons, learner)
+                });
                 let least = least.flatten().map_err(|flaw| file.fault(&flaw.field, &flaw.message))?;
                 (0, Some(file.world.name.clone()), least)
             }
@@ -132,6 +137,21 @@ impl Needs {
     pub fn slot_bytes(&self) -> usize {
         self.model_bytes().saturating_add(SLOT_HEADER).next_multiple_of(LEAST_SLOT)
     }
+}
+
+/// Refuses a world with too many states for a controller.
+///
+/// # Errors
+/// The number of its states, and what to do.
+pub fn has_few_states(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
+    let count = robot.state_count();
+    if count <= MOST_STATES_OF_WORLD as u64 {
+        return Ok(());
+    }
+    let message = format!(
+        "give {count} states together, and {MOST_STATES_OF_WORLD} are the most for a controller; leave out objects or what changes"
+    );
+    Err(WorldFlaw { field: "propositions".to_owned(), message })
 }
 
 /// The least capacities of the robot of a world.

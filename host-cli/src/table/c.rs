@@ -11,11 +11,31 @@ use std::fmt::Write;
 const MOST: [(&str, usize); 3] = [("classes", 8), ("propositions", 8), ("task_kinds", 8)];
 const MOST_CARRIERS: usize = 16;
 
+/// The most letters of a name in an identifier. Whole identifiers stay below the 63 letters that every compiler tells apart.
+const MOST_LETTERS: usize = 40;
+
 /// A text as a C literal. All but plain letters are octal numbers of three digits, so that nothing runs into the next character.
 fn quoted(text: &str) -> String {
     let plain = |byte: &u8| byte.is_ascii_graphic() && !matches!(byte, b'"' | b'\\' | b'?') || *byte == b' ';
     let letter = |byte: u8| if plain(&byte) { char::from(byte).to_string() } else { format!("\\{byte:03o}") };
     format!("\"{}\"", text.bytes().map(letter).collect::<String>())
+}
+
+/// A text in a C comment. Letters of any script stay, because people read them; what could end the comment, or begin another, is escaped.
+fn in_comment(text: &str) -> String {
+    let plain =
+        |letter: char| letter.is_alphanumeric() || letter.is_ascii_graphic() && !matches!(letter, '*' | '/' | '\\' | '?') || letter == ' ';
+    let shown = |letter: char| if plain(letter) { letter.to_string() } else { letter.escape_unicode().to_string() };
+    text.chars().map(shown).collect()
+}
+
+/// A text as the beginning of a C identifier: lower-case letters, digits and `_`. Names that are the library's or the compiler's get a word
+/// before them.
+fn identifier(text: &str) -> String {
+    let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' };
+    let word: String = text.chars().take(MOST_LETTERS).map(letter).collect();
+    let is_own = word.starts_with(|first: char| first.is_ascii_lowercase()) && !word.starts_with("goodbot");
+    if is_own { word } else { format!("world_{word}") }
 }
 
 fn list(items: impl Iterator<Item = String>) -> String {
@@ -47,12 +67,12 @@ pub fn text(source: &Source<'_>) -> Result<String, WorldFlaw> {
 
 /// The text of the header. Writing to a text does not fail.
 fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
-    let (schema, word, name) = (&source.schema, source.word(), source.name);
-    let (mut out, guard) = (String::new(), source.word().to_uppercase());
-    writeln!(out, "/* The world {}, written by `goodbot table --c`. Its description was checked. */", quoted(name))?;
+    let (schema, word, mut out) = (&source.schema, identifier(source.name), String::new());
+    let guard = word.to_uppercase();
+    writeln!(out, "/* The world \"{}\", written by `goodbot table --c`. Its description was checked. */", in_comment(source.name))?;
     writeln!(out, "#ifndef GOODBOT_WORLD_{guard}_H\n#define GOODBOT_WORLD_{guard}_H\n\n#include <goodbot.h>\n")?;
     writeln!(out, "/* A state is a number, from 0 to {}. It says what holds:", source.states - 1)?;
-    source.legend().iter().try_for_each(|line| writeln!(out, "   {line}"))?;
+    source.legend(in_comment).iter().try_for_each(|line| writeln!(out, "   {line}"))?;
     writeln!(out, "*/\n")?;
     writeln!(out, "static const char *const {word}_classes[] = {{{}}};", list(schema.classes.iter().map(|class| quoted(class.name))))?;
     for (position, attribute) in schema.attributes.iter().enumerate() {

@@ -6,21 +6,19 @@ mod c;
 mod rust;
 mod source;
 
-use crate::size::needs::least_of_world;
+use crate::size::needs::{MOST_STATES_OF_WORLD, has_few_states, least_of_world};
 use clap::{Args, ValueHint};
 use goodbot::capacity::WORDS_PER_COMMAND;
-use goodbot::oomdp::{Domain, check};
+use goodbot::oomdp::check;
 use goodbot::session::Lessons;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::input;
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
 use goodbot_lesson::world::robot::{self, Robot, WorldFlaw};
 use source::Source;
 use std::io::Write;
-
-/// The most states to check: with more, no plan on a controller is exact.
-const MOST_STATES: usize = 1_000_000;
 
 /// Print the robot of a world as source for a controller
 ///
@@ -62,22 +60,16 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
     let file = file.ok_or_else(|| Failure::Input(format!("{name}: is no world; goodbot example world prints one")))?;
     let refused = |flaw: WorldFlaw| file.fault(&flaw.field, &flaw.message);
     let text = robot::with(&file.world, |robot, start| text(options, robot, start)).map_err(refused)?.map_err(refused)?;
-    let mut out = std::io::stdout().lock();
+    let mut out = Printed::stdout();
     out.write_all(text.as_bytes())?;
     Ok(out.flush()?)
 }
 
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, WorldFlaw> {
-    let flaw = |field: &str, message: String| WorldFlaw { field: field.to_owned(), message };
-    // The kinds of task are checked before the states, which take longer.
+    // The kinds of task and the number of states are checked before the states themselves, which take longer.
     let kinds = robot::tasks(robot.file(), robot)?;
-    let checked = check(robot, start, MOST_STATES).map_err(|error| flaw("actions", error.to_string()))?;
-    if !checked.all || robot.state_count() > MOST_STATES as u64 {
-        let count = robot.state_count();
-        let message =
-            format!("give {count} states together, and {MOST_STATES} are the most for a controller; leave out objects or what changes");
-        return Err(flaw("propositions", message));
-    }
+    has_few_states(robot)?;
+    check(robot, start, MOST_STATES_OF_WORLD).map_err(|error| WorldFlaw { field: "actions".to_owned(), message: error.to_string() })?;
     let capacities = least_of_world(robot, &Lessons::new(options.sessions, options.words), Learner::Roles.options())?;
     let source = Source::of(robot, start, kinds, capacities);
     if options.c { c::text(&source) } else { Ok(rust::text(&source)) }

@@ -13,6 +13,12 @@ fn digit(DigitAt { digit, value }: DigitAt) -> String {
     format!("[{}, {}, {value}]", digit.unit, digit.values)
 }
 
+/// A name in a comment, in a code span of Markdown. Whatever is no visible letter is escaped, so that the comment does not end; a grave accent
+/// would end the span.
+fn in_comment(text: &str) -> String {
+    text.escape_debug().to_string().replace('`', "\\u{60}")
+}
+
 /// The module.
 pub fn text(source: &Source<'_>) -> String {
     // Writing to a text does not fail.
@@ -23,7 +29,7 @@ fn written(source: &Source<'_>) -> Result<String, std::fmt::Error> {
     let (schema, mut out) = (&source.schema, String::new());
     writeln!(out, "//! The world {:?}, written by `goodbot table --rust`. Its description was checked.", source.name)?;
     writeln!(out, "//!\n//! A state is a number, from 0 to {}. It says what holds:\n//!", source.states - 1)?;
-    source.legend().iter().try_for_each(|line| writeln!(out, "//! - `{line}`"))?;
+    source.legend(in_comment).iter().try_for_each(|line| writeln!(out, "//! - `{line}`"))?;
     writeln!(
         out,
         "

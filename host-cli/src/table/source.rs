@@ -63,13 +63,6 @@ impl<'w> Source<'w> {
         }
     }
 
-    /// The world's name as an identifier: lower-case letters, digits and `_`.
-    pub fn word(&self) -> String {
-        let letter = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '_' };
-        let word: String = self.name.chars().map(letter).collect();
-        if word.starts_with(|first: char| first.is_ascii_digit()) { format!("world_{word}") } else { word }
-    }
-
     /// The parts of all rules, in order, each with its action.
     pub fn parts(&self) -> Vec<(usize, Part)> {
         let mut parts = Vec::new();
@@ -83,13 +76,14 @@ impl<'w> Source<'w> {
         parts
     }
 
-    /// A line for each fact that can change: the fact, and the condition under which it holds.
-    pub fn legend(&self) -> Vec<String> {
+    /// A line for each fact that can change: the fact, and the condition under which it holds. The names come from a file, so that `escaped`
+    /// writes each as the language's comments need it.
+    pub fn legend(&self, escaped: impl Fn(&str) -> String) -> Vec<String> {
         let told = |fact: &FactAt| {
             let count = self.schema.parameters(fact.proposition).len();
-            let names: Vec<&str> = fact.arguments.iter().take(count).map(|&object| self.objects.name(object)).collect();
+            let names: Vec<String> = fact.arguments.iter().take(count).map(|&object| escaped(self.objects.name(object))).collect();
             let DigitAt { digit, value } = fact.at;
-            let name = self.schema.proposition_name(fact.proposition);
+            let name = escaped(self.schema.proposition_name(fact.proposition));
             format!("{name}({}): state / {} % {} == {value}", names.join(","), digit.unit, digit.values)
         };
         self.facts.iter().filter(|fact| fact.at.digit.values > 1).map(told).collect()

@@ -37,6 +37,7 @@ use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, is_colored, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
+use goodbot_console::printed::{self, Printed};
 use goodbot_console::starter::StarterOptions;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::world::WorldFile;
@@ -49,7 +50,7 @@ use pace::Pace;
 use palette::Palette;
 use pupil::Pupil;
 use site::Setting;
-use std::io::{IsTerminal, Write, stdin, stdout};
+use std::io::{IsTerminal, Write, stdin};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -143,12 +144,12 @@ pub fn run(options: &TeachOptions) -> Result<(), Failure> {
         return output.write(picture_of_a_lesson(options, seed)?.as_bytes());
     }
     let dumb = std::env::var("TERM").is_ok_and(|terminal| terminal == "dumb");
-    let lines = options.lines || dumb || !stdin().is_terminal() || !stdout().is_terminal();
+    let lines = options.lines || dumb || !stdin().is_terminal() || !printed::is_terminal();
     let mut classroom = open(options, lines)?;
     if !lines {
         return visit(classroom, options.speed, seed);
     }
-    let spoken = protocol::speak(&mut classroom, seed, stdin().lock(), stdout().lock())?;
+    let spoken = protocol::speak(&mut classroom, seed, stdin().lock(), Printed::stdout())?;
     match spoken.refused {
         0 => Ok(()),
         refused => Err(Failure::Input(format!("{} refused; see the lines of type error", counted(refused, "request")))),
@@ -167,11 +168,12 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
         // If the window was closed, nobody reads this.
         let all = counted(learned, "session");
         let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
-        let _ = writeln!(stdout(), "It has learned from {told}: {}", kept.files().model.display());
+        let mut out = Printed::stdout();
+        let _ = writeln!(out, "It has learned from {told}: {}", kept.files().model.display()).and_then(|()| out.flush());
     }
     written.map_err(|refusal| Failure::Result(refusal.to_string()))?;
     match shown {
-        Err(error) if stdout().is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
+        Err(error) if printed::is_terminal() && stdin().is_terminal() => Err(Failure::Output(error)),
         _ => Ok(()),
     }
 }

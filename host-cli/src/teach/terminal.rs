@@ -34,6 +34,7 @@ struct Stage {
 }
 
 impl Stage {
+    #[expect(clippy::disallowed_methods, reason = "the screen is drawn on the terminal itself")]
     fn enter() -> io::Result<Self> {
         take_over()?;
         Ok(Self { terminal: ManuallyDrop::new(Terminal::new(CrosstermBackend::new(stdout()))?) })
@@ -52,12 +53,14 @@ impl Drop for Stage {
     }
 }
 
+#[expect(clippy::disallowed_methods, reason = "these sequences are the program's own")]
 fn take_over() -> io::Result<()> {
     enable_raw_mode()?;
     execute!(stdout(), EnterAlternateScreen, Hide, EnableBracketedPaste)
 }
 
 /// Errors are ignored: the terminal may be closed.
+#[expect(clippy::disallowed_methods, reason = "these sequences are the program's own")]
 fn give_back() {
     let _ = execute!(stdout(), DisableBracketedPaste, LeaveAlternateScreen, Show);
     let _ = disable_raw_mode();

@@ -14,6 +14,10 @@ mod examples;
 mod first_hour;
 mod flat;
 mod help;
+#[cfg(unix)]
+mod hostile_texts;
+#[cfg(unix)]
+mod hostile_worlds;
 mod kept_kinds;
 mod language;
 mod long_commands;

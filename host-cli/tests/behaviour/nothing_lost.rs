@@ -211,6 +211,38 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_home_of_too_many_objects_is_refused_in_bounded_memory() {
+    let folder = tempfile::tempdir().unwrap();
+    let home = folder.path().join("home.json");
+    let blocks = (0..400_000)
+        .map(|block| format!("{{\"class\":\"block\",\"name\":\"b{block}\",\"x\":1,\"y\":1,\"color\":\"red\",\"shape\":\"bag\"}}"));
+    let text = |blocks: Vec<String>| format!("{{\"version\":1,\"objects\":[{}]}}", blocks.join(","));
+    for (count, told) in [(400_000, "has more than 65536 entries"), (60_000, "are the most; leave out some")] {
+        std::fs::write(&home, text(blocks.clone().take(count).collect())).unwrap();
+        for command in ["check", "size", "teach --lines"] {
+            let limited = format!("ulimit -v 250000; exec timeout 10 {} {command} {}", env!("CARGO_BIN_EXE_goodbot"), home.display());
+            let run = std::process::Command::new("sh").args(["-c", &limited]).output().unwrap();
+            let messages = String::from_utf8_lossy(&run.stderr);
+            assert!(run.status.code() == Some(2) && messages.contains(told), "{command}: {messages}");
+        }
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_link_to_a_file_that_is_not_there_yet_is_followed_and_is_no_way_around_an_input() {
+    let place = Place::new();
+    std::os::unix::fs::symlink("other", place.path("link")).unwrap();
+    assert_eq!(place.run(&["learn", "log.jsonl", "--out", "link"]).code, 0);
+    assert!(std::fs::symlink_metadata(place.path("link")).unwrap().is_symlink() && place.path("other").is_file());
+    fs::remove_file(place.path("other")).unwrap();
+    let run = place.run(&["inspect", "model", "--plot", "link"]);
+    assert_eq!(run.code, 0, "{}", run.messages);
+    assert!(fs::read_to_string(place.path("other")).unwrap().starts_with("<svg"));
+}
+
+#[test]
 fn two_pictures_do_not_go_into_one_file() {
     let place = Place::new();
     let same = place.folder.path().join(".").join("picture.svg");

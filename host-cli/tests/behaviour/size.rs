@@ -42,6 +42,20 @@ fn the_words_of_a_log_are_counted_once() {
 }
 
 #[test]
+fn a_world_with_more_states_than_a_controller_can_plan_in_is_refused_with_their_number() {
+    let lamps: Vec<String> = (0..40).map(|lamp| format!("{{\"name\":\"lamp{lamp}\",\"class\":\"lamp\"}}")).collect();
+    let on: Vec<String> = (0..40).map(|lamp| format!("\"lampOn(lamp{lamp})\"")).collect();
+    let world = format!(
+        r#"{{"type":"world","name":"street","classes":["lamp"],"attributes":{{}},"propositions":{{"lampOn":["lamp"]}},"objects":[{}],"facts":[],"actions":[{{"name":"all","conditions":[],"effects":[{}]}}],"task_kinds":["lampOn(?l)"]}}"#,
+        lamps.join(","),
+        on.join(",")
+    );
+    let run = size(&["-"], &world);
+    assert!(run.code == 2 && run.output.is_empty(), "{} {}", run.output, run.messages);
+    assert!(run.messages.contains("1000000 are the most for a controller"), "{}", run.messages);
+}
+
+#[test]
 fn more_sessions_take_more_memory() {
     let ram = |sessions: &str| json(&["-", "--sessions", sessions], MAP)["ram"]["controller"].as_u64().expect("a number");
     assert!(ram("4") < ram("8"));

@@ -2,6 +2,7 @@
 
 use crate::program::goodbot;
 use crate::robot::{Robot, is_right};
+use goodbot::snapshot::Contents;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -120,7 +121,31 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
         assert_eq!(goodbot(&["learn", log, "--out", anew], b"").code, 0);
         let evaluated = json(&goodbot(&["evaluate", "--with", anew, "--test", log, "--json"], b""));
         assert_eq!(evaluated.last().expect("a summary")["right"].as_u64(), Some(count as u64), "{}", course.world);
+        // What it learned is shown, compared, merged, and left out again; the model stays one for this world.
+        assert_eq!(json(&goodbot(&["inspect", model, "--sessions", "--json"], b"")).len(), count);
+        let [less, both] = ["less.goodbot", "both.goodbot"].map(|name| folder.path().join(name).to_str().expect("UTF-8").to_owned());
+        assert_eq!(goodbot(&["unlearn", model, "1", "--out", &less], b"").code, 0);
+        let gone = json(&goodbot(&["diff", model, &less, "--json"], b""));
+        assert_eq!(gone.iter().filter(|line| line["type"] == "session gone").count(), 1, "{gone:?}");
+        assert_eq!(goodbot(&["merge", &less, model, "--out", &both], b"").code, 0);
+        let vocabulary = |file: &str| Contents::read(&std::fs::read(file).expect("a model")).expect("a model").vocabulary;
+        assert_eq!([&less, &both].map(|file| vocabulary(file)), [vocabulary(model); 2], "{}", course.world);
+        for file in [&less, &both] {
+            let asked = json(&goodbot(&["ask", "--with", file, "--environment", &world, "--json", command], b""));
+            assert_eq!(asked[0]["verdict"].is_string(), true, "{}", course.world);
+        }
+        let first = json(&goodbot(&["inspect", &less, "--sessions", "--json"], b""));
+        assert_eq!(first.len(), count - 1);
     }
+}
+
+#[test]
+fn models_of_two_worlds_are_not_merged() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [lift, lamps] = [0, 1].map(|course| taught(folder.path(), &COURSES[course]).0.to_str().expect("UTF-8").to_owned());
+    let out = folder.path().join("both.goodbot");
+    let run = goodbot(&["merge", &lift, &lamps, "--out", out.to_str().expect("UTF-8")], b"");
+    assert!(run.code == 2 && run.messages.contains("another vocabulary") && !out.exists(), "{}", run.messages);
 }
 
 #[test]

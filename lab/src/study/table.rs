@@ -3,6 +3,7 @@
 use super::plan::Plan;
 use super::summary::{Column, Row};
 use crate::mean::Mean;
+use goodbot_console::csv::{self, Cell};
 use std::io::{self, Write};
 
 /// Prints a table for each course and trainer.
@@ -41,9 +42,10 @@ pub fn csv(out: &mut impl Write, plan: &Plan, rows: &[Row]) -> io::Result<()> {
     for row in rows {
         let cells = Column::ALL.map(|column| {
             let Mean { mean, half } = row.mean(column);
-            format!("{mean:.6},{:.6},{:.6}", mean - half, mean + half)
+            [mean, mean - half, mean + half].map(|number| Cell::Number(format!("{number:.6}")))
         });
-        writeln!(out, "{},{},{},{},{},{}", row.course.name(), row.trainer, row.agent, plan.seed, row.seeds, cells.join(","))?;
+        let names = [row.course.name(), row.trainer.as_ref(), row.agent.as_ref()].map(Cell::text);
+        csv::line(out, names.into_iter().chain([Cell::number(plan.seed), Cell::number(row.seeds)]).chain(cells.into_iter().flatten()))?;
     }
     Ok(())
 }

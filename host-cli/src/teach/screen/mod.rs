@@ -13,11 +13,13 @@ use super::scene::Scene;
 use super::table::Table;
 use super::visit::{Phase, Visit};
 use goodbot_console::messages::counted;
+use goodbot_console::printed::printable;
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Position, Rect};
 use ratatui::style::{Modifier, Style};
 use ratatui::text::{Line, Span};
 use ratatui::widgets::{Block, Borders, Paragraph, Wrap};
+use std::borrow::Cow;
 
 /// The smallest usable screen: columns and rows.
 const LEAST: (u16, u16) = (24, 8);
@@ -48,6 +50,12 @@ pub fn draw(frame: &mut Frame<'_>, visit: &Visit, palette: Palette) {
     draw_keys(frame, keys, visit, palette);
     if let Some((shown, first)) = visit.page {
         page::draw(frame, area, visit, shown, first, palette);
+    }
+    // What the names and words of a stranger's file would do to the terminal is not drawn.
+    for cell in &mut frame.buffer_mut().content {
+        if let Cow::Owned(_) = printable(cell.symbol()) {
+            cell.set_char(char::REPLACEMENT_CHARACTER);
+        }
     }
 }
 
