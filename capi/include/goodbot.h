@@ -1029,7 +1029,8 @@ goodbot_status goodbot_hear_one_of(struct goodbot *robot,
                                    uint32_t count,
                                    uint32_t *chosen);
 
-// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
+// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; that it or a
+// word of it is too long is told by `goodbot_hear_on`.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.

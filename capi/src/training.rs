@@ -182,7 +182,8 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
     }
 }
 
-/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done.
+/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; that it or a
+/// word of it is too long is told by `goodbot_hear_on`.
 ///
 /// # Safety
 /// `robot` is null or a handle, `command` null or a C string in UTF-8.

@@ -17,6 +17,7 @@
 
 pub(crate) mod bitext;
 pub mod forgetting;
+pub(crate) mod hearing;
 pub mod ibm2;
 pub mod layer;
 #[cfg(feature = "marks")]

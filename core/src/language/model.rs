@@ -1,6 +1,7 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
 use super::bitext::{Bitext, BitextRef, Extent};
+use super::hearing::Heard;
 use super::layer::Layer;
 #[cfg(feature = "layer")]
 use super::layer::{CommandIndex, LayerRef};
@@ -325,6 +326,16 @@ impl<'t> LanguageMut<'t> {
         }
     }
 
+    /// The settings.
+    pub(super) const fn settings(&self) -> &Settings {
+        self.settings
+    }
+
+    /// The number of English words in the learned sessions.
+    pub(super) const fn learned_words(&self) -> usize {
+        *self.learned_words
+    }
+
     /// The machine tokens, to intern those of a new session's tasks. They stay if the session is learned from.
     pub fn tokens_mut(&mut self) -> &mut Symbols<'t> {
         &mut self.tokens
@@ -353,6 +364,9 @@ impl<'t> LanguageMut<'t> {
     /// As [`hear`](Self::hear).
     pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
         sentence.clear();
+        if self.model() == Model::Roles {
+            return self.hear_on(command, &mut { Heard::START }, sentence, &mut { u32::MAX }).map(|_| ());
+        }
         let (model, learned) = (self.model(), *self.learned_words);
         let take = |word: &str| {
             let symbol = self.take_word(word, learned).ok();

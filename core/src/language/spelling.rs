@@ -6,30 +6,106 @@ use crate::symbols::{Symbol, SymbolsRef};
 /// For shorter words no slip is assumed: too many words differ by one letter.
 const LEAST_LETTERS: usize = 5;
 
+/// How many known words are compared at least in one part of a search.
+const AT_ONCE: usize = 32;
+
+/// How far a search for the known word that another counts as has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Search {
+    alike: Alike,
+    /// The next known word.
+    known: u16,
+}
+
+impl Search {
+    /// Nothing is compared yet.
+    pub(super) const START: Self = Self { alike: Alike::Begins, known: 0 };
+}
+
+/// In what a known word may be like the word: one after another, each for all known words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Alike {
+    /// It begins alike.
+    Begins,
+    /// It is spelled alike.
+    #[cfg(feature = "marks")]
+    Spelled,
+    /// It differs by a slip.
+    Slip,
+}
+
+impl Alike {
+    const fn next(self) -> Option<Self> {
+        match self {
+            #[cfg(feature = "marks")]
+            Self::Begins => Some(Self::Spelled),
+            #[cfg(feature = "marks")]
+            Self::Spelled => Some(Self::Slip),
+            #[cfg(not(feature = "marks"))]
+            Self::Begins => Some(Self::Slip),
+            Self::Slip => None,
+        }
+    }
+}
+
 /// The known word that `word` counts as: itself; one that begins with the same `letters` letters (0 turns this off), also if "ä" is written
 /// "ae"; or, for a word of five letters or more, the first of the `learned` words that differs by one letter left out, added or replaced,
 /// or by two neighbours exchanged. A word with a digit counts as itself alone: `bay12` and `bay13` are two places.
 pub(super) fn variant(words: SymbolsRef<'_>, learned: usize, word: &str, letters: usize) -> Option<Symbol> {
-    if let Some(known) = words.find(word) {
-        return Some(known);
+    variant_on(words, learned, word, letters, &mut { Search::START }, &mut { u32::MAX }).flatten()
+}
+
+/// The same in parts: at most about `left` known words are compared. `None` if the search is to go on, with the same words.
+pub(super) fn variant_on(
+    words: SymbolsRef<'_>,
+    learned: usize,
+    word: &str,
+    letters: usize,
+    search: &mut Search,
+    left: &mut u32,
+) -> Option<Option<Symbol>> {
+    if *search == Search::START
+        && let Some(known) = words.find(word)
+    {
+        *left = left.saturating_sub(1);
+        return Some(Some(known));
     }
     if has_digit(word) {
-        return None;
+        return Some(None);
     }
     // A Korean character is a syllable, so two of them count as four letters; the rest is a particle or an ending.
     let letters = if word.starts_with(|first| matches!(first, '\u{ac00}'..='\u{d7a3}')) { letters.div_ceil(2) } else { letters };
     let form = word_form(word, letters);
     // A shorter word is alike to itself alone.
     let has_form = letters > 0 && (form.len() < word.len() || self::letters(form) == letters);
-    let begins_alike = |known: &str| has_form && known.starts_with(form);
-    let find = |alike: &dyn Fn(&str) -> bool, most: usize| {
-        let is_variant = |known: &str| alike(known) && !has_digit(known);
-        words.iter().take(most).find(|(_, known)| is_variant(known)).map(|(symbol, _)| symbol)
-    };
-    let alike = find(&begins_alike, usize::MAX);
-    #[cfg(feature = "marks")]
-    let alike = alike.or_else(|| find(&|known| super::letters::is_spelled_alike(known, word, letters), usize::MAX));
-    alike.or_else(|| find(&|known| is_slip(known, word), learned))
+    loop {
+        let alike = search.alike;
+        let most = if alike == Alike::Slip { learned.min(words.len()) } else { words.len() };
+        let first = usize::from(search.known);
+        let end = first.saturating_add(AT_ONCE.max(*left as usize)).min(most);
+        for symbol in (first..end).map(|position| Symbol(position as u16)) {
+            let known = words.text(symbol);
+            let is_alike = match alike {
+                Alike::Begins => has_form && known.starts_with(form),
+                #[cfg(feature = "marks")]
+                Alike::Spelled => super::letters::is_spelled_alike(known, word, letters),
+                Alike::Slip => is_slip(known, word),
+            };
+            if is_alike && !has_digit(known) {
+                return Some(Some(symbol));
+            }
+        }
+        *left = left.saturating_sub(end.saturating_sub(first).max(1) as u32);
+        *search = if end < most {
+            Search { known: end as u16, ..*search }
+        } else {
+            let Some(next) = alike.next() else { return Some(None) };
+            Search { alike: next, known: 0 }
+        };
+        if *left == 0 {
+            return None;
+        }
+    }
 }
 
 /// Whether two words of five letters or more differ by one slip.

@@ -102,13 +102,25 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
     Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
 }
 
-const fn pieces(command: &str) -> Pieces<'_> {
+/// Whether a command has any word.
+pub(crate) fn has_pieces(command: &str) -> bool {
+    pieces(command).next().is_some()
+}
+
+pub(super) const fn pieces(command: &str) -> Pieces<'_> {
     Pieces { rest: command }
 }
 
 /// The pieces of a command, found letter by letter: iterator adapters would take twice the flash on a controller.
-struct Pieces<'c> {
+pub(super) struct Pieces<'c> {
     rest: &'c str,
+}
+
+impl Pieces<'_> {
+    /// Bytes after the last piece.
+    pub(super) const fn left(&self) -> usize {
+        self.rest.len()
+    }
 }
 
 impl<'c> Iterator for Pieces<'c> {
@@ -241,7 +253,7 @@ fn lower_case(text: &str) -> Result<Word, CapacityError> {
 
 /// A word in lower case, in composed form.
 #[cfg(feature = "marks")]
-fn composed_word(text: &str) -> Result<Word, CapacityError> {
+pub(super) fn composed_word(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
     for letter in text.chars().filter_map(ordinary).map(full_width).flat_map(to_lower_case) {
         let one = word.chars().next_back().and_then(|before| composed(before, letter));
@@ -255,7 +267,7 @@ fn composed_word(text: &str) -> Result<Word, CapacityError> {
 
 /// A word in lower case. Other ways to write a letter need the tables of `marks`.
 #[cfg(not(feature = "marks"))]
-fn composed_word(text: &str) -> Result<Word, CapacityError> {
+pub(super) fn composed_word(text: &str) -> Result<Word, CapacityError> {
     lower_case(text)
 }
 

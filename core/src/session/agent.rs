@@ -440,6 +440,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Ends the plan, because training needs the workspace. The two never run at the same time: no command is heard while learning, and
     /// learning begins when the session is over.
     pub(crate) fn workspace_to_training(&mut self) {
+        self.hear_words_to_the_end();
         self.planned = None;
         self.planner.release_marks();
     }

@@ -5,6 +5,9 @@ use super::candidates::CandidateCount;
 use super::error::AgentError;
 use super::phase::{Phase, Position, Prior, Progressed};
 use crate::feedback::Belief;
+use crate::language::Model;
+use crate::language::hearing::Heard;
+use crate::language::tokenizer::has_pieces;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, check_actions, digest, vocabulary};
 use crate::planning::Progress;
@@ -29,21 +32,27 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Begins to hear a command in parts, otherwise as [`hear`](Self::hear) does: call [`hear_on`](Self::hear_on) until it is done.
     ///
+    /// The command is copied to where plans are made. One with more bytes than fit there is heard here at once.
+    ///
     /// # Errors
-    /// As [`hear`](Self::hear).
+    /// As [`hear`](Self::hear), but a command or a word that is too long is told by [`hear_on`](Self::hear_on).
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
-        self.open(domain, state, command, 0.0)?;
-        self.begin_to_understand()
+        let is_kept = self.open(domain, state, command, 0.0, true)?;
+        self.begin_to_understand()?;
+        if is_kept {
+            self.progressed = Progressed::Words(Heard::START, command.len());
+        }
+        Ok(())
     }
 
     /// Continues to hear the command, with at most about `budget` table cells of work (at least one machine command). The belief does not
-    /// depend on the budget.
+    /// depend on the budget. A known word that a new word is compared with counts as a cell; at least 32 of them are compared.
     ///
     /// # Errors
     /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain, and
     /// [`AgentError::Capacity`]; in the last case the session ends.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
-        if let Progressed::Opened | Progressed::Hearing(..) = self.progressed {
+        if let Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
             }
@@ -108,8 +117,17 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
+    /// Opens a session. Returns whether the command is kept at the front of the workspace, to be heard in parts; otherwise it is heard. Only
+    /// where `in_parts` is set it is kept, and if it fits there.
     #[inline(never)]
-    pub(crate) fn open<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, done: f32) -> Result<(), AgentError> {
+    pub(crate) fn open<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        command: &str,
+        done: f32,
+        in_parts: bool,
+    ) -> Result<bool, AgentError> {
         let phase = self.phase();
         if matches!(self.progressed, Progressed::Tidying(_)) || matches!(phase, Phase::Learning | Phase::Restoring) {
             return Err(AgentError::NotNow(phase));
@@ -119,10 +137,18 @@ impl<M: AgentMemory> Agent<M> {
         self.forget_questions();
         self.task_count = 0;
         let tables = self.memory.lend();
-        let mut language = self.language.called_with(tables.language, tables.workspace);
+        // Words need none of the counts.
+        let mut language = self.language.called_with(tables.language, &mut []);
         language.forget_unlearned();
-        language.hear_into(command, &mut self.sentence)?;
-        if self.sentence.is_empty() {
+        let in_parts = in_parts && language.model() == Model::Roles;
+        let kept = bytemuck::cast_slice_mut(tables.workspace).get_mut(..command.len()).filter(|_| in_parts);
+        let is_kept = kept.is_some();
+        self.sentence.clear();
+        match kept {
+            Some(kept) => kept.iter_mut().zip(command.bytes()).for_each(|(slot, byte)| *slot = byte),
+            None => language.hear_into(command, &mut self.sentence)?,
+        }
+        if if is_kept { !has_pieces(command) } else { self.sentence.is_empty() } {
             return Err(AgentError::EmptyCommand);
         }
         check_actions(domain)?;
@@ -141,7 +167,29 @@ impl<M: AgentMemory> Agent<M> {
         self.task_count = count;
         self.domain = digest(domain);
         self.start = Some(domain.key(state));
-        Ok(())
+        Ok(is_kept)
+    }
+
+    /// Hears on the words of a command that is kept at the front of the workspace. Returns whether all are heard.
+    #[inline(never)]
+    fn hear_words_on(&mut self, mut heard: Heard, bytes: usize, left: &mut u32) -> Result<bool, AgentError> {
+        let tables = self.memory.lend();
+        let kept: &[u8] = bytemuck::cast_slice(tables.workspace);
+        let command = core::str::from_utf8(kept.get(..bytes).unwrap_or(&[])).unwrap_or("");
+        // Words need none of the counts.
+        let mut language = self.language.called_with(tables.language, &mut []);
+        let is_heard = language.hear_on(command, &mut heard, &mut self.sentence, left)?;
+        self.progressed = if is_heard { Progressed::Opened } else { Progressed::Words(heard, bytes) };
+        Ok(is_heard)
+    }
+
+    /// Hears the words of a command that is kept in the workspace, which other work needs now. A session whose command is too long ends.
+    pub(crate) fn hear_words_to_the_end(&mut self) {
+        if let Progressed::Words(heard, bytes) = self.progressed
+            && self.hear_words_on(heard, bytes, &mut { u32::MAX }).is_err()
+        {
+            (self.start, self.progressed) = (None, Progressed::Idle);
+        }
     }
 
     /// The task at a position.
@@ -177,6 +225,11 @@ impl<M: AgentMemory> Agent<M> {
     /// Continues to set each task's prior to Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
     fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         let mut left = budget.max(1);
+        if let Progressed::Words(heard, bytes) = self.progressed
+            && (!self.hear_words_on(heard, bytes, &mut left)? || left == 0)
+        {
+            return Ok(Progress::Working);
+        }
         if matches!(self.progressed, Progressed::Opened) {
             self.take_up(domain)?;
             left = left.saturating_sub(self.task_count as u32);

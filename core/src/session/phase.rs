@@ -2,6 +2,7 @@
 
 use super::options::Weights;
 use crate::language::forgetting::Step;
+use crate::language::hearing::Heard;
 use crate::probability::Scaled;
 use core::fmt;
 
@@ -51,7 +52,10 @@ impl fmt::Display for Phase {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Progressed {
     Idle,
-    /// The possible tasks are known.
+    /// The possible tasks are known, and the command's words are being heard. The command, of this many bytes, is at the front of the
+    /// workspace.
+    Words(Heard, usize),
+    /// The words are known.
     Opened,
     /// The tasks get their priors; the next machine command is at this position.
     Hearing(Position, Prior),
@@ -72,7 +76,7 @@ impl Progressed {
     /// The phase, of an agent whose language model is in training or not.
     pub(super) const fn phase(&self, is_training: bool) -> Phase {
         match self {
-            Self::Opened | Self::Hearing(..) => Phase::Hearing,
+            Self::Words(..) | Self::Opened | Self::Hearing(..) => Phase::Hearing,
             Self::Weighing(..) | Self::Keeping(_) | Self::Tidying(_) => Phase::Finishing,
             Self::Idle | Self::Ready | Self::Ended if is_training => Phase::Learning,
             Self::Idle => Phase::Idle,

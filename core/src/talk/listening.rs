@@ -150,7 +150,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Listened, AgentError> {
         let read = first_words(utterance);
         let unread = Some(read.len()).filter(|&end| end < utterance.len());
-        self.open(domain, state, read, DONE)?;
+        self.open(domain, state, read, DONE, false)?;
         if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
             self.begin_to_understand()?;
             while self.hear_on(domain, PART)? == Progress::Working {

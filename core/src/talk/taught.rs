@@ -102,7 +102,7 @@ impl Taught {
     /// Passes the words of a sentence to a test, as the rules get them.
     fn hear(&mut self, sentence: &str, test: &mut dyn FnMut(Words<'_>)) {
         let Self { agent, home, start } = self;
-        agent.open(home, start, sentence, DONE).unwrap();
+        agent.open(home, start, sentence, DONE, false).unwrap();
         agent.begin_to_understand().unwrap();
         agent.take_up(home).unwrap();
         let mut words = Vec::new();

@@ -8,6 +8,7 @@ use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
 use goodbot::oomdp::{Domain, apply};
 use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
+use goodbot::session::Phase;
 use goodbot::task::{RoleKind, TaskSet};
 use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 
@@ -364,6 +365,89 @@ fn what_was_learned_is_the_same_whatever_the_budget() {
         files.push((0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect::<Vec<_>>());
     }
     assert!(files.windows(2).all(|two| two[0] == two[1]));
+}
+
+/// A word of a number: no two begin with the same four letters.
+fn word(number: usize) -> String {
+    let (consonants, vowels) = (b"bdfghklmnprst", b"aeiou");
+    let letters = [
+        consonants[number % 13],
+        vowels[number / 13 % 5],
+        consonants[(number + number / 65) % 13],
+        vowels[number / 3 % 5],
+        consonants[number * 7 % 13],
+        b'o',
+    ];
+    letters.map(char::from).iter().collect()
+}
+
+#[test]
+fn a_new_word_is_compared_with_few_known_words_at_a_time_and_means_the_same() {
+    let taught = || {
+        let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        let mut homes = HeapMemory::new(&Capacities::SMALL);
+        let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+        for number in 0..6 {
+            let words: Vec<_> = (0..30).map(|at| word(30 * number + at)).collect();
+            agent.hear(&home, &state, &words.join(" ")).unwrap();
+            agent.finish_for_later(&home).unwrap();
+        }
+        agent.begin_learning();
+        agent.learn_fully();
+        agent
+    };
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    // Known words, slips of them, forms of them, and new ones.
+    let words: Vec<_> = (0..64).map(|at| word(at) + ["", "n", "ningly", "zzzzz"][at % 4]).collect();
+    let command = words.join(", ");
+    let (mut whole, mut parts) = (taught(), taught());
+    assert!(whole.language().words().len() > 100);
+    whole.hear(&home, &state, &command).unwrap();
+    parts.begin_hearing(&home, &state, &command).unwrap();
+    assert_eq!(parts.sentence(), []);
+    let mut calls = 0;
+    while parts.hear_on(&home, 1).unwrap() == Progress::Working {
+        calls += 1;
+    }
+    assert!(calls > 300, "{calls}");
+    assert_eq!(parts.sentence(), whole.sentence());
+    let texts = |agent: &Agent<AgentHeap>| agent.language().words().iter().map(|(_, text)| text.to_owned()).collect::<Vec<_>>();
+    assert_eq!(texts(&parts), texts(&whole));
+    let bits =
+        |agent: &Agent<AgentHeap>| (0..agent.tasks().len()).map(|task| agent.belief().probability(task).to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(&parts), bits(&whole));
+    // Work that needs the same memory in between changes nothing.
+    parts.begin_hearing(&home, &state, &command).unwrap();
+    assert_eq!(parts.hear_on(&home, 1).unwrap(), Progress::Working);
+    let model = parts.save_in_place().unwrap().to_vec();
+    assert_eq!(model, whole.saved().unwrap());
+    while parts.hear_on(&home, 1).unwrap() == Progress::Working {}
+    assert_eq!((parts.sentence(), bits(&parts)), (whole.sentence(), bits(&whole)));
+}
+
+#[test]
+fn a_command_that_is_too_long_is_told_while_it_is_heard_in_parts() {
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], None, [0, 1, 2]);
+    let mut agent = new();
+    assert_eq!(agent.begin_hearing(&home, &state, " , "), Err(AgentError::EmptyCommand));
+    for (command, error) in [
+        ("go ".repeat(70), CapacityError::new(Capacity::WordsPerCommand, 64, 70)),
+        ("go ".to_owned() + &"o".repeat(60), CapacityError::new(Capacity::NameBytes, 48, 60)),
+    ] {
+        agent.begin_hearing(&home, &state, &command).unwrap();
+        let heard = loop {
+            match agent.hear_on(&home, 1) {
+                Ok(Progress::Working) => {}
+                end => break end,
+            }
+        };
+        assert_eq!(heard, Err(AgentError::Capacity(error)));
+        assert_eq!(agent.hear(&home, &state, &command), Err(AgentError::Capacity(error)));
+        // No session is under way.
+        assert_eq!(agent.hear_on(&home, 1), Err(AgentError::NotNow(Phase::Idle)));
+    }
 }
 
 #[test]
