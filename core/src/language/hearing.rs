@@ -10,7 +10,7 @@ use crate::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Heard {
     /// Bytes of the command up to the next word.
-    at: usize,
+    at: u32,
     /// The search for the known word that the next word counts as.
     search: Search,
 }
@@ -36,7 +36,7 @@ impl LanguageMut<'_> {
     ) -> Result<bool, CapacityError> {
         let letters = usize::from(self.settings().word_letters);
         let learned = self.learned_words();
-        let mut rest = pieces(command.get(heard.at..).unwrap_or(""));
+        let mut rest = pieces(command.get(heard.at as usize..).unwrap_or(""));
         while *left > 0 {
             let Some(piece) = rest.next() else { return Ok(true) };
             if sentence.is_full() {
@@ -47,7 +47,7 @@ impl LanguageMut<'_> {
             let Some(known) = variant_on(self.words.read(), learned, &word, letters, &mut heard.search, left) else { return Ok(false) };
             let symbol = known.or_else(|| self.words.intern(word_form(&word, self.settings().letters_kept())).ok());
             let _ = sentence.push(symbol);
-            *heard = Heard { at: command.len().saturating_sub(rest.left()), search: Search::START };
+            *heard = Heard { at: command.len().saturating_sub(rest.left()) as u32, search: Search::START };
         }
         Ok(false)
     }

@@ -40,7 +40,7 @@ impl<M: AgentMemory> Agent<M> {
         let is_kept = self.open(domain, state, command, 0.0, true)?;
         self.begin_to_understand()?;
         if is_kept {
-            self.progressed = Progressed::Words(Heard::START, command.len());
+            self.progressed = Progressed::Words(Heard::START, command.len() as u32);
         }
         Ok(())
     }
@@ -172,10 +172,10 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Hears on the words of a command that is kept at the front of the workspace. Returns whether all are heard.
     #[inline(never)]
-    fn hear_words_on(&mut self, mut heard: Heard, bytes: usize, left: &mut u32) -> Result<bool, AgentError> {
+    fn hear_words_on(&mut self, mut heard: Heard, bytes: u32, left: &mut u32) -> Result<bool, AgentError> {
         let tables = self.memory.lend();
         let kept: &[u8] = bytemuck::cast_slice(tables.workspace);
-        let command = core::str::from_utf8(kept.get(..bytes).unwrap_or(&[])).unwrap_or("");
+        let command = core::str::from_utf8(kept.get(..bytes as usize).unwrap_or(&[])).unwrap_or("");
         // Words need none of the counts.
         let mut language = self.language.called_with(tables.language, &mut []);
         let is_heard = language.hear_on(command, &mut heard, &mut self.sentence, left)?;

@@ -54,7 +54,7 @@ pub(crate) enum Progressed {
     Idle,
     /// The possible tasks are known, and the command's words are being heard. The command, of this many bytes, is at the front of the
     /// workspace.
-    Words(Heard, usize),
+    Words(Heard, u32),
     /// The words are known.
     Opened,
     /// The tasks get their priors; the next machine command is at this position.
