@@ -1272,7 +1272,7 @@ goodbot_status goodbot_said(const struct goodbot *robot,
 // The functions from here to `goodbot_correct` are in a library with the feature `talk`. The packages for boards have none of them.
 //
 // Hears an utterance that may be no command, in the current state, and finds its reading. A session begins as with `goodbot_hear`; unless
-// the verdict is `SURE`, ask or wait. A robot needs about 20 lessons to tell commands from talk; until then, use `goodbot_hear`.
+// the verdict is `SURE`, ask or wait. A robot with few lessons is seldom sure.
 //
 // `closed_words` is a table of words such as "not", "and", "stop", in the language that is spoken (`docs/talk.md`), or null: a robot
 // without one asks back more often. `CLOSED_WORDS` if it is no such table. `pause` is null, or is called after each part of the work, with

@@ -28,6 +28,26 @@ pub fn agent(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Fai
     agent_beside(file, lifted, &Starter::default())
 }
 
+/// As [`agent`], for a world from a file. If the model was learned elsewhere, its words are taken along, and its belief about the trainer
+/// is not, as `goodbot teach` does it.
+///
+/// # Errors
+/// The errors of [`agent`].
+pub fn agent_elsewhere(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<AgentHeap>, Failure> {
+    let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
+    let bytes = read_model(file)?;
+    let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
+    let memory = learner::memory(&room_for(&contents), &contents.options.language, room_for_tasks(&contents));
+    let mut agent = Agent::new(memory, lifted, contents.options).map_err(|error| fault(&error))?;
+    if [0, agent.vocabulary()].contains(&contents.vocabulary) {
+        agent.restore(&bytes).map_err(|error| fault(&error))?;
+    } else {
+        let _ = words(&bytes).and_then(|words| agent.join(&words)).map_err(|error| fault(&error))?;
+    }
+    learn_fully(&mut agent);
+    Ok(agent)
+}
+
 /// As [`agent`], with the lessons of a starter added.
 ///
 /// # Errors

@@ -292,7 +292,7 @@ impl Agent {
     /// probable they are; `rest` is the rest of several commands, or None. A session begins, as with `hear`. `goes_on` hears such a rest,
     /// in the state after the previous command.
     ///
-    /// A robot with few lessons takes everything for a command, and so does one with the paper's language model.
+    /// A robot without lessons takes everything for a command, and so does one with the paper's language model.
     ///
     /// `closed_words` is a table of words such as "not", "and", "please", as text, in place of the built-in one, which
     /// `goodbot example closed-words` prints; an empty text has no words.

@@ -8,7 +8,6 @@ use goodbot::talk::{Class, Listened, Said, Verdict};
 use goodbot::task::{GroundedTask, LiftedTask, ground_with_done};
 use goodbot_lesson::closed_words::kept_table;
 use goodbot_lesson::conversing::Conversing;
-use goodbot_lesson::listening::tells_talk;
 use goodbot_lesson::walk::Listening;
 
 use crate::cells::MIND;
@@ -93,12 +92,8 @@ impl World {
     /// Why it cannot be heard; the training data are kept.
     pub fn listen(&mut self, words: &str, insists: bool) -> Result<Reaction, Refusal> {
         self.forget();
-        let knows_little = self.sessions() > 0 && !tells_talk(self.agent());
-        if let Some(task) = if knows_little && !insists { self.already(words)? } else { None } {
-            return Ok(Reaction { begun: false, verdict: "done", task, negated: false, command: String::new() });
-        }
         let environment = self.environment_now();
-        let mut listened = self.lesson.tell(words, environment).map_err(Refusal::from)?;
+        let mut listened = Some(self.lesson.tell(words, environment).map_err(Refusal::from)?);
         if insists && !self.lesson.is_under_way() && !self.lesson.is_prohibition() {
             let environment = self.environment_now();
             self.lesson.hear(words, environment).map_err(Refusal::from)?;

@@ -4,9 +4,8 @@
 //! [`World::learn`] until it is done, or [`World::forget`].
 
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy, population};
-use goodbot::home::{Home, HomeState, Place, ROOM};
+use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::Domain;
 use goodbot::planning::{Judgement, Progress};
 use goodbot::random::unit;
 use goodbot::session::{self, Finished};
@@ -24,9 +23,6 @@ use crate::route::Lookahead;
 use crate::view::{Belief, Decided, Evidence, Heat, Route, Support, Task, TrainerStyle};
 use crate::words::support;
 use crate::world::{Refusal, World, build, thing};
-
-/// A task that is done already counts as meant only if it is more probable than this.
-const CLEARLY: f32 = 0.6;
 
 impl World {
     /// Sets the trainer strategies, each with its prior, in any unit. If they equal the current belief to the last bit, nothing changes. A
@@ -75,44 +71,6 @@ impl World {
         self.lesson.hear(command, environment).map_err(Refusal::from)?;
         let Self { scout, lesson, .. } = self;
         scout.set_tasks(lesson.home(), lesson.agent.lifted(), lesson.agent.tasks()).map_err(Refusal::from)
-    }
-
-    /// The name of the task that the command clearly means, if it is done already; `None` if something is left to do. The mind hears no
-    /// task that already holds. So it hears the command with one thing moved into each of the other rooms in turn: every time, the task
-    /// must be clearly the most probable, and every word known. A session under way ends unlearned.
-    ///
-    /// # Errors
-    /// Why the command cannot be heard.
-    pub fn already(&mut self, command: &str) -> Result<Option<String>, Refusal> {
-        self.forget();
-        let (mind, home, state) = self.lesson.parts();
-        let around = |cell| home.objects().of_class(ROOM).find(|&room| home.area(room).holds_strictly(cell));
-        for thing in std::iter::once(home.agent()).chain(home.blocks().iter().copied()) {
-            let here = around(home.block_cell(state, thing).unwrap_or_else(|| home.agent_cell(state)));
-            let mut done = None;
-            for room in home.objects().of_class(ROOM).filter(|&room| here.is_some() && Some(room) != here) {
-                let cells = home.places().iter().map(Place::cell).filter(|&cell| around(cell) == Some(room));
-                let Some(elsewhere) = cells.filter_map(|cell| home.placed(state, &[(thing, cell)])).next() else { continue };
-                mind.hear(home, &elsewhere, command).map_err(Refusal::from)?;
-                let known = mind.language().tables().words();
-                let understood = mind.sentence().iter().all(|word| word.is_some_and(|word| word.index() < known));
-                let likely = mind.tasks().iter().enumerate().find(|&(position, _)| mind.belief().probability(position) > CLEARLY);
-                done = likely.filter(|_| understood).and_then(|(_, task)| {
-                    let lifted = mind.lifted().get(usize::from(task.lifted))?;
-                    // A way is about the path, which is not known here.
-                    let done = !lifted.has_way() && task.propositions(lifted).all(|part| home.holds(&part, state));
-                    done.then(|| task_name(home, lifted, task))
-                });
-                mind.forget_evidence();
-                if done.is_none() {
-                    break;
-                }
-            }
-            if done.is_some() {
-                return Ok(done);
-            }
-        }
-        Ok(None)
     }
 
     /// The belief that the robot would have on hearing a command in this home, given as JSON. It learns nothing from that, and everything

@@ -85,18 +85,12 @@ pub fn read<E>(
     Ok(())
 }
 
-/// A question in a world: a lesson for a command without its meaning.
+/// A question in a world without actions: a lesson for a command without its meaning.
 ///
 /// # Errors
 /// The fault of the world or of the command.
 pub fn question(file: &str, world: &WorldFile, command: &str, options: Options) -> Result<Lesson, Fault> {
     let asked = CommandRecord { line: 1, world: world.name.clone(), command: command.to_owned(), ..CommandRecord::default() };
-    if !world.actions.is_empty() {
-        let mut worlds = Worlds { options, believes: None, plans: false, worlds: HashMap::new(), conversations: HashMap::new() };
-        worlds.meet(file, &Arc::new(world.clone()))?;
-        let lesson = worlds.told(file, &asked, &[], None)?.ok_or_else(|| Fault::new(file, goodbot::AgentError::NoTask))?;
-        return Ok(Lesson { id: String::new(), learn: false, ..lesson });
-    }
     let readings = readings(world, &world.facts, &[], options.language.model);
     let readings: Arc<[Reading]> = readings.map_err(|error| Fault::new(file, error).in_field("task_kinds"))?.into();
     let read = first_words::read(command).map_err(|error| Fault::new(file, too_long(error)).in_field("command"))?;

@@ -103,19 +103,29 @@ pub fn ground_with_done<D: Domain + ?Sized>(
     Ok(count)
 }
 
-/// Gives the tasks of each kind that hold already the share `done` of the kind's prior, if there are others too.
+/// A share of this much or more is that of words which are mostly about what holds.
+const MOSTLY_DONE: f32 = 0.5;
+
+/// Gives the tasks of each kind that hold already the share `done` of the kind's prior, if there are others too. A command is seldom about
+/// what holds, so it makes no task that holds more than half as probable as one that is to do: among a hundred floors, a robot without
+/// words would otherwise stay where it is.
 pub(crate) fn share_with_done(lifted: &[LiftedTask], tasks: &mut [GroundedTask], done: f32, holds: impl Fn(&GroundProposition) -> bool) {
     for (position, kind) in lifted.iter().enumerate().filter(|(_, kind)| !kind.has_way()) {
-        let mut sums = [0.0_f32; 2];
+        let (mut sums, mut counts) = ([0.0_f32; 2], [0.0_f32; 2]);
         let of_kind = |task: &&mut GroundedTask| usize::from(task.lifted) == position;
         let part = |task: &GroundedTask| usize::from(task.propositions(kind).all(|part| holds(&part)));
         for task in tasks.iter_mut().filter(of_kind) {
-            sums.iter_mut().skip(part(task)).take(1).for_each(|sum| *sum += task.prior);
+            sums.iter_mut().zip(&mut counts).skip(part(task)).take(1).for_each(|(sum, count)| {
+                *sum += task.prior;
+                *count += 1.0;
+            });
         }
         let [open, held] = sums;
         if open == 0.0 || held == 0.0 {
             continue;
         }
+        let [to_do, held_tasks] = counts;
+        let done = if done < MOSTLY_DONE { done.min(held_tasks / (to_do + to_do + held_tasks)) } else { done };
         for task in tasks.iter_mut().filter(of_kind) {
             let share = if part(task) == 1 { done / held } else { (1.0 - done) / open };
             task.prior *= share * (open + held);

@@ -1,12 +1,13 @@
 //! Follows an utterance of several parts: a task for each part, and one plan for all.
 
 use super::plan::{Plan, plan};
-use goodbot::home::{Home, HomeState};
-use goodbot::memory::{AgentMemory, HomeMemory};
+use crate::teach::plain_names::task_words;
+use crate::teach::site::{Site, SiteState};
+use goodbot::memory::AgentMemory;
 use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
 use goodbot::task::GroundedTask;
 use goodbot::{Agent, AgentError};
-use goodbot_lesson::name::{in_words, task_name};
+use goodbot_lesson::name::task_name;
 
 /// The tasks of an utterance, one after another.
 #[derive(Clone, Debug)]
@@ -24,11 +25,11 @@ pub struct Followed {
     /// The steps of the plan, in order.
     pub steps: Vec<Step>,
     /// The state at the end.
-    pub end: HomeState,
+    pub end: SiteState,
 }
 
 /// A task, and the state in which it begins.
-pub type Step = (GroundedTask, HomeState);
+pub type Step = (GroundedTask, SiteState);
 
 /// Whether an utterance of this kind is followed differently from a plain command.
 pub const fn is_followed(hypothesis: Hypothesis) -> bool {
@@ -41,8 +42,8 @@ pub const fn is_followed(hypothesis: Hypothesis) -> bool {
 /// An [`AgentError`].
 pub fn follow(
     agent: &mut Agent<impl AgentMemory>,
-    home: &Home<impl HomeMemory>,
-    start: &HomeState,
+    site: &Site,
+    start: &SiteState,
     utterance: &str,
     closed: ClosedWords<'_>,
     first: Listened,
@@ -59,16 +60,16 @@ pub fn follow(
             else {
                 continue;
             };
-            names.push(task_name(home, &kind, &grounded).map(|name| name.to_string()).unwrap_or_default());
-            words.push(in_words(home, &kind, &grounded));
+            names.push(task_name(site, &kind, &grounded).map(|name| name.to_string()).unwrap_or_default());
+            words.push(task_words(site, &kind, &grounded));
             steps.push((grounded, state));
-            let planned = plan(agent, home, state, task)?;
+            let planned = plan(agent, site, state, task)?;
             state = planned.as_ref().map_or(state, |(_, end)| *end);
             whole = whole.zip(planned).map(|(whole, (more, _))| whole.and(more));
         }
         let Some(after) = part.rest.and_then(|at| rest.get(at..)) else { break };
         rest = after;
-        part = agent.listen_on(home, &state, rest, closed)?;
+        part = agent.listen_on(site, &state, rest, closed)?;
     }
     let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {
         Verdict::Done

@@ -1,55 +1,57 @@
 //! `goodbot ask`: the meaning of a command in a home or world.
 //!
-//! - [`meanings`]: the possible meanings, including tasks that are done already;
+//! The robot listens to the command once, as `goodbot teach` does: in homes and in worlds from files, from the first lesson on.
+//!
+//! - [`place`]: the place of a question, and the robot there;
+//! - [`meanings`]: what the robot hears, with the possible meanings;
 //! - [`following`]: several tasks in order, and prohibitions;
 //! - [`plan`]: the actions that lead to a goal;
 //! - [`why`]: the evidence of each word for a task;
 //! - [`drawing`]: the home as text;
-//! - [`in_world`]: commands in a world from a file, which has no home to draw.
+//! - [`told`]: commands in worlds without actions, where no robot listens.
 
 mod drawing;
 mod following;
-mod in_world;
-pub mod meanings;
+mod meanings;
+mod place;
 mod plan;
+mod told;
 mod why;
 
+use crate::teach::site::{Setting, Site, SiteState};
 use clap::{Args, ValueHint};
-use following::{Followed, Step};
 use goodbot::Agent;
 use goodbot::capacity::WORDS_PER_COMMAND;
-use goodbot::home::Map;
-use goodbot::home::{Home, HomeState, Moves};
+use goodbot::home::{Map, Moves};
 use goodbot::language::{Synonyms, first_words};
 use goodbot::memory::AgentMemory;
-use goodbot::memory::HomeMemory;
-use goodbot::talk::{ClosedWords, Hypothesis, Listened, Verdict};
+use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot_console::load::closed_words::ClosedWordOptions;
+use goodbot_console::load::content::Content;
 use goodbot_console::load::input;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
 use goodbot_console::messages::{counted, tell};
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
-use goodbot_console::restored;
 use goodbot_console::starter::StarterOptions;
-use goodbot_formats::environment::EnvironmentFile;
+use goodbot_console::training_data::worlds;
+use goodbot_console::whole_file::options_of_model;
 use goodbot_formats::session::SessionReader;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::world::{Line, SessionInWorld, WorldReader};
+use goodbot_lesson::Fault;
 use goodbot_lesson::checked::moves;
-use goodbot_lesson::name::{in_words, task_name};
-use goodbot_lesson::{Fault, home};
 use meanings::{Interpretation, Meaning};
+use place::Robots;
 use plan::{Plan, plan};
 use serde_json::json;
-use std::io::Write;
+use std::collections::{BTreeSet, HashMap};
+use std::io::{BufRead, Write};
 use std::path::PathBuf;
+use std::sync::Arc;
+use told::Told;
 use why::Word;
-
-/// The name of a plain command among the kinds of utterance.
-const COMMAND: &str = "a command";
-/// The belief from which on a robot with few lessons is sure.
-pub const SURE: f32 = 0.5;
 
 /// The options of `goodbot ask`.
 #[derive(Debug, Args)]
@@ -76,7 +78,7 @@ pub struct AskOptions {
     /// The intended task, such as "agentInRoom(agent0,room1)": shows word by word what supports it, and what supports the answer
     #[arg(long, value_name = "TASK", value_parser = expected)]
     expected: Option<GroundTaskText>,
-    /// Below this probability the answer is "unsure"; by default 0.5, and after 20 lessons by the number of lessons
+    /// Below this probability the answer is "unsure"; by default the robot decides
     #[arg(long, value_name = "P", value_parser = probability, allow_negative_numbers = true)]
     threshold: Option<f32>,
     #[command(flatten)]
@@ -99,14 +101,14 @@ pub struct AskOptions {
 }
 
 const EXAMPLES: &str = "\
-Tasks that are done already are possible meanings too; the plan is for the most likely task that is not done. After 20 lessons the robot also \
-tells the kind of sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. With fewer \
-lessons, each unknown word makes the answer less sure.
+Tasks that are done already are possible meanings too; the plan is for the most likely task that is not done. The robot also tells the kind of \
+sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. In a world without actions no robot \
+listens: without --threshold every answer is \"unsure\".
 
 Refused commands are reported on standard error; the others are asked.
 
-With --json, \"tasks\" are the robot's beliefs about the tasks that are still to do; \"meanings\" are the table that is shown without --json. A \
-command that is refused has a line of the type \"error\".
+With --json, \"tasks\" are the probabilities of the tasks if the sentence is a command, or its first command; \"meanings\" are the table that is \
+shown without --json. A command that is refused has a line of the type \"error\".
 
 Examples:
   goodbot ask --with words.goodbot --environment home.json go to the orange room
@@ -131,7 +133,9 @@ struct Question {
     session: Option<String>,
     /// Its file and line, for messages.
     source: String,
-    environment: EnvironmentFile,
+    setting: Setting,
+    /// The facts of a world from a file at the time of the command, if they differ from the file's.
+    facts: Option<Vec<GroundAtomText>>,
     moves: Moves,
     command: String,
     expected: Option<GroundTaskText>,
@@ -141,22 +145,12 @@ struct Question {
 struct Answer {
     /// The command with unknown words replaced by known synonyms.
     heard: String,
-    /// The robot's belief about tasks that are still to do, in order.
-    tasks: Vec<(String, f32)>,
-    /// The position of the most likely one.
-    best: usize,
-    meanings: Vec<Meaning>,
-    /// The kind of utterance; `None` if the robot has too few lessons to tell.
-    listened: Option<Listened>,
-    /// The tasks and the plan, if it is no plain command.
-    followed: Option<Followed>,
-    words: Vec<Word>,
+    understood: Interpretation,
     /// The intended task, its words, and how it explains the command's words.
     expected: Option<(GroundTaskText, String, Vec<Word>)>,
     plan: Option<Plan>,
-    /// The most likely tasks, each with the state in which it begins, and the state in which they end.
-    steps: Vec<Step>,
-    end: HomeState,
+    /// The state in which the most likely tasks end.
+    end: SiteState,
     /// How many words were not read.
     unread: usize,
 }
@@ -166,24 +160,19 @@ struct Answer {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &AskOptions) -> Result<(), Failure> {
-    if let Some(questions) = in_world::questions(options)? {
-        return in_world::ask(options, &questions);
-    }
-    let lifted = options.kinds.of_model(&options.with)?;
-    let starter = options.starter.of_model(&options.with, &lifted)?;
-    let mut agent = restored::agent_beside(&options.with, &lifted, &starter)?;
+    let questions = match questions(options)? {
+        Questions::Heard(questions) => questions,
+        Questions::Told(commands) => return told::ask(options, &commands),
+    };
+    let mut robots = Robots::new(options);
     let (synonyms, closed) = (options.synonyms.read()?, options.closed_words.read()?);
     let mut out = Printed::stdout();
     let mut state = None;
-    let questions = questions(options)?;
     let mut refused = 0_usize;
     for (number, question) in questions.iter().enumerate() {
-        let mut memory = home::memory();
-        let (home, start) = home::build(&question.environment, question.moves, &mut memory).map_err(|flaw| {
-            Failure::Input(format!("{}: field \"{}\": {}", question.source, flaw.field(), flaw.message(&question.environment)))
-        })?;
+        let (agent, site, start) = robots.at(question)?;
         let start = state.unwrap_or(start);
-        let answer = match answer(&mut agent, &home, &start, question, synonyms, closed) {
+        let answer = match answer(agent, &site, &start, question, synonyms, closed) {
             // The other commands are still asked.
             Err(Failure::Input(message)) if questions.len() > 1 => {
                 refused += 1;
@@ -193,7 +182,7 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
             answer => answer?,
         };
         if options.conversation && ["sure", "done"].contains(&answer.verdict(options.threshold)) {
-            answer.steps.iter().for_each(|(task, before)| agent.remember(&home, before, task));
+            answer.understood.steps.iter().for_each(|(task, before)| agent.remember(&site, before, task));
             state = Some(answer.end);
         }
         if options.json {
@@ -203,7 +192,11 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
         if number > 0 {
             writeln!(out)?;
         }
-        print(&mut out, options, question, &answer, &Map::new(&home, &start))?;
+        if let (Site::Floor(home), SiteState::Floor(start)) = (&site, &start) {
+            drawing::draw(&mut out, &Map::new(home, start))?;
+            writeln!(out)?;
+        }
+        print(&mut out, options, question, &answer)?;
     }
     out.flush()?;
     end(refused, questions.len())
@@ -231,30 +224,146 @@ fn end(refused: usize, commands: usize) -> Result<(), Failure> {
     }
 }
 
-fn questions(options: &AskOptions) -> Result<Vec<Question>, Failure> {
-    if let Some(log) = &options.log {
-        return sessions(options, log);
-    }
-    let Some(file) = &options.environment else { return Ok(vec![]) };
-    let commands = match options.command.as_slice() {
-        [only] if only == "-" && file == "-" => {
-            let message = "the home and the commands cannot both come from standard input; name a file for the home";
-            return Err(Failure::Input(message.to_owned()));
+/// The questions: to a robot that listens, or commands in worlds where none does.
+enum Questions {
+    Heard(Vec<Question>),
+    Told(Vec<Told>),
+}
+
+fn questions(options: &AskOptions) -> Result<Questions, Failure> {
+    let Some(file) = options.log.as_ref().or(options.environment.as_ref()) else { return Ok(Questions::Heard(vec![])) };
+    // Standard input is read once, for a home.
+    if file != "-" {
+        let mut opened = input::open(file)?;
+        // A file that cannot be read is refused later, when it is read.
+        if opened.fill_buf().map(Content::of).ok() == Some(Content::Worlds) {
+            if options.pull || options.starter.is_given() {
+                return Err(Failure::Input("--pull and --starter are for homes; leave them out in a world from a file".to_owned()));
+            }
+            return if options.log.is_some() { in_log_of_worlds(options, file, opened) } else { in_world(options, file, opened) };
         }
-        [only] if only == "-" => lines()?,
-        words => vec![words.join(" ")],
-    };
-    let environment = input::home(file)?;
+    }
+    if let Some(log) = &options.log {
+        return sessions(options, log).map(Questions::Heard);
+    }
+    let commands = commands(options, file)?;
+    let setting = Setting::Floor(input::home(file)?);
+    Ok(Questions::Heard(asked(options, file, &setting, commands)))
+}
+
+/// The commands of the options, in one place.
+fn asked(options: &AskOptions, file: &str, setting: &Setting, commands: Vec<String>) -> Vec<Question> {
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
     let question = |command| Question {
         session: None,
         source: input::name(file).to_owned(),
-        environment: environment.clone(),
+        setting: setting.clone(),
+        facts: None,
         moves,
         command,
         expected: options.expected.clone(),
     };
-    Ok(commands.into_iter().map(question).collect())
+    commands.into_iter().map(question).collect()
+}
+
+/// The commands of the options, or those of standard input if it is not the place.
+fn commands(options: &AskOptions, file: &str) -> Result<Vec<String>, Failure> {
+    match options.command.as_slice() {
+        [only] if only == "-" && file == "-" => {
+            let message = "the home and the commands cannot both come from standard input; name a file for the home";
+            Err(Failure::Input(message.to_owned()))
+        }
+        [only] if only == "-" => lines(),
+        words => Ok(vec![words.join(" ")]),
+    }
+}
+
+/// The questions in a world from a file.
+fn in_world(options: &AskOptions, file: &str, opened: impl BufRead) -> Result<Questions, Failure> {
+    let name = input::name(file);
+    let world = input::WorldInFile::parse(name, input::rest(name, opened)?)?.world;
+    let commands = commands(options, file)?;
+    if !world.actions.is_empty() {
+        return Ok(Questions::Heard(asked(options, file, &Setting::Other(Arc::new(world)), commands)));
+    }
+    refuse_why(options)?;
+    let model = options_of_model(&options.with)?;
+    let question = |command: &String| match worlds::question(name, &world, command, model) {
+        // The other commands are still asked.
+        Err(refused) if commands.len() > 1 && refused.field.as_deref() == Some("command") => Ok(Err((command.clone(), refused.message))),
+        question => Ok(Ok(question?)),
+    };
+    commands.iter().map(question).collect::<Result<_, Failure>>().map(Questions::Told)
+}
+
+/// In worlds without actions, no robot listens and tells why.
+fn refuse_why(options: &AskOptions) -> Result<(), Failure> {
+    if options.why || options.expected.is_some() || options.conversation {
+        let message = "--why, --expected and --conversation are for homes, and for worlds with actions; leave them out here";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    Ok(())
+}
+
+/// The questions of a log of worlds.
+fn in_log_of_worlds(options: &AskOptions, file: &str, opened: impl BufRead) -> Result<Questions, Failure> {
+    let name = input::name(file);
+    let is_wanted = |id: &Option<String>| options.session.is_none() || *id == options.session;
+    let (mut questions, mut known, mut acting) = (Vec::new(), HashMap::new(), BTreeSet::new());
+    for line in WorldReader::new(opened) {
+        match line.map_err(|error| Fault::from_format(name, error))? {
+            Line::World(world) => {
+                acting.insert(!world.actions.is_empty());
+                known.insert(world.name.clone(), world);
+            }
+            Line::Session(recorded) => {
+                let SessionInWorld { world, facts, session } = *recorded;
+                let intended = session.header.meant().and_then(Result::ok);
+                questions.push(Question {
+                    source: format!("{name}:{}", session.header_line),
+                    session: session.header.id,
+                    setting: Setting::Other(world),
+                    facts: Some(facts),
+                    moves: Moves::Push,
+                    command: session.header.command,
+                    expected: options.expected.clone().or(intended),
+                });
+            }
+            // A command that also ends a proposition has no task.
+            Line::Command(command) => {
+                let Some(world) = known.get(&command.world).filter(|_| command.ended.is_empty()) else { continue };
+                questions.push(Question {
+                    source: format!("{name}:{}", command.line),
+                    session: command.id,
+                    setting: Setting::Other(Arc::clone(world)),
+                    facts: command.facts,
+                    moves: Moves::Push,
+                    command: command.command,
+                    expected: options.expected.clone().or(GroundTaskText::new(command.intended).ok()),
+                });
+            }
+        }
+    }
+    questions.retain(|question| is_wanted(&question.session));
+    match (acting.contains(&true), acting.contains(&false)) {
+        (true, true) => Err(Failure::Input(format!("{name}: has worlds with actions and worlds without; ask each in a log of its own"))),
+        (true, false) if questions.is_empty() => Err(no_such_command(name)),
+        (true, false) => Ok(Questions::Heard(questions)),
+        (false, _) => {
+            refuse_why(options)?;
+            let (mut lessons, mut left) = (Vec::new(), usize::MAX);
+            worlds::read(name, input::open(file)?, options_of_model(&options.with)?, None, false, &mut left, |lesson| {
+                lessons.extend(lesson?);
+                Ok::<(), Failure>(())
+            })?;
+            lessons.retain(|lesson| is_wanted(&lesson.header.id));
+            if lessons.is_empty() { Err(no_such_command(name)) } else { Ok(Questions::Told(lessons.into_iter().map(Ok).collect())) }
+        }
+    }
+}
+
+fn no_such_command(name: &str) -> Failure {
+    Failure::Input(format!("{name}: has no such command; check its id"))
 }
 
 /// The commands of standard input, one on each line.
@@ -289,7 +398,8 @@ fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
             source: format!("{name}:{}", recorded.header_line),
             moves: moves(header.action_names()).unwrap_or(Moves::Push),
             session: header.id,
-            environment: header.environment,
+            setting: Setting::Floor(header.environment),
+            facts: None,
             command: header.command,
             expected: options.expected.clone().or(intended),
         });
@@ -306,8 +416,8 @@ fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
 
 fn answer(
     agent: &mut Agent<impl AgentMemory>,
-    home: &Home<impl HomeMemory>,
-    start: &HomeState,
+    site: &Site,
+    start: &SiteState,
     question: &Question,
     synonyms: Synonyms<'_>,
     closed: ClosedWords<'_>,
@@ -320,49 +430,34 @@ fn answer(
     let heard = said_in_known_words(synonyms, agent.language(), first)?.into_owned() + unheard;
     let read = first_words(&heard);
     let unread = heard.get(read.len()..).map_or(0, |rest| rest.split_whitespace().count());
-    let Interpretation { listened, followed, steps, meanings } = meanings::meanings(agent, home, start, &heard, closed)?;
-    let mut tasks = Vec::new();
-    for (position, task) in agent.tasks().iter().enumerate() {
-        let Some(kind) = agent.lifted().get(usize::from(task.lifted)) else { continue };
-        let text = task_name(home, kind, task).map_err(|error| Failure::Input(error.to_string()))?;
-        tasks.push((text, agent.belief().probability(position)));
-    }
-    let to_do = meanings.iter().find(|meaning| !meaning.done).filter(|_| listened.is_some());
-    let position = to_do.and_then(|meaning| tasks.iter().position(|(name, _)| name.to_string() == meaning.name));
-    let best = position.or_else(|| agent.most_likely()).unwrap_or(0);
-    let expected = match &question.expected {
-        None => None,
-        Some(task) => {
-            let position = tasks.iter().position(|(name, _)| name.is_same(task));
-            let grounded = position.and_then(|position| agent.tasks().get(position));
-            let kind = grounded.and_then(|grounded| agent.lifted().get(usize::from(grounded.lifted)));
-            let done = meanings.iter().find(|it| it.done && it.name.parse().is_ok_and(|name: GroundTaskText| name.is_same(task)));
-            match (grounded.zip(kind), position, done) {
-                (Some((grounded, kind)), Some(position), _) => {
-                    let text = in_words(home, kind, grounded);
-                    let words = why::words(agent, home, start, read, position)?;
-                    Some((task.clone(), text, words))
-                }
-                (_, _, Some(done)) => Some((task.clone(), done.words.clone(), vec![])),
-                _ if is_of_parts(task) => Some((task.clone(), "several parts".to_owned(), vec![])),
-                _ => {
-                    let known: Vec<&str> = meanings.iter().map(|meaning| meaning.name.as_str()).collect();
-                    let message = format!("{}: {task} is no task here; tasks are {}", question.source, known.join(", "));
-                    return Err(Failure::Input(message));
-                }
-            }
+    let is_expected = |name: &str| question.expected.as_ref().is_some_and(|task| is_named(name, task));
+    let understood = meanings::meanings(agent, site, start, (&heard, read), closed, is_expected)?;
+    let expected = match (&question.expected, &understood.for_expected) {
+        (None, _) => None,
+        (Some(task), Some((at, words))) => {
+            let text = understood.tasks.get(*at).map_or_else(String::new, |task| task.words.clone());
+            Some((task.clone(), text, words.clone()))
+        }
+        (Some(task), None) if is_of_parts(task) => Some((task.clone(), "several parts".to_owned(), vec![])),
+        (Some(task), None) => {
+            let known: Vec<&str> = understood.tasks.iter().map(|task| task.name.as_str()).collect();
+            let message = format!("{}: {task} is no task here; tasks are {}", question.source, known.join(", "));
+            return Err(Failure::Input(message));
         }
     };
-    let words = why::words(agent, home, start, read, best)?;
-    let is_to_do = listened.is_none_or(|listened| listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done);
-    let (plan, end) = match &followed {
-        Some(followed) => (followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure), followed.end),
-        None if tasks.is_empty() || !is_to_do => (None, *start),
-        None => plan(agent, home, *start, best)?.map_or((None, *start), |(plan, end)| (Some(plan), end)),
+    let listened = &understood.listened;
+    let is_to_do = listened.hypothesis == Hypothesis::Command && listened.verdict != Verdict::Done;
+    let (plan, end) = match (&understood.followed, understood.best) {
+        (Some(followed), _) => (followed.plan.clone().filter(|_| followed.verdict == Verdict::Sure), followed.end),
+        (None, Some(best)) if is_to_do => plan(agent, site, *start, best)?.map_or((None, *start), |(plan, end)| (Some(plan), end)),
+        (None, _) => (None, *start),
     };
-    let tasks = tasks.into_iter().map(|(name, probability)| (name.to_string(), probability)).collect();
-    let unread = if followed.is_some() { 0 } else { unread };
-    Ok(Answer { heard, tasks, best, meanings, listened, followed, words, expected, plan, steps, end, unread })
+    let unread = if understood.followed.is_some() { 0 } else { unread };
+    Ok(Answer { heard, understood, expected, plan, end, unread })
+}
+
+fn is_named(name: &str, task: &GroundTaskText) -> bool {
+    name.parse().is_ok_and(|name: GroundTaskText| name.is_same(task))
 }
 
 /// Whether a task is a prohibition, or several tasks in order.
@@ -371,61 +466,61 @@ fn is_of_parts(task: &GroundTaskText) -> bool {
 }
 
 impl Answer {
+    /// How many tasks that are still to do are as likely as the likeliest of them.
     fn tied(&self) -> usize {
-        let likeliest = self.tasks.get(self.best).map_or(0.0, |(_, share)| *share);
-        self.tasks.iter().filter(|&&(_, share)| share >= likeliest).count()
+        let to_do = || self.understood.tasks.iter().filter(|task| !task.done);
+        let likeliest = self.to_do().map_or(0.0, |task| task.probability);
+        to_do().filter(|task| task.probability >= likeliest).count()
+    }
+
+    /// The likeliest task that is still to do.
+    fn to_do(&self) -> Option<&Meaning> {
+        self.understood.tasks.get(self.understood.best?)
     }
 
     /// The purpose of the plan, if the likeliest meaning is done already and the plan is for another.
     fn purpose(&self) -> String {
-        let planned = self.tasks.get(self.best).map(|(name, _)| name);
-        match (self.meanings.first(), self.meanings.iter().find(|meaning| Some(&meaning.name) == planned)) {
-            (Some(first), Some(planned)) if first.done => format!(" to {}, which is still to do", planned.words),
+        match (self.understood.meanings.first(), self.to_do()) {
+            (Some(first), Some(planned)) if first.done && self.understood.followed.is_none() => {
+                format!(" to {}, which is still to do", planned.words)
+            }
             _ => String::new(),
         }
     }
 
-    /// The kind of utterance.
-    fn taken_for(&self) -> String {
-        self.listened.map_or_else(|| COMMAND.to_owned(), |listened| listened.hypothesis.to_string())
-    }
-
-    /// The most likely task. It is one that is still to do, unless a robot that listens answers that the task is done.
+    /// The most likely task. It is one that is still to do, unless the robot answers that the task is done.
     fn task(&self) -> Option<&String> {
-        match (&self.listened, self.meanings.first()) {
-            (_, Some(first)) if self.followed.is_some() => Some(&first.name),
-            (Some(listened), Some(first)) if listened.verdict == Verdict::Done => Some(&first.name),
-            _ => self.tasks.get(self.best).map(|(name, _)| name),
+        match self.understood.meanings.first() {
+            Some(first) if self.understood.followed.is_some() || self.understood.listened.verdict == Verdict::Done => Some(&first.name),
+            _ => self.to_do().map(|task| &task.name),
         }
     }
 
     /// `sure`, `unsure`, `done` or `none`.
     fn verdict(&self, threshold: Option<f32>) -> &'static str {
-        let first = self.meanings.first();
-        let is_sure = match (&self.listened, threshold) {
-            (Some(listened), None) => {
-                let verdict = self.followed.as_ref().map_or(listened.verdict, |followed| followed.verdict);
-                matches!(verdict, Verdict::Sure | Verdict::Done)
-            }
-            (_, threshold) => first.is_some_and(|first| first.probability >= threshold.unwrap_or(SURE)),
+        let Interpretation { listened, followed, meanings, .. } = &self.understood;
+        let is_sure = match threshold {
+            None => matches!(followed.as_ref().map_or(listened.verdict, |followed| followed.verdict), Verdict::Sure | Verdict::Done),
+            Some(threshold) => meanings.first().is_some_and(|first| first.probability >= threshold),
         };
-        match (is_sure, first) {
+        match (is_sure, meanings.first()) {
             (true, Some(Meaning { done: true, .. })) => "done",
             (true, _) => "sure",
-            _ if self.listened.is_some_and(|listened| listened.verdict == Verdict::None) => "none",
+            _ if listened.verdict == Verdict::None => "none",
             _ => "unsure",
         }
     }
 }
 
 fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serde_json::Value {
-    let tasks: serde_json::Map<_, _> = answer.tasks.iter().map(|(name, share)| (name.clone(), json!(share))).collect();
+    let Interpretation { tasks, words, meanings, listened, .. } = &answer.understood;
+    let tasks: serde_json::Map<_, _> = tasks.iter().map(|task| (task.name.clone(), json!(task.probability))).collect();
     let word = |it: &Word| json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
     let meaning = |it: &Meaning| json!({"task": it.name, "words": it.words, "probability": it.probability, "done": it.done});
     let mut line = json!({
         "type": "answer", "command": question.command, "task": answer.task(), "tied": answer.tied(),
-        "tasks": tasks, "plan": answer.plan.as_ref().map(|plan| &plan.actions), "exact": answer.plan.as_ref().map(|plan| plan.is_exact), "words": answer.words.iter().map(word).collect::<Vec<_>>(),
-        "taken_for": answer.taken_for(), "verdict": answer.verdict(threshold), "meanings": answer.meanings.iter().map(meaning).collect::<Vec<_>>(),
+        "tasks": tasks, "plan": answer.plan.as_ref().map(|plan| &plan.actions), "exact": answer.plan.as_ref().map(|plan| plan.is_exact), "words": words.iter().map(word).collect::<Vec<_>>(),
+        "taken_for": listened.hypothesis.to_string(), "verdict": answer.verdict(threshold), "meanings": meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
     if answer.heard != question.command {
         line["heard"] = answer.heard.as_str().into();
@@ -443,25 +538,18 @@ fn to_json(answer: &Answer, question: &Question, threshold: Option<f32>) -> serd
     line
 }
 
-fn print(
-    out: &mut Printed,
-    options: &AskOptions,
-    question: &Question,
-    answer: &Answer,
-    map: &Map<'_, impl HomeMemory>,
-) -> Result<(), Failure> {
-    drawing::draw(out, map)?;
+fn print(out: &mut Printed, options: &AskOptions, question: &Question, answer: &Answer) -> Result<(), Failure> {
     let session = question.session.as_ref().map_or_else(String::new, |id| format!("{}: ", id.escape_debug()));
-    writeln!(out, "\n{session}\"{}\"", question.command.escape_debug())?;
+    writeln!(out, "{session}\"{}\"", question.command.escape_debug())?;
     if answer.heard != question.command {
         writeln!(out, "heard as \"{}\"", answer.heard.escape_debug())?;
     }
-    for meaning in &answer.meanings {
+    for meaning in &answer.understood.meanings {
         let done = if meaning.done { "  (already done here)" } else { "" };
         writeln!(out, "  {:6.3}  {:44} {}{done}", meaning.probability, meaning.words, meaning.name)?;
     }
     let unheard: Vec<String> =
-        answer.words.iter().filter(|word| word.probability.is_none()).map(|word| format!("{:?}", word.word)).collect();
+        answer.understood.words.iter().filter(|word| word.is_never_heard()).map(|word| format!("{:?}", word.word)).collect();
     if !unheard.is_empty() {
         writeln!(out, "\nnever heard: {}", unheard.join(", "))?;
     }
@@ -472,13 +560,13 @@ fn print(
     if answer.tied() > 1 {
         writeln!(out, "the plan is for one of {} equally likely", answer.tied())?;
     }
-    let purpose = if answer.followed.is_some() { String::new() } else { answer.purpose() };
+    let purpose = answer.purpose();
     match &answer.plan {
         Some(plan) if plan.actions.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
         Some(plan) if plan.is_exact => writeln!(out, "plan{purpose}: {}", plan.actions.join(" "))?,
         Some(plan) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.actions.join(" "))?,
         None if answer.verdict(options.threshold) == "done" => writeln!(out, "no plan: it is done already")?,
-        None if answer.taken_for() != COMMAND => writeln!(out, "no plan: I do nothing that I was not told")?,
+        None if answer.understood.listened.hypothesis != Hypothesis::Command => writeln!(out, "no plan: I do nothing that I was not told")?,
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
     if let Some((task, words, _)) = &answer.expected {
@@ -493,16 +581,17 @@ fn print(
 
 fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std::io::Result<()> {
     let percent = |meaning: &Meaning| format!("{} ({:.0} % sure)", meaning.words, 100.0 * meaning.probability);
-    match (answer.verdict(threshold), answer.meanings.as_slice()) {
+    let taken_for = answer.understood.listened.hypothesis;
+    match (answer.verdict(threshold), answer.understood.meanings.as_slice()) {
         ("done", [first, ..]) => writeln!(out, "\nanswer: already done here: {}", percent(first)),
         ("sure", [first, ..]) => writeln!(out, "\nanswer: {}", percent(first)),
-        ("none", _) => writeln!(out, "\nanswer: none of what I can do here; I take it for {}", answer.taken_for()),
-        (_, [first, second, ..]) if answer.taken_for() == COMMAND => {
+        ("none", _) => writeln!(out, "\nanswer: none of what I can do here; I take it for {taken_for}"),
+        (_, [first, second, ..]) if taken_for == Hypothesis::Command => {
             writeln!(out, "\nanswer: unsure: {}, or {}", percent(first), percent(second))
         }
-        (_, [_, _, ..]) => writeln!(out, "\nanswer: unsure: I take it for {}", answer.taken_for()),
-        (_, [first]) if answer.taken_for() != COMMAND => {
-            writeln!(out, "\nanswer: unsure: I take it for {}: {}", answer.taken_for(), percent(first))
+        (_, [_, _, ..]) => writeln!(out, "\nanswer: unsure: I take it for {taken_for}"),
+        (_, [first]) if taken_for != Hypothesis::Command => {
+            writeln!(out, "\nanswer: unsure: I take it for {taken_for}: {}", percent(first))
         }
         (_, [first]) => writeln!(out, "\nanswer: unsure: {}", percent(first)),
         (_, []) => writeln!(out, "\nanswer: there is nothing to do"),
@@ -513,15 +602,15 @@ fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std
 fn words(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
     let expected = answer.expected.as_ref().map(|(_, _, words)| words.as_slice()).filter(|words| !words.is_empty());
     let width = |texts: &mut dyn Iterator<Item = &String>| texts.map(|text| text.chars().count()).max().unwrap_or(0).max(14);
-    let said = width(&mut answer.words.iter().map(|word| &word.word));
-    let token = width(&mut answer.words.iter().chain(expected.unwrap_or(&[])).map(|word| &word.token));
+    let said = width(&mut answer.understood.words.iter().map(|word| &word.word));
+    let token = width(&mut answer.understood.words.iter().chain(expected.unwrap_or(&[])).map(|word| &word.token));
     match expected {
         None => writeln!(out, "\n{:said$}    {:token$}  share of it", "word", "explained by")?,
         Some(_) => {
             writeln!(out, "\n{:said$}    {:token$}  {:token$}  how much more for the prediction", "word", "predicted by", "expected by")?
         }
     }
-    for (position, word) in answer.words.iter().enumerate() {
+    for (position, word) in answer.understood.words.iter().enumerate() {
         match expected.and_then(|words| words.get(position)) {
             None => writeln!(out, "  {:said$}  {:token$}  {:6.2}", word.word, word.token, word.share)?,
             Some(other) => {

@@ -20,12 +20,22 @@ pub struct Word {
     pub token: String,
     /// That token's share of the word's probability.
     pub share: f32,
-    /// The word's probability given the task; `None` for a word never heard.
+    /// The word's probability given the task; `None` for a word never heard, or left out.
     pub probability: Option<f32>,
 }
 
-/// The words of the agent's last command in `start`, each with its best explanation if the task is meant: a role and its value, or a
-/// machine token of the task's most likely machine command.
+/// The token of a word that training never had.
+const NEVER_HEARD: &str = "never heard";
+
+impl Word {
+    /// Whether training never had the word.
+    pub fn is_never_heard(&self) -> bool {
+        self.token == NEVER_HEARD
+    }
+}
+
+/// The words that the agent has listened to in `start`, each with its best explanation if the task is meant: a role and its value, or a
+/// machine token of the task's most likely machine command. Words that the robot did not take for a part of the command are `left out`.
 ///
 /// # Errors
 /// An [`AgentError`] if the task does not fit.
@@ -54,7 +64,7 @@ pub fn words<D: Domain>(
     let said = heard(Model::Model2, command).unwrap_or_default();
     let word = |(position, it): (usize, training::Explained)| Word {
         word: said.get(position).cloned().unwrap_or(it.word),
-        token: if it.probability.is_some() { it.token } else { "never heard".to_owned() },
+        token: if it.probability.is_some() { it.token } else { NEVER_HEARD.to_owned() },
         share: it.share,
         probability: it.probability,
     };
@@ -82,23 +92,43 @@ fn words_by_roles<D: Domain>(
             *slot = probability;
         }
     });
-    let (said, schema) = (heard(Model::Roles, command).unwrap_or_default(), domain.world().schema);
-    let word = |position: usize, word: Option<Symbol>, meaning: Option<(Meaning, f32)>| {
-        let heard = word.filter(|word| word.index() < language.tables().words());
+    let schema = domain.world().schema;
+    let is_known = |word: &Symbol| word.index() < language.tables().words();
+    let told = |position: usize| {
+        let heard = sentence.get(position).copied().flatten().filter(is_known);
+        let meaning = meanings.get(position).copied().flatten();
         let token = match meaning.filter(|_| heard.is_some()) {
-            None => "never heard".to_owned(),
+            None => NEVER_HEARD.to_owned(),
             Some((Meaning::Background, _)) => "no meaning".to_owned(),
             Some((Meaning::Task, _)) => "kind of task".to_owned(),
             Some((Meaning::Value(role, value), _)) => format!("{} {}", role_name(&schema, role), language.tokens().text(value)),
         };
-        Word {
-            word: said.get(position).cloned().unwrap_or_default(),
-            token,
-            share: meaning.map_or(0.0, |(_, share)| share),
-            probability: heard.and_then(|_| probabilities.get(position).copied()),
-        }
+        let probability = heard.and_then(|_| probabilities.get(position).copied());
+        (token, meaning.map_or(0.0, |(_, share)| share), probability)
     };
-    Ok(sentence.iter().zip(meanings).enumerate().map(|(position, (&said, meaning))| word(position, said, meaning)).collect())
+    // The sentence has some of the words, each as itself or as the known word that it is a slip of.
+    let mut left: Vec<usize> = (0..sentence.len()).collect();
+    let mut take = |of: &dyn Fn(Option<Symbol>) -> bool| {
+        let at = left.iter().position(|&at| of(sentence.get(at).copied().flatten()))?;
+        Some(left.remove(at))
+    };
+    let (said, all) = (heard(Model::Roles, command).unwrap_or_default(), language.words());
+    let symbols: Vec<Option<Symbol>> = said.iter().map(|word| all.find(word)).collect();
+    let mut positions: Vec<Option<usize>> = symbols.iter().map(|&symbol| take(&|other| other == symbol)).collect();
+    for (position, symbol) in positions.iter_mut().zip(&symbols) {
+        if position.is_none() && !symbol.is_some_and(|word| is_known(&word)) {
+            *position = take(&|_| true);
+        }
+    }
+    let word = |(word, position, symbol): (String, Option<usize>, Option<Symbol>)| {
+        let (token, share, probability) = match position {
+            Some(position) => told(position),
+            None if symbol.is_some_and(|word| is_known(&word)) => ("left out".to_owned(), 0.0, None),
+            None => (NEVER_HEARD.to_owned(), 0.0, None),
+        };
+        Word { word, token, share, probability }
+    };
+    Ok(said.into_iter().zip(positions).zip(symbols).map(|((said, position), symbol)| word((said, position, symbol))).collect())
 }
 
 /// A role in words.

@@ -61,13 +61,13 @@ fn four_sessions_are_enough_to_understand_a_new_command_in_a_new_home() {
 }
 
 #[test]
-fn a_command_that_says_nothing_leaves_the_answer_unsure() {
+fn words_that_no_lesson_had_are_taken_for_nothing_that_the_robot_can_do() {
     let folder = tempfile::tempdir().expect("a folder");
     let model = folder.path().join("words.goodbot");
     let model = model.to_str().expect("a name");
     assert_eq!(goodbot(&["learn", &example("sessions.jsonl"), "--out", model], b"").code, 0);
     let asked = goodbot(&["ask", "--with", model, "--environment", &example("home.json"), "xyzzy plugh"], b"");
-    assert!(asked.output.contains("answer: unsure"), "{}", asked.output);
+    assert!(asked.output.contains("answer: none of what I can do here"), "{}", asked.output);
 }
 
 #[test]

@@ -25,6 +25,7 @@ mod merge;
 mod microbit;
 mod models_apart;
 mod nothing_lost;
+mod one_door;
 mod one_lesson;
 mod paper;
 mod parameters;

@@ -247,6 +247,11 @@ fn not_to_follow(home: &Home) -> Vec<Said> {
     said.into_iter().map(|words| (words, None)).collect()
 }
 
+/// The sentences of a home, of all kinds.
+pub fn sentences(home: &Home) -> Vec<String> {
+    [to_follow(home), to_follow_in_parts(home), not_to_follow(home)].concat().into_iter().map(|(words, _)| words).collect()
+}
+
 #[test]
 fn after_enough_lessons_what_is_meant_is_followed_and_the_rest_is_not_taken_for_a_task() {
     let (_folder, model) = taught(120, &ENGLISH);

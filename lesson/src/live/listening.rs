@@ -5,12 +5,13 @@
 //! is one. Each part is a session of its own, with feedback of its own. [`Lesson::forget`] stops between parts.
 
 use super::{Lesson, LiveError, Session};
-use crate::listening::{listen, tells_talk};
+use crate::listening::{expects_new_words, listen};
 use crate::place::Place;
 use crate::replay::expect_ends;
 use crate::walk::Listening;
+use goodbot::language::first_words;
 use goodbot::talk::{Class, ClosedWords, Hypothesis, Listened, Verdict};
-use goodbot::task::GroundedTask;
+use goodbot::task::{GroundedTask, TaskSet};
 
 /// The rest of an utterance.
 #[derive(Clone, Debug)]
@@ -42,7 +43,9 @@ fn is_followed(listened: &Listened, is_negated: bool, insists: bool) -> bool {
 /// The words before the rest of an utterance, without the connective.
 fn part<'u>(utterance: &'u str, rest: Option<usize>, closed: ClosedWords<'_>) -> &'u str {
     // After "before ..., ..." the rest is the whole utterance once more, and so is the command.
-    let Some(mut part) = rest.filter(|&rest| rest > 0).and_then(|rest| utterance.get(..rest)) else { return utterance.trim() };
+    let Some(mut part) = rest.filter(|&rest| rest > 0).and_then(|rest| utterance.get(..rest)) else {
+        return first_words(utterance.trim()).trim_end();
+    };
     loop {
         part = part.trim_end_matches(|letter: char| !letter.is_alphanumeric());
         let last = part.rsplit(char::is_whitespace).next().unwrap_or_default();
@@ -68,22 +71,25 @@ impl<D: Place> Lesson<D> {
         self.begin_part(Ahead { listening, after: None, left: None, insists }, environment)
     }
 
-    /// Tells the robot something. After some lessons it [listens](Self::listen). Before that every utterance is a command, and `None` is
-    /// returned. If the same words are said twice and there was nothing to do, they count as a command too, unless they forbid something.
+    /// Tells the robot something: it [listens](Self::listen). The words count as a command if the robot found nothing to do although it
+    /// [expects new words](expects_new_words), or although the same was said before. A prohibition, and what is done already, stays what it
+    /// is. The verdict is that of listening in any case.
     ///
     /// # Errors
     /// The errors of [`Agent::listen`](goodbot::Agent::listen) and [`Agent::hear`](goodbot::Agent::hear).
-    pub fn tell(&mut self, words: &str, environment: D::Record) -> Result<Option<Listened>, LiveError> {
+    pub fn tell(&mut self, words: &str, environment: D::Record) -> Result<Listened, LiveError> {
         let is_again = self.declined.take().is_some_and(|declined| declined == words);
-        if tells_talk(&self.agent) {
-            let listened = self.listen(words, environment.clone(), is_again)?;
-            if self.is_under_way() || !is_again || self.is_prohibition() {
-                self.declined = (!self.is_under_way()).then(|| words.to_owned());
-                return Ok(Some(listened));
-            }
+        let mut listened = self.listen(words, environment.clone(), is_again)?;
+        let may_be_new = matches!(listened.hypothesis, Hypothesis::Nothing | Hypothesis::Several | Hypothesis::All);
+        let is_command = is_again || may_be_new && listened.verdict != Verdict::Done && expects_new_words(&self.agent);
+        if self.is_under_way() || !is_command || self.is_prohibition() {
+            self.declined = (!self.is_under_way()).then(|| words.to_owned());
+            return Ok(listened);
         }
-        self.hear(words, environment)?;
-        Ok(None)
+        self.hear(first_words(words).trim_end(), environment)?;
+        (listened.task, listened.rest) = (self.agent.most_likely().unwrap_or(0), None);
+        listened.tasks = TaskSet::of(listened.task);
+        Ok(listened)
     }
 
     /// Begins a recorded session again. The log gives `listening` and the task of the command before.

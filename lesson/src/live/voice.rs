@@ -1,7 +1,6 @@
 //! Words during a session and between sessions, as [`goodbot::Agent::said`] reads them.
 
 use super::{Lesson, LiveError};
-use crate::listening::tells_talk;
 use crate::place::Place;
 use crate::walk::SessionAnswer;
 use goodbot::AgentError;
@@ -26,8 +25,8 @@ impl<D: Place> Lesson<D> {
             Some(_) => Stage::Stepped,
         };
         let said = self.agent.said(words, self.closed, stage, |word| self.voice.count(word))?;
-        // With few lessons, no pointing word is learned; without an earlier command, there is nothing to point at.
-        let is_new = !tells_talk(&self.agent) || self.conversation().facts.is_empty();
+        // Without an earlier command, there is nothing to point at.
+        let is_new = self.conversation().facts.is_empty();
         let may_point = stage == Stage::Between && matches!(said, Said::Command | Said::Nothing(Class::No));
         if may_point && is_new && self.changes_what_was_before(words, said)? {
             return Ok(Said::Nothing(Class::Back));

@@ -11,8 +11,8 @@ use crate::teach::table::Table;
 use goodbot::asking::{Answer, Asking};
 use goodbot::feedback::Feedback;
 use goodbot::session::Evidence;
+use goodbot::talk::Class;
 use goodbot::talk::Said;
-use goodbot::talk::{Class, Hypothesis};
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use lines::Lines;
@@ -224,13 +224,12 @@ impl Speaker<'_> {
         let (certainty, meant) = (pupil.certainty(), pupil.taken_for().to_string());
         let declined = match heard {
             Reaction::Command => None,
-            Reaction::Done(words) => Some(("done", Hypothesis::Command, Some(words))),
-            Reaction::Nothing(taken_for) => Some(("none", *taken_for, None)),
+            Reaction::Done(words) => Some(("done", Some(words))),
+            Reaction::Nothing(_) => Some(("none", None)),
         };
-        if let Some((verdict, taken_for, words)) = declined {
-            let taken_for = taken_for.to_string();
+        if let Some((verdict, words)) = declined {
             return Ok(
-                json!({"type": "heard", "command": said, "verdict": verdict, "certainty": certainty, "taken_for": taken_for, "done": words}),
+                json!({"type": "heard", "command": said, "verdict": verdict, "certainty": certainty, "taken_for": meant, "done": words}),
             );
         }
         let words: Vec<Value> = self.support()?;

@@ -17,11 +17,9 @@ mod thoughts;
 pub use goodbot_lesson::live::Acted;
 pub use thoughts::{Idea, Meaning, WordSupport};
 
-use crate::ask::SURE;
 use crate::teach::scene::{Scene, scene};
 use crate::teach::site::{Recorded, Setting, Site, SiteState, session, session_mut};
 use crate::teach::table::{Table, table};
-use goodbot::capacity::Capacity;
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
@@ -30,7 +28,7 @@ use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
 use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
 use goodbot::task::LiftedTask;
-use goodbot::{Agent, AgentError, Capacities};
+use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::load::kinds::with_kinds;
 use goodbot_console::load::synonyms::said_in_known_words;
@@ -43,8 +41,7 @@ use goodbot_course::generator;
 use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
-use goodbot_lesson::listening::tells_talk;
-use goodbot_lesson::live::{Lesson, LiveError};
+use goodbot_lesson::live::Lesson;
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
 use starter_sessions::StarterSessions;
@@ -78,7 +75,7 @@ pub struct Pupil {
     believes: Option<Believes>,
     /// The starter.
     starter_sessions: StarterSessions,
-    /// The result of listening to the last command, if the robot listens.
+    /// The result of listening to the last command; `None` if its intended task was given with it.
     listened: Option<Listened>,
     /// How many words of the last command were not read.
     unread: usize,
@@ -256,8 +253,8 @@ impl Pupil {
     /// Hears a command in the present state. A session under way ends unlearned. `intention` is the intended task, if it is known: it goes
     /// to the log, and is never learned from.
     ///
-    /// After some lessons, the robot listens, and begins with the first part that is still to do. If the same words are said twice and
-    /// there was nothing to do, they count as a command too, unless they forbid something.
+    /// The robot listens, and begins with the first part that is still to do. If the same words are said twice and there was nothing to do,
+    /// they count as a command too, unless they forbid something.
     pub fn hear(&mut self, command: &str, id: Option<String>, intention: Option<&Intention>) -> Result<Reaction, Failure> {
         self.forget();
         (self.id, self.intended, self.listened) = (id, None, None);
@@ -271,19 +268,10 @@ impl Pupil {
             return Ok(Reaction::Command);
         }
         // A conversation has the name of its first session.
-        if let Some(id) = self.id.as_ref().filter(|_| tells_talk(&self.lesson.agent)) {
+        if let Some(id) = &self.id {
             self.lesson.name_conversation(id);
         }
-        // A robot that listens reads a long utterance in parts.
-        let told = if tells_talk(&self.lesson.agent) { command } else { read.words };
-        self.listened = match self.lesson.tell(told, environment.clone()) {
-            // A long command that is said again is heard by its first words.
-            Err(LiveError::Agent(AgentError::Capacity(full))) if full.capacity == Capacity::WordsPerCommand => {
-                self.lesson.hear(read.words, environment)?;
-                None
-            }
-            told => told?,
-        };
+        self.listened = Some(self.lesson.tell(command, environment)?);
         if self.listened.is_some_and(|listened| listened.rest.is_some()) {
             self.unread = 0;
         }
@@ -318,12 +306,10 @@ impl Pupil {
 
     /// The verdict on the last command: `sure`, `unsure`, `done` or `none`, as in `goodbot ask`.
     pub fn certainty(&self) -> &'static str {
-        let is_sure = || self.meanings().first().is_some_and(|meaning| meaning.probability >= SURE);
         match self.listened.map(|listened| listened.verdict) {
             Some(Verdict::Done) => "done",
             Some(Verdict::None) => "none",
             Some(Verdict::Sure) => "sure",
-            None if is_sure() => "sure",
             Some(Verdict::Unsure) | None => "unsure",
         }
     }

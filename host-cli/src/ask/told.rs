@@ -1,0 +1,89 @@
+//! Commands in worlds without actions. No robot acts there, so none listens either: the words alone give each task its probability, and
+//! whether it is a command stays open.
+
+use super::{AskOptions, end, tell_refused, unread_words};
+use goodbot::Capacities;
+use goodbot::language::{LanguageModel, Synonyms};
+use goodbot::memory::AgentHeap;
+use goodbot_console::load::synonyms::in_known_words;
+use goodbot_console::messages::counted;
+use goodbot_console::outcome::Failure;
+use goodbot_console::printed::Printed;
+use goodbot_console::restored;
+use goodbot_console::training_data::{Lesson, training};
+use goodbot_lesson::first_words::read;
+use serde_json::json;
+use std::io::Write;
+
+/// The most meanings that are printed.
+const TOLD: usize = 10;
+
+/// A command, or a refused command with the reason.
+pub type Told = Result<Lesson, (String, String)>;
+
+/// Answers the commands.
+///
+/// # Errors
+/// [`Failure`].
+pub fn ask(options: &AskOptions, commands: &[Told]) -> Result<(), Failure> {
+    let mut memory = AgentHeap::new(&Capacities::NONE);
+    let mut model = restored::language(&options.with, &mut memory, commands.iter().flatten(), false)?;
+    let synonyms = options.synonyms.read()?;
+    let mut out = Printed::stdout();
+    let mut refused = 0_usize;
+    for (number, lesson) in commands.iter().enumerate() {
+        let lesson = match lesson {
+            Ok(lesson) => lesson,
+            Err((command, message)) => {
+                refused += 1;
+                tell_refused(&mut out, options, command, message)?;
+                continue;
+            }
+        };
+        let meanings = meanings(&mut model, synonyms, lesson)?;
+        let Some((best, share)) = meanings.first() else { continue };
+        let verdict = if options.threshold.is_some_and(|threshold| *share >= threshold) { "sure" } else { "unsure" };
+        let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
+        let told = meanings.iter().take(TOLD);
+        let said = &lesson.header.command;
+        let unread = read(said).ok().and_then(|read| read.long()).map(|long| long.unread());
+        if options.json {
+            let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
+            let mut line = json!({
+                "type": "answer", "session": lesson.header.id, "command": said, "task": best, "tasks": tasks,
+                "of": meanings.len(), "verdict": verdict, "expected": meant,
+            });
+            if let Some(unread) = unread {
+                line["unread"] = unread.into();
+            }
+            writeln!(out, "{line}")?;
+            continue;
+        }
+        if number > 0 {
+            writeln!(out)?;
+        }
+        writeln!(out, "\"{}\"", said.escape_debug())?;
+        for (name, share) in told {
+            writeln!(out, "  {share:6.3}  {name}")?;
+        }
+        if unread.is_some() {
+            writeln!(out, "{}", unread_words())?;
+        }
+        writeln!(out, "{verdict}: {best}, of {}", counted(meanings.len(), "task"))?;
+        if let Some(meant) = meant {
+            writeln!(out, "intended: {meant}")?;
+        }
+    }
+    out.flush()?;
+    end(refused, commands.len())
+}
+
+/// The tasks that a command may mean, the most probable first, with their probabilities.
+fn meanings(model: &mut LanguageModel<&mut AgentHeap>, synonyms: Synonyms<'_>, lesson: &Lesson) -> Result<Vec<(String, f32)>, Failure> {
+    let heard = in_known_words(synonyms, model.read(), &lesson.command)?;
+    let posterior = training::posterior(model, &Lesson { command: heard, ..lesson.clone() })?;
+    let mut meanings: Vec<(String, f32)> =
+        lesson.readings.iter().zip(&posterior).map(|(reading, &share)| (reading.name.to_string(), share)).collect();
+    meanings.sort_by(|a, b| b.1.total_cmp(&a.1));
+    Ok(meanings)
+}
