@@ -8,7 +8,6 @@ mod debian;
 mod npm;
 mod texts;
 mod try_out;
-mod twice;
 
 use std::path::{Path, PathBuf};
 
@@ -64,9 +63,6 @@ pub struct Options {
     /// Builds the command line for this target, such as x86_64-unknown-linux-musl, after `rustup target add`
     #[arg(long)]
     target: Option<String>,
-    /// Makes the packages once more, of a copy in another folder, and compares their bytes
-    #[arg(long, conflicts_with = "try_out")]
-    twice: bool,
     /// Makes nothing: installs what is in dist/release by its own tools, each in an empty folder, and uses it
     #[arg(long)]
     try_out: bool,
@@ -85,9 +81,6 @@ pub fn run(options: &Options) -> Result<()> {
     if options.try_out {
         return try_out::run(&sh, &to, options.packages());
     }
-    if options.twice {
-        twice::is_possible(&sh)?;
-    }
     sh.create_dir(&to)?;
     let texts = Texts::new(&sh)?;
     if texts.text("@REPOSITORY@").is_empty() {
@@ -101,8 +94,7 @@ pub fn run(options: &Options) -> Result<()> {
         package.make(&sh, &texts, &to, options.target.as_deref())?;
     }
     no_places(&sh, &to)?;
-    checksums(&sh, &to)?;
-    if options.twice { twice::compare(&sh, options, &to) } else { Ok(()) }
+    checksums(&sh, &to)
 }
 
 impl Package {
