@@ -30,8 +30,7 @@ pub struct FloorCell {
     pub y: i16,
     /// The cells to the north, south, east and west: those at distance 1, or [`CellId::NONE`].
     pub neighbours: [CellId; 4],
-    /// The region of the cell, such as a room or a door, below 32. If memory is too small for the whole floor, plans are made within a few
-    /// regions. A floor without regions has 0 everywhere.
+    /// The region of the cell, such as a room or a door. A floor without regions has 0 everywhere.
     pub region: u8,
 }
 

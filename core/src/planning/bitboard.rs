@@ -10,42 +10,27 @@
 //! If the robot's cell determines the progress of the tasks' way, each layer of the way has its own rows. A cell that brings progress takes
 //! the state to the row of another layer, and no move leaves a cell to avoid.
 //!
-//! The approximate plans use the same search in a smaller [`View`] of the floor.
+//! The approximate plans use the same search with fewer pieces that move (see [`View`]).
 
 mod expand;
 
-use super::bits::{entry, entry_words, set_entry, take_from};
+use super::bits::take_from;
 use super::goals::Goals;
 use super::one_by_one::StateSearch;
 use crate::oomdp::{Action, ActionSet, CellId, Divider, Floor, FloorCell, Piece, PushGrid, own_actions};
 use crate::task::{Part, TaskSet, Way, WayState};
 
-/// A subgoal of a task: one piece goes to a cell.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Subgoal {
-    pub(super) task: usize,
-    pub(super) piece: Piece,
-    /// The cell, or `None` for any cell that satisfies the task.
-    pub(super) to: Option<CellId>,
-}
-
-/// The part of the state space to search. Except in the whole view, pieces that are not in `moving` stay in place, as walls, and cells
-/// outside the window are walls too. Without the feature `approximate` it is always the whole.
+/// The part of the state space to search. Pieces that are not in `moving` stay in place, as walls. Without the feature `approximate` it is always
+/// the whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View {
     /// The pieces that can change their cells, one bit each; the robot's is set.
     pub(super) moving: u32,
-    /// The regions in which they stay, one bit each.
-    pub(super) window: u32,
-    /// The subgoal, instead of the tasks' goals.
-    pub(super) subgoal: Option<Subgoal>,
 }
 
 impl View {
-    /// All regions.
-    pub(super) const ALL: u32 = u32::MAX;
-    /// The whole floor, with all pieces.
-    pub(super) const WHOLE: Self = Self { moving: u32::MAX, window: Self::ALL, subgoal: None };
+    /// All pieces.
+    pub(super) const WHOLE: Self = Self { moving: u32::MAX };
 
     #[inline]
     fn moves(&self, piece: Piece) -> bool {
@@ -57,53 +42,13 @@ impl View {
         !cfg!(feature = "approximate") || self.moving == Self::WHOLE.moving
     }
 
-    #[inline]
-    const fn is_of_all_regions(&self) -> bool {
-        !cfg!(feature = "approximate") || self.window == Self::ALL
-    }
-
-    #[inline]
-    fn subgoal(&self) -> Option<Subgoal> {
-        self.subgoal.filter(|_| cfg!(feature = "approximate"))
-    }
-
     /// The moving pieces except the robot, one bit each.
     fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> u32 {
         (1..grid.pieces()).map(|piece| Piece(piece as u8).bit()).fold(0, |pieces, piece| pieces | piece) & self.moving
     }
-
-    #[inline]
-    fn has(&self, cell: &FloorCell) -> bool {
-        self.is_of_all_regions() || self.window & region(cell) != 0
-    }
-
-    /// The tasks that a piece on this cell does not rule out.
-    #[inline]
-    fn allowed<G: PushGrid + ?Sized>(&self, goals: &Goals<'_>, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
-        match self.subgoal() {
-            None => goals.allowed(grid, state, piece, cell),
-            Some(subgoal) if subgoal.piece != piece => TaskSet::of(subgoal.task),
-            Some(Subgoal { task, to: None, .. }) => goals.allowed(grid, state, piece, cell).common(TaskSet::of(task)),
-            Some(Subgoal { task, to: Some(to), .. }) => {
-                if to == cell {
-                    TaskSet::of(task)
-                } else {
-                    TaskSet::EMPTY
-                }
-            }
-        }
-    }
 }
 
-/// The region of a cell, as a bit set.
-pub(super) const fn region(cell: &FloorCell) -> u32 {
-    match 1_u32.checked_shl(cell.region as u32) {
-        Some(region) => region,
-        None => 1 << 31,
-    }
-}
-
-/// The smallest box around the cells of a view, as a layout of bits.
+/// The smallest box around the cells of a floor, as a layout of bits.
 #[derive(Clone, Copy, Debug)]
 struct Bits {
     left: i16,
@@ -112,13 +57,13 @@ struct Bits {
     /// of a line to the beginning of another.
     width: usize,
     len: usize,
-    /// The number of cells of the view.
+    /// The number of cells.
     cells: usize,
 }
 
 impl Bits {
-    fn new(floor: &Floor<'_>, view: &View) -> Option<Self> {
-        let mut cells = floor.cells.iter().filter(|cell| view.has(cell));
+    fn new(floor: &Floor<'_>) -> Option<Self> {
+        let mut cells = floor.cells.iter();
         let first = cells.next()?;
         let start = (first.x, first.x, first.y, 1_usize);
         let (left, right, top, count) =
@@ -236,9 +181,8 @@ impl WayPlanes {
 
 /// The layout of the marks, and the progress of the search.
 ///
-/// First, for a window, the cells by their rank in it; then planes over the floor: its cells, the free ones, for each task that depends on
-/// the robot's cell the cells where it may hold, and the planes of the way; then four bit sets over the rows; then the rows, those of the
-/// first layer first.
+/// First, planes over the floor: its cells, the free ones, for each task that depends on the robot's cell the cells where it may hold, and the
+/// planes of the way; then four bit sets over the rows; then the rows, those of the first layer first.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RowSearch {
     view: View,
@@ -262,8 +206,7 @@ pub(super) struct RowSearch {
     /// The numbers of words of a row, and of a bit set over the rows.
     stride: usize,
     set: usize,
-    /// The starts of the planes over the floor, of the bit sets and of the rows.
-    floor_at: usize,
+    /// The starts of the bit sets and of the rows.
     sets_at: usize,
     rows_at: usize,
     /// The planes of the current distance and of the next.
@@ -277,7 +220,7 @@ pub(super) struct RowSearch {
     laid: Option<u16>,
 }
 
-/// From this ratio of box cells to view cells on, expanding states one by one is faster.
+/// From this ratio of box cells to cells on, expanding states one by one is faster.
 const SPARSE: usize = 16;
 /// The bit sets over the rows: two of the frontier, the rows ever reached, and the candidate rows.
 const SETS: usize = 4;
@@ -311,22 +254,16 @@ impl RowSearch {
         if !goals.table.of_several().common(tasks).is_empty() || grid.actions().iter().any(|kind| kind.cost != 1) {
             return None;
         }
-        let bits = Bits::new(&floor, &view)?;
-        let is_whole = view.is_of_all_regions();
-        if is_whole && bits.len / SPARSE > bits.cells && StateSearch::fits(grid, words) {
+        let bits = Bits::new(&floor)?;
+        if bits.len / SPARSE > bits.cells && StateSearch::fits(grid, words) {
             return None;
         }
         let pieces = view.pieces(grid);
         let rows = bits.cells.checked_pow(pieces.count_ones())?;
-        let (of_robot, of_others) = match view.subgoal() {
-            None => (goals.table.of_robot().common(tasks), goals.table.of_others()),
-            Some(Subgoal { piece: Piece::ROBOT, .. }) => (tasks, TaskSet::EMPTY),
-            Some(_) => (TaskSet::EMPTY, tasks),
-        };
+        let (of_robot, of_others) = (goals.table.of_robot().common(tasks), goals.table.of_others());
         let actions = own_actions(grid).count();
         let plane = bits.len.div_ceil(64);
         let stride = plane.checked_mul(actions.saturating_add(2))?;
-        let floor_at = if is_whole { 0 } else { entry_words(bits.cells) };
         let planes = 2_usize.wrapping_add(of_robot.len());
         let way = match way {
             None => None,
@@ -335,7 +272,7 @@ impl RowSearch {
         let (layers, way_planes) = way.map_or((1, 0), |way| (way.layers, way.count()));
         let all_rows = rows.checked_mul(layers)?;
         let set = all_rows.div_ceil(64);
-        let sets_at = plane.checked_mul(planes.wrapping_add(way_planes))?.checked_add(floor_at)?;
+        let sets_at = plane.checked_mul(planes.wrapping_add(way_planes))?;
         let rows_at = set.checked_mul(SETS)?.checked_add(sets_at)?;
         if all_rows.checked_mul(stride)?.checked_add(rows_at)? > words {
             return None;
@@ -356,7 +293,6 @@ impl RowSearch {
             only_robot: of_robot.without(of_others),
             stride,
             set,
-            floor_at,
             sets_at,
             rows_at,
             here: actions,
@@ -387,7 +323,7 @@ impl RowSearch {
 
     #[inline]
     const fn floor_plane_at(&self, plane: usize) -> usize {
-        self.floor_at.wrapping_add(plane.wrapping_mul(self.words))
+        plane.wrapping_mul(self.words)
     }
 
     /// The plane of the cells where a task that depends on the robot's cell may hold.
@@ -479,21 +415,14 @@ impl RowSearch {
         };
         let from = usize::from(self.laid.unwrap_or(0));
         let to = from.saturating_add(most).min(floor.cells.len());
-        let has = |cell: &FloorCell| self.view.has(cell);
-        let mut rank = if self.floor_at > 0 { floor.cells.iter().take(from).filter(|cell| has(cell)).count() } else { 0 };
-        let cells = floor.ids().zip(floor.cells).take(to).skip(from);
-        for (id, cell) in cells.filter(|(_, cell)| has(cell)) {
-            if self.floor_at > 0 {
-                set_entry(marks, rank, id.0);
-            }
-            rank = rank.wrapping_add(1);
+        for (id, cell) in floor.ids().zip(floor.cells).take(to).skip(from) {
             let bit = self.bits.of(cell);
             let mut mark = |plane: usize| set_bit(marks, self.floor_plane_at(plane), bit);
             mark(CELLS);
             if !frozen(id) {
                 mark(FREE);
             }
-            let here = self.view.allowed(goals, grid, state, Piece::ROBOT, id);
+            let here = goals.allowed(grid, state, Piece::ROBOT, id);
             here.common(self.of_robot).iter().for_each(|task| mark(self.plane_of(task)));
             if let (Some((way, _)), Some(planes)) = (way, self.way()) {
                 let there = grid.put(state, Piece::ROBOT, id);
@@ -525,7 +454,7 @@ impl RowSearch {
         let candidates = self.set_at(CANDIDATES);
         marks.get_mut(candidates..candidates.wrapping_add(self.set)).unwrap_or(&mut []).fill(u64::MAX);
         let layer = way.map_or(0, |(way, now)| usize::from(way.layer(now)));
-        if let Some(start) = self.spot(grid, state, state, marks) {
+        if let Some(start) = self.spot(grid, state, state) {
             let start = self.in_layer(start, layer);
             // The start is marked as reached, so that it is not reached again.
             self.reach(marks, start, ActionSet::of(Action(0)));
@@ -540,43 +469,29 @@ impl RowSearch {
         }
         for action in applicable.iter().filter(|&action| action != Action::NOOP) {
             let next = grid.step(state, action).filter(|next| next != state);
-            if let Some(next) = next.and_then(|next| self.spot(grid, state, &next, marks)) {
+            if let Some(next) = next.and_then(|next| self.spot(grid, state, &next)) {
                 let next = self.come_to(marks, self.in_layer(next, layer));
                 self.reach(marks, next, ActionSet::of(action));
             }
         }
     }
 
-    /// The rank of a cell among those of the view.
+    /// The cell at a bit: its number is that of the cells before it.
     #[inline]
-    fn rank(&self, floor: &Floor<'_>, cell: CellId, marks: &[u64]) -> Option<usize> {
-        if self.floor_at == 0 {
-            return Some(cell.index());
-        }
-        floor.cells.get(cell.index()).filter(|cell| self.view.has(cell)).map(|cell| self.rank_of_bit(marks, self.bits.of(cell)))
-    }
-
-    /// The rank of the cell at a bit: the number of cells before it.
-    #[inline]
-    fn rank_of_bit(&self, marks: &[u64], bit: usize) -> usize {
-        let cells = marks.get(self.floor_at..self.floor_at.wrapping_add(self.words)).unwrap_or(&[]);
+    fn cell_of_bit(&self, marks: &[u64], bit: usize) -> CellId {
+        let cells = marks.get(..self.words).unwrap_or(&[]);
         let before: u32 = cells.iter().take(bit / 64).map(|word| word.count_ones()).sum();
         let within = cells.get(bit / 64).map_or(0, |word| (word & ((1 << (bit % 64)) - 1)).count_ones());
-        before.wrapping_add(within) as usize
+        CellId(before.wrapping_add(within) as u16)
     }
 
+    /// The place of a state; `None` if a frozen piece has moved.
     #[inline]
-    fn cell(&self, rank: usize, marks: &[u64]) -> CellId {
-        CellId(if self.floor_at == 0 { rank as u16 } else { entry(marks, rank) })
-    }
-
-    /// The place of a state; `None` if a frozen piece has moved, or a piece has left the window.
-    #[inline]
-    fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State, marks: &[u64]) -> Option<Spot> {
+    fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State) -> Option<Spot> {
         let floor = grid.floor();
         let (mut row, mut weight) = (0_usize, 1_usize);
         for piece in self.pieces() {
-            row = row.wrapping_add(self.rank(&floor, grid.cell(state, piece), marks)?.wrapping_mul(weight));
+            row = row.wrapping_add(grid.cell(state, piece).index().wrapping_mul(weight));
             weight = weight.wrapping_mul(self.bits.cells);
         }
         if !self.view.moves_all() {
@@ -585,19 +500,19 @@ impl RowSearch {
                 return None;
             }
         }
-        let robot = floor.cells.get(grid.cell(state, Piece::ROBOT).index()).filter(|cell| self.view.has(cell))?;
+        let robot = floor.cells.get(grid.cell(state, Piece::ROBOT).index())?;
         Some(Spot { row, bit: self.bits.of(robot) })
     }
 
     /// A state of a row, with the robot on any cell, and the bits of the other moving pieces in the row's first word.
     #[inline]
-    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize, marks: &[u64]) -> (G::State, u64) {
+    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize) -> (G::State, u64) {
         let (mut state, mut rest, mut occupied, cells) = (*now, self.row_in_layer(row) as u64, 0, grid.floor().cells);
         let last = self.pieces.checked_ilog2().unwrap_or(0);
         for piece in self.pieces() {
             // The remainder is the last digit.
-            let (more, rank) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
-            let cell = self.cell(rank as usize, marks);
+            let (more, cell) = if u32::from(piece.0) == last { (0, rest) } else { self.by_cells.split(rest) };
+            let cell = CellId(cell as u16);
             let bit = cells.get(cell.index()).map_or(64, |cell| self.bits.of(cell));
             occupied |= if bit < 64 { 1 << bit } else { 0 };
             state = grid.put(&state, piece, cell);

@@ -24,17 +24,20 @@ pub(super) fn take_from(bits: &mut [u64], cursor: &mut usize) -> Option<usize> {
 }
 
 /// The number of words for this many 16-bit entries.
+#[cfg(feature = "bounds")]
 pub(super) const fn entry_words(entries: usize) -> usize {
     entries.div_ceil(4)
 }
 
 /// An entry of an array of 16-bit entries.
+#[cfg(feature = "bounds")]
 #[inline]
 pub(super) fn entry(words: &[u64], at: usize) -> u16 {
     bytemuck::try_cast_slice(words).ok().and_then(|entries: &[u16]| entries.get(at)).copied().unwrap_or(0)
 }
 
 /// Sets an entry of an array of 16-bit entries.
+#[cfg(feature = "bounds")]
 #[inline]
 pub(super) fn set_entry(words: &mut [u64], at: usize, value: u16) {
     let entries: &mut [u16] = bytemuck::try_cast_slice_mut(words).unwrap_or(&mut []);
@@ -57,6 +60,7 @@ mod tests {
         assert_eq!(taken, [5, 64, 130]);
     }
 
+    #[cfg(feature = "bounds")]
     #[test]
     fn entries_side_by_side_are_kept_apart() {
         let mut words = [0; 3];

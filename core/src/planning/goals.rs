@@ -33,6 +33,7 @@ impl Sign {
 
 /// A ground proposition, or its negation, and the tasks that contain it.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct GoalPart {
     proposition: GroundProposition,
     sign: Sign,
@@ -182,7 +183,7 @@ impl Goals<'_> {
     }
 
     /// The pieces whose cells decide a task, one bit each; `None` if no single piece decides one of its propositions.
-    #[cfg(feature = "approximate")]
+    #[cfg(any(feature = "approximate", feature = "bounds"))]
     pub(super) fn pieces_of(&self, task: usize) -> Option<u32> {
         let mut parts = self.parts().filter(|part| part.tasks.contains(task));
         parts.try_fold(0, |pieces, part| Some(pieces | part.piece?.bit()))

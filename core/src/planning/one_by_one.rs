@@ -240,6 +240,7 @@ fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
 
 /// The least [`Capacities::states`](crate::Capacities::states) with room for every state of a domain, so that plans are exact. It is the
 /// number of states if there are at most 8 actions of cost 1, and more otherwise. `None` if the states cannot be counted.
+#[doc(hidden)]
 pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
     let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
     let words = Frontier::new(count, ring(domain), bytes(domain)).words();

@@ -28,6 +28,7 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 
 /// The tables of a [`Planner`], lent to it for each call. Do not change their contents between its calls.
 #[derive(Debug)]
+#[doc(hidden)]
 pub struct PlanTables<'t> {
     /// One entry per distinct ground proposition.
     pub goal_parts: &'t mut [GoalPart],
@@ -155,6 +156,7 @@ enum Stage {
 
 /// Plans for one state after another. It holds no tables: they are lent to each call.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct Planner {
     goals: GoalTable,
     /// The tasks with a way.
@@ -275,8 +277,6 @@ impl Planner {
             }
             let is_part = match &self.stage {
                 Stage::Tabulate | Stage::RuleOut(_) => true,
-                #[cfg(feature = "approximate")]
-                Stage::Approximate(approximation) => is_search || approximation.is_on_errand(),
                 _ => is_search,
             };
             // A step that cannot be split is left to the next call, unless nothing was done in this one.
@@ -300,7 +300,7 @@ impl Planner {
                 }
                 #[cfg(feature = "approximate")]
                 Stage::Approximate(_) => {
-                    self.next_approximate(tables, domain, state, &mut left);
+                    self.next_approximate(tables, domain, &mut left);
                     continue;
                 }
                 #[cfg(feature = "bounds")]
@@ -473,20 +473,20 @@ impl Planner {
     /// Continues to the next approximate search; planning is done if none is left.
     #[cfg(feature = "approximate")]
     #[inline(never)]
-    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, left: &mut u32) {
         let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
         let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
             self.stage = Stage::Done;
             return;
         };
-        if !approximation.is_on_errand() && !matches!(self.marked, Marked::Nothing) {
+        if !matches!(self.marked, Marked::Nothing) {
             self.marked.clear_on(tables.marks, left);
             return;
         }
         let (goals, marks, _, results) = tables.split(&self.goals, &mut self.found);
-        match approximation.next(grid, &goals, state, open, marks, left) {
+        match approximation.next(grid, &goals, open, marks.len(), left) {
             None => self.stage = Stage::Done,
-            Some(None) => self.marked = if approximation.is_on_errand() { Marked::Anything(0) } else { Marked::Nothing },
+            Some(None) => {}
             Some(Some((tasks, rows))) => {
                 (results.found.level, results.found.sought) = (0, tasks);
                 self.marked = Marked::Rows(rows, None);

@@ -9,6 +9,7 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet, Way, WayState};
 
 /// The planned tasks, with the progress of their ways.
 #[derive(Clone, Copy, Debug, Default)]
+#[doc(hidden)]
 pub struct Ways<'t> {
     /// The lifted tasks.
     pub lifted: &'t [LiftedTask],

@@ -41,4 +41,3 @@ mod sound_domains;
 mod understanding;
 mod unlearning;
 mod ways;
-mod windows_of_regions;

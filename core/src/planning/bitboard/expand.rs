@@ -19,7 +19,7 @@ impl RowSearch {
         now: &G::State,
     ) -> Option<u32> {
         let row = self.take(marks)?;
-        let (state, occupied) = self.state_of_row(grid, now, row, marks);
+        let (state, occupied) = self.state_of_row(grid, now, row);
         self.meet(marks, results, grid, goals, &state, row);
         if let Some(way) = self.way() {
             self.stay_where_avoided(marks, &way, row);
@@ -153,7 +153,7 @@ impl RowSearch {
                 }
                 let robot = self.bits.ahead(piece, direction ^ 1);
                 let first = first.iter().rev().fold(0, |set, plane| set << 1 | u16::from(plane & robot != 0));
-                if let Some(row) = self.row_after_push(marks, grid, state, row, bit, direction) {
+                if let Some(row) = self.row_after_push(grid, state, row, bit, direction) {
                     let to = self.come_to(marks, Spot { row, bit });
                     self.reach(marks, to, ActionSet(first));
                 }
@@ -164,21 +164,12 @@ impl RowSearch {
 
     /// The row after a push of the piece on this bit.
     #[inline]
-    fn row_after_push<G: PushGrid + ?Sized>(
-        &self,
-        marks: &[u64],
-        grid: &G,
-        state: &G::State,
-        row: usize,
-        bit: usize,
-        direction: usize,
-    ) -> Option<usize> {
+    fn row_after_push<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, row: usize, bit: usize, direction: usize) -> Option<usize> {
         let (floor, mut weight) = (grid.floor(), 1_usize);
         for piece in self.pieces() {
             let from = grid.cell(state, piece);
             if self.bit_of(grid, state, piece) == Some(bit) {
-                let to = self.rank(&floor, floor.neighbour(from, direction), marks)?;
-                let by = to.wrapping_sub(self.rank(&floor, from, marks)?);
+                let by = floor.neighbour(from, direction).index().wrapping_sub(from.index());
                 return Some(row.wrapping_add(by.wrapping_mul(weight)));
             }
             weight = weight.wrapping_mul(self.bits.cells);
@@ -274,7 +265,7 @@ impl RowSearch {
         let mut tasks = sought.common(self.only_robot);
         let candidates = self.set_at(CANDIDATES).wrapping_add(row / 64);
         if marks.get(candidates).is_some_and(|word| word >> (row % 64) & 1 == 1) {
-            let allowed = |piece| self.view.allowed(goals, grid, state, piece, grid.cell(state, piece));
+            let allowed = |piece| goals.allowed(grid, state, piece, grid.cell(state, piece));
             let more = self.pieces().fold(sought.without(self.only_robot), |more, piece| more.common(allowed(piece)));
             // The sought tasks become fewer, so a row that is no candidate now never becomes one again.
             if more.is_empty()
@@ -324,11 +315,11 @@ impl RowSearch {
                     first = ActionSet(first.0 | u16::from(has(at)) << action);
                     at = at.wrapping_add(self.words);
                 }
-                let here = grid.put(state, Piece::ROBOT, self.cell(self.rank_of_bit(marks, bit), marks));
+                let here = grid.put(state, Piece::ROBOT, self.cell_of_bit(marks, bit));
                 for action in core::iter::once(toward).chain(self.others.iter()) {
                     expansions = expansions.wrapping_add(1);
                     let next = grid.step(&here, action).filter(|next| *next != here);
-                    if let Some(next) = next.and_then(|next| self.spot(grid, now, &next, marks)) {
+                    if let Some(next) = next.and_then(|next| self.spot(grid, now, &next)) {
                         let next = self.come_to(marks, self.in_layer(next, self.layer(row)));
                         self.reach(marks, next, first);
                     }
