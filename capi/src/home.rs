@@ -225,7 +225,7 @@ pub unsafe extern "C" fn goodbot_home_build(robot: *mut Goodbot) -> GoodbotStatu
 ///
 /// # Safety
 /// `robot` is null or a handle.
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_home_derived(robot: *mut Goodbot, derived: bool) -> GoodbotStatus {
     // SAFETY: the caller's promise.

@@ -80,7 +80,7 @@ mod half_bytes {
             Check(u32::MAX)
         }
 
-        #[cfg(any(test, feature = "storage"))]
+        #[cfg(any(test, feature = "snapshot"))]
         pub(crate) fn checksum(&self, bytes: &[u8]) -> u32 {
             let mut check = self.digest();
             check.update(bytes);

@@ -46,22 +46,20 @@
 //! | `voice` | praise, blame, "stop", "yes" in words (feature `voice`) |
 //! | `talk` | what people say besides commands, and what words such as "it" refer to (feature `talk`) |
 //! | [`snapshot`] | the learned parameters and training data as bytes (feature `snapshot`) |
-//! | [`storage`] | those bytes in flash, safe from power cuts (feature `storage`) |
+//! | [`storage`] | those bytes in flash, safe from power cuts (feature `snapshot`) |
 //!
 //! Beside them: [`capacity`] and [`mod@memory`] (the size of every table, and who owns it), [`symbols`] (names), [`probability`] (products
 //! that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking`, `snapshot`, `storage` (which needs
-//! `snapshot`), `model2` (the paper's language model), `ways` (through, avoiding, then), `unicode` (letters beyond ASCII), `marks` (one
-//! form for a letter that can be written in several ways) and `derived` (facts such as leftmost). A controller enables only those that it
-//! needs. The others:
+//! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking`, `snapshot` (model files, also in
+//! flash), `model2` (the paper's language model), `ways` (through, avoiding, then; and derived facts such as leftmost) and `unicode` (letters
+//! beyond ASCII). A controller enables only those that it needs. The others:
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, and with `snapshot` `Agent::saved` |
-//! | `std` | the same as `alloc`, under the name that programs with the standard library expect |
-//! | `storage-async` | `storage` over `embedded-storage-async`, for embassy |
+//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, and 256 tasks |
+//! | `layer` | with `alloc`: a discriminative layer above the role model |
 //! | `voice` | praise, blame, "stop", "yes" in words |
 //! | `talk` | `voice`, and what people say besides commands |
 //! | `defmt` | errors and results in the format of defmt |
@@ -108,7 +106,7 @@ pub mod random;
 pub mod session;
 #[cfg(feature = "snapshot")]
 pub mod snapshot;
-#[cfg(feature = "storage")]
+#[cfg(feature = "snapshot")]
 pub mod storage;
 pub mod symbols;
 #[cfg(feature = "talk")]

@@ -16,11 +16,11 @@ const HEADER: &str = "capi/include/goodbot.h";
 pub const HEADERS: [&str; 2] = [HEADER, "capi/include/goodbot.hpp"];
 
 /// The features to choose from, as in `capi/Cargo.toml`. `talk` and `bounds` are no defaults, because they take flash even if they are not used.
-pub const ALL_FEATURES: [&str; 13] =
-    ["asking", "checks", "derived", "explain", "forgetting", "home", "learning", "table", "unicode", "voice", "ways", "talk", "bounds"];
+pub const ALL_FEATURES: [&str; 12] =
+    ["asking", "checks", "explain", "forgetting", "home", "learning", "table", "unicode", "voice", "ways", "talk", "bounds"];
 /// The default features of a library.
-pub const FEATURES: &[&str] = ALL_FEATURES.split_at(11).0;
-const FEATURES_AND_TALK: &[&str] = ALL_FEATURES.split_at(12).0;
+pub const FEATURES: &[&str] = ALL_FEATURES.split_at(10).0;
+const FEATURES_AND_TALK: &[&str] = ALL_FEATURES.split_at(11).0;
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 

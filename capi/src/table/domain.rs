@@ -6,7 +6,7 @@ use crate::status::GoodbotStatus;
 use core::ffi::c_void;
 use goodbot::Capacities;
 use goodbot::memory::HomeTables;
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 use goodbot::oomdp::ObjectId;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Class, Domain, GroundProposition, ObjectCount, Objects, OneByOne, Proposition, Schema, World,
@@ -56,7 +56,7 @@ pub struct TableDomain {
     pub(super) actions: &'static [ActionKind<'static>],
     pub(super) steps: Steps,
     pub(super) holds: GoodbotHolds,
-    #[cfg_attr(not(feature = "derived"), allow(dead_code, reason = "nothing is told of objects without the feature"))]
+    #[cfg_attr(not(feature = "ways"), allow(dead_code, reason = "nothing is told of objects without the feature"))]
     pub(super) derived: GoodbotDerived,
     pub(super) context: *mut c_void,
     pub(super) states: u32,
@@ -123,7 +123,7 @@ impl Domain for TableDomain {
         number as u32
     }
 
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     fn tell_derived(&self, state: &u32, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         // A text that is not UTF-8 is left out; the checks refuse it when the robot is made.
         derived_by(self.derived, self.context, *state, object.index() as u8).filter_map(Result::ok).for_each(tell);

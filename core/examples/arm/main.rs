@@ -1,6 +1,6 @@
 //! Teaches an arm where to put things.
 //!
-//! `cargo run --example arm --features std -p goodbot`
+//! `cargo run --example arm --features alloc -p goodbot`
 
 mod domain;
 #[path = "../teach/mod.rs"]

@@ -1,6 +1,6 @@
 //! Teaches a robot to switch lamps.
 //!
-//! `cargo run --example lamps --features std -p goodbot`
+//! `cargo run --example lamps --features alloc -p goodbot`
 
 mod domain;
 #[path = "../teach/mod.rs"]

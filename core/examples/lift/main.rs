@@ -1,6 +1,6 @@
 //! Teaches a lift made of tables.
 //!
-//! `cargo run --example lift --features std -p goodbot`
+//! `cargo run --example lift --features alloc -p goodbot`
 
 mod domain;
 #[path = "../teach/mod.rs"]

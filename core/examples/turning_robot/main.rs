@@ -1,6 +1,6 @@
 //! Trains a language model in the home environment and uses it, unchanged, in a robot that turns and drives.
 //!
-//! `cargo run --example turning_robot --features std -p goodbot`
+//! `cargo run --example turning_robot --features alloc -p goodbot`
 
 mod domain;
 

@@ -14,7 +14,7 @@ macro_rules! for_each_capacity {
         $($then)::+! {
             $($head)*
             /// Objects of one environment: agent, rooms, doors and blocks together. At most 255; a home has at most 32, and 96 with the
-            /// feature `large`.
+            /// feature `alloc`.
             objects: Objects = 11, 12, 32;
             /// Distinct names and attribute values of one environment.
             names: Names = 18, 24, 96;
@@ -22,7 +22,7 @@ macro_rules! for_each_capacity {
             name_bytes: NameBytesTogether = 96, 160, 1_024;
             /// Cells of a home that are not wall.
             cells: Cells = 41, 64, 1_024;
-            /// Grounded tasks of one session. At most [`TaskSet::MOST`](crate::task::TaskSet::MOST): 64, and 256 with the feature `large`.
+            /// Grounded tasks of one session. At most [`TaskSet::MOST`](crate::task::TaskSet::MOST): 64, and 256 with the feature `alloc`.
             tasks: Tasks = 10, 12, 64;
             /// Trainer strategies distinguished at once.
             strategies: Strategies = 1, 3, 16;
@@ -89,7 +89,7 @@ macro_rules! capacities {
             /// For controllers: homes of one 41-cell floor with a movable block, and the paper's whole course.
             pub const SMALL: Self = Self { $($field: $small,)* };
 
-            /// For hosts and browsers: about seven megabytes, most of them for a million search states. With the feature `large` there is
+            /// For hosts and browsers: about seven megabytes, most of them for a million search states. With the feature `alloc` there is
             /// room for larger homes and more tasks.
             pub const STANDARD: Self = Self { $($field: $standard,)* }.for_large_homes();
 
@@ -185,9 +185,9 @@ macro_rules! constants {
 for_each_capacity! { capacities!() }
 
 impl Capacities {
-    /// The same, with room for the homes and tasks of the feature `large`.
+    /// The same, with room for the homes and tasks of hosts.
     const fn for_large_homes(self) -> Self {
-        if cfg!(feature = "large") {
+        if cfg!(feature = "alloc") {
             let tasks = TaskSet::MOST;
             Self {
                 objects: 96,

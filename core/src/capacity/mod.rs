@@ -39,7 +39,7 @@ pub const VARIABLES_PER_TASK: usize = 6;
 pub const FACTS_PER_TASK: usize = 8;
 /// Lifted tasks of one session.
 pub const LIFTED_TASKS: usize = 8;
-/// Movable blocks of one home: 8, and 24 with the feature `large`.
-pub const BLOCKS: usize = if cfg!(feature = "large") { 24 } else { 8 };
+/// Movable blocks of one home: 8, and 24 with the feature `alloc`.
+pub const BLOCKS: usize = if cfg!(feature = "alloc") { 24 } else { 8 };
 /// Questions of one session; after these the robot acts, and asks no more.
 pub const QUESTIONS_PER_SESSION: usize = 8;

@@ -10,7 +10,7 @@ use crate::oomdp::{CellId, ClassId, ObjectId, ObjectSet, Objects, StateKey};
 use crate::planning::Progress;
 
 /// The most objects of a home.
-const MOST_OBJECTS: usize = if cfg!(feature = "large") { 96 } else { 32 };
+const MOST_OBJECTS: usize = if cfg!(feature = "alloc") { 96 } else { 32 };
 
 /// A problem with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -302,7 +302,7 @@ impl<M: HomeMemory> HomeBuilder<M> {
         // If numbers overflowed, the search would take two states for one.
         let is_numbered = (0..block_count).try_fold(count as u64, |states, _| states.checked_mul(count as u64)).is_some();
         let bits = cell_bits(count).saturating_mul(block_count.saturating_add(1));
-        if !is_numbered && (cfg!(not(feature = "large")) || bits > StateKey::BITS) {
+        if !is_numbered && (cfg!(not(feature = "alloc")) || bits > StateKey::BITS) {
             return Err(whole(Problem::TooManyStates));
         }
         Ok((count, agent, start, blocks))

@@ -51,6 +51,7 @@ impl Area {
 
 /// A box in the memory of a home: no side is beyond [`FARTHEST`], so half the bytes are enough.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
 pub struct StoredArea([i16; 4]);
 
 impl StoredArea {

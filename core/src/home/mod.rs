@@ -3,13 +3,13 @@
 //! - `layout`: the rooms and doors, and the free cells;
 //! - `builder`: builds a home from its objects, and checks it;
 //! - `moves`: the effects of north, south, east, west and pull, and the propositions that hold;
-//! - `derived`: facts about rooms and blocks that follow from their places, such as leftmost (feature `derived`);
+//! - `derived`: facts about rooms and blocks that follow from their places, such as leftmost (feature `ways`);
 //! - `map`: a home drawn as text.
 //!
 //! Cells are integer pairs, x to the east, y to the north.
 
 pub(crate) mod builder;
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 mod derived;
 pub(crate) mod layout;
 pub(crate) mod map;

@@ -4,7 +4,7 @@ use super::layout::{Area, Cell, Place, find};
 use super::{AGENT_IN_DOOR, AGENT_IN_ROOM, BLOCK_IN_DOOR, BLOCK_IN_ROOM, SCHEMA};
 use crate::capacity::{BLOCKS, Capacities};
 use crate::memory::HomeMemory;
-#[cfg(feature = "large")]
+#[cfg(feature = "alloc")]
 use crate::oomdp::StateKey;
 use crate::oomdp::{
     Action, ActionKind, BitRows, CellId, Divider, Domain, Floor, GroundProposition, ObjectCount, ObjectId, Objects, Piece, PushGrid, World,
@@ -53,9 +53,9 @@ pub struct Home<M> {
     moves: Moves,
     by_places: Divider,
     /// Whether there are more states than can be numbered.
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     is_vast: bool,
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     tells_derived: bool,
 }
 
@@ -78,9 +78,9 @@ impl<M> Home<M> {
             block_count,
             moves,
             by_places: Divider::new(place_count as u16),
-            #[cfg(feature = "large")]
+            #[cfg(feature = "alloc")]
             is_vast: (0..block_count).try_fold(place_count as u64, |states, _| states.checked_mul(place_count as u64)).is_none(),
-            #[cfg(feature = "derived")]
+            #[cfg(feature = "ways")]
             tells_derived: false,
         }
     }
@@ -102,14 +102,14 @@ impl<M> Home<M> {
     /// assert_eq!(told, ["leftmost", "smallest"]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     #[must_use]
     pub fn with_derived(self, tells_derived: bool) -> Self {
         Self { tells_derived, ..self }
     }
 
     /// Whether it has derived facts: see [`with_derived`](Self::with_derived).
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     pub fn tells_derived(&self) -> bool {
         self.tells_derived
     }
@@ -302,7 +302,7 @@ impl<M: HomeMemory> Domain for Home<M> {
         state
     }
 
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     fn key(&self, state: &HomeState) -> StateKey {
         if self.is_numbered() {
             return StateKey::of(self.number(state));
@@ -311,7 +311,7 @@ impl<M: HomeMemory> Domain for Home<M> {
         StateKey::packed(cells.map(|cell| cell.0), cell_bits(self.place_count))
     }
 
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     fn keyed(&self, key: StateKey) -> HomeState {
         if self.is_numbered() {
             return self.numbered(key.number());
@@ -324,7 +324,7 @@ impl<M: HomeMemory> Domain for Home<M> {
         state
     }
 
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     fn tell_derived(&self, state: &HomeState, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         if self.tells_derived {
             self.for_each_derived(state, object, tell);
@@ -333,7 +333,7 @@ impl<M: HomeMemory> Domain for Home<M> {
 }
 
 impl<M: HomeMemory> PushGrid for Home<M> {
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     #[inline]
     fn is_numbered(&self) -> bool {
         !self.is_vast

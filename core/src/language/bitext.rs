@@ -12,6 +12,7 @@ use core::cell::Cell;
 /// The place of a run of symbols in its pool: the start, above a byte with the length and, for a session, a bit that is set if its command
 /// was heard more than once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[doc(hidden)]
 pub struct Span(u32);
 
 /// The most symbols of a pool that spans can reach.
@@ -48,6 +49,7 @@ impl Span {
 
 /// An English command and a machine command that it may mean, with the weight of this meaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub struct Pair {
     /// The session, by position.
     pub session: u16,
@@ -175,6 +177,7 @@ impl LeftOut {
 
 /// The training data, read-only.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct BitextRef<'t> {
     memory: BitextTablesRef<'t>,
     used: Extent,

@@ -1,4 +1,4 @@
-//! With the feature `marks`: the many ways to write one letter: combining marks, full-width and half-width forms, invisible characters.
+//! On hosts, with `alloc` and `unicode`: the many ways to write one letter: combining marks, full-width and half-width forms, invisible characters.
 //!
 //! A word is kept in Unicode's composed form, the shortest. Other spellings of a word, such as "gruen" and "grün", are kept as they were
 //! heard, and [compared](is_spelled_alike) as one word.

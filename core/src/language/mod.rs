@@ -16,13 +16,17 @@
 //! - `model`: all of it together.
 
 pub(crate) mod bitext;
+#[doc(hidden)]
 pub mod forgetting;
 pub(crate) mod hearing;
+#[doc(hidden)]
 pub mod ibm2;
+#[doc(hidden)]
 pub mod layer;
-#[cfg(feature = "marks")]
+#[cfg(all(feature = "alloc", feature = "unicode"))]
 pub(crate) mod letters;
 pub(crate) mod model;
+#[doc(hidden)]
 pub mod roles;
 pub(crate) mod settings;
 pub(crate) mod spelling;
@@ -30,11 +34,12 @@ pub(crate) mod synonyms;
 pub(crate) mod tables;
 pub(crate) mod tokenizer;
 pub(crate) mod training;
+#[doc(hidden)]
 pub mod unspaced;
 
 pub use bitext::{BitextRef, Pair, Span};
 pub use ibm2::LengthPair;
-#[cfg(feature = "marks")]
+#[cfg(all(feature = "alloc", feature = "unicode"))]
 pub use letters::is_spelled_alike;
 pub use model::{LanguageModel, LanguageMut, LanguageRef};
 pub use roles::Meaning;

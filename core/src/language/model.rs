@@ -297,6 +297,7 @@ impl<'t> LanguageRef<'t> {
 
 /// The language model, for one call that changes it.
 #[derive(Debug)]
+#[doc(hidden)]
 pub struct LanguageMut<'t> {
     settings: &'t mut Settings,
     pub(super) words: Symbols<'t>,

@@ -28,7 +28,7 @@ enum Alike {
     /// It begins alike.
     Begins,
     /// It is spelled alike.
-    #[cfg(feature = "marks")]
+    #[cfg(all(feature = "alloc", feature = "unicode"))]
     Spelled,
     /// It differs by a slip.
     Slip,
@@ -37,11 +37,11 @@ enum Alike {
 impl Alike {
     const fn next(self) -> Option<Self> {
         match self {
-            #[cfg(feature = "marks")]
+            #[cfg(all(feature = "alloc", feature = "unicode"))]
             Self::Begins => Some(Self::Spelled),
-            #[cfg(feature = "marks")]
+            #[cfg(all(feature = "alloc", feature = "unicode"))]
             Self::Spelled => Some(Self::Slip),
-            #[cfg(not(feature = "marks"))]
+            #[cfg(not(all(feature = "alloc", feature = "unicode")))]
             Self::Begins => Some(Self::Slip),
             Self::Slip => None,
         }
@@ -87,7 +87,7 @@ pub(super) fn variant_on(
             let known = words.text(symbol);
             let is_alike = match alike {
                 Alike::Begins => has_form && known.starts_with(form),
-                #[cfg(feature = "marks")]
+                #[cfg(all(feature = "alloc", feature = "unicode"))]
                 Alike::Spelled => super::letters::is_spelled_alike(known, word, letters),
                 Alike::Slip => is_slip(known, word),
             };

@@ -66,6 +66,7 @@ pub struct Tables<'t> {
 
 /// The parameters, read-only.
 #[derive(Clone, Copy, Debug)]
+#[doc(hidden)]
 pub struct TablesRef<'t> {
     pub(super) memory: ParameterTablesRef<'t>,
     pub(super) trained: &'t Trained,

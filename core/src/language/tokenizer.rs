@@ -3,7 +3,7 @@
 //! Without the feature `unicode`, which costs 4.6 KB in the course for a Cortex-M4F, only ASCII letters become lower case, and every
 //! character beyond ASCII that is neither a blank nor common punctuation counts as a letter.
 
-#[cfg(feature = "marks")]
+#[cfg(all(feature = "alloc", feature = "unicode"))]
 use super::letters::{composed, full_width, is_within_words, ordinary};
 use super::settings::Model;
 use super::unspaced::Script;
@@ -134,9 +134,9 @@ impl<'c> Iterator for Pieces<'c> {
                 // At either end of a word they are not part of it.
                 continue;
             }
-            #[cfg(feature = "marks")]
+            #[cfg(all(feature = "alloc", feature = "unicode"))]
             let is_of_word = is_of_word(letter) || is_within_words(letter);
-            #[cfg(not(feature = "marks"))]
+            #[cfg(not(all(feature = "alloc", feature = "unicode")))]
             let is_of_word = is_of_word(letter);
             let now = Script::of(letter);
             if end > start && !(is_of_word && now.goes_on(before)) {
@@ -252,7 +252,7 @@ fn lower_case(text: &str) -> Result<Word, CapacityError> {
 }
 
 /// A word in lower case, in composed form.
-#[cfg(feature = "marks")]
+#[cfg(all(feature = "alloc", feature = "unicode"))]
 pub(super) fn composed_word(text: &str) -> Result<Word, CapacityError> {
     let mut word = Word::new();
     for letter in text.chars().filter_map(ordinary).map(full_width).flat_map(to_lower_case) {
@@ -265,8 +265,8 @@ pub(super) fn composed_word(text: &str) -> Result<Word, CapacityError> {
     Ok(word)
 }
 
-/// A word in lower case. Other ways to write a letter need the tables of `marks`.
-#[cfg(not(feature = "marks"))]
+/// A word in lower case. Other ways to write a letter need the tables of `letters`.
+#[cfg(not(all(feature = "alloc", feature = "unicode")))]
 pub(super) fn composed_word(text: &str) -> Result<Word, CapacityError> {
     lower_case(text)
 }

@@ -38,6 +38,7 @@ impl Phase {
 
 /// A training, under way or done.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[doc(hidden)]
 pub struct Training {
     phase: Phase,
     round: u32,

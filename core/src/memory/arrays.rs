@@ -3,6 +3,7 @@
 use super::{AgentMemory, HomeMemory};
 
 /// The two parts of a memory in arrays. [`memory!`](crate::memory!) implements it.
+#[doc(hidden)]
 pub trait Arrays {
     /// For a home.
     type Home: HomeMemory;
@@ -11,8 +12,10 @@ pub trait Arrays {
 }
 
 /// The part of the memory `M` that is for a home.
+#[doc(hidden)]
 pub type HomeArrays<M> = <M as Arrays>::Home;
 /// The part of the memory `M` that is for an agent.
+#[doc(hidden)]
 pub type AgentArrays<M> = <M as Arrays>::Agent;
 
 /// Makes a struct that holds all memory of one home and one agent, in plain arrays. It starts as zeros, so that a static of it takes no

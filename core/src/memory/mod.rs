@@ -31,6 +31,7 @@ macro_rules! tables {
     )*) => {
         $(
             $(#[$meta])*
+            #[doc(hidden)]
             #[derive(Debug, Default)]
             pub struct $Tables<'t> {
                 $($(#[$doc])* pub $table: &'t mut [$Element],)*
@@ -40,6 +41,7 @@ macro_rules! tables {
             $(#[$meta])*
             ///
             /// To be read.
+            #[doc(hidden)]
             #[derive(Clone, Copy, Debug, Default)]
             pub struct $TablesRef<'t> {
                 $($(#[$doc])* pub $table: &'t [$Element],)*
@@ -63,8 +65,10 @@ macro_rules! tables {
         $(#[$memory_meta])*
         pub trait $Memory {
             /// Lends the tables to one call.
+            #[doc(hidden)]
             fn lend(&mut self) -> $Whole<'_>;
             /// Lends the tables to one call that only reads.
+            #[doc(hidden)]
             fn read(&self) -> $WholeRef<'_>;
         }
 

@@ -1,6 +1,6 @@
 //! The interface to a robot of your own.
 
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 use super::ObjectId;
 use super::objects::for_each_word;
 use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
@@ -183,7 +183,7 @@ pub trait Domain {
 
     /// Calls `tell` with each derived fact of an object in this state, beyond its attributes: single words such as `leftmost` or `largest`.
     /// The role model treats them as values of one more attribute, if the schema has room for one more. A domain need not have any.
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     fn tell_derived(&self, _state: &Self::State, _object: ObjectId, _tell: &mut dyn FnMut(&str)) {}
 }
 

@@ -1,12 +1,13 @@
 //! One type for domains of two kinds.
 
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 use super::ObjectId;
 use super::{Action, ActionKind, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PushGrid, StateKey, World};
 
 /// A floor with pieces, or a domain of another kind. A program with both kinds then links the code for a domain once. Its states are of the
 /// same two kinds; in a state of the other kind, no action can be done and no proposition holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub enum Either<F, O> {
     /// A floor with pieces, such as a home, or its state.
     Floor(F),
@@ -105,7 +106,7 @@ impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
         }
     }
 
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     fn tell_derived(&self, state: &Self::State, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         match (self, state) {
             (Self::Floor(floor), Either::Floor(state)) => floor.tell_derived(state, object, tell),

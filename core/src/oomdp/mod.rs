@@ -24,7 +24,7 @@ pub(crate) mod state_key;
 pub(crate) mod vocabulary;
 
 pub use crate::memory::{ObjectTables, ObjectTablesRef};
-pub use divider::Divider;
+pub(crate) use divider::Divider;
 pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
 pub use either::Either;

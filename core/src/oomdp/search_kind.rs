@@ -51,6 +51,7 @@ impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
 /// A domain without values: the compiler leaves out all code for it. It replaces a kind of an [`Either`](super::Either) that a program is
 /// built without.
 #[derive(Debug)]
+#[doc(hidden)]
 pub struct NoGrid<S>(Infallible, PhantomData<S>);
 
 impl<S: Copy + PartialEq> Domain for NoGrid<S> {

@@ -1,7 +1,7 @@
 //! An identifier for the states of any domain, without the domain's own type.
 
 /// Words of a key.
-const WORDS: usize = if cfg!(feature = "large") { 4 } else { 1 };
+const WORDS: usize = if cfg!(feature = "alloc") { 4 } else { 1 };
 
 /// A state, as an agent keeps it between calls: its number if the domain's states are numbered, else its packed contents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -26,7 +26,7 @@ impl StateKey {
     }
 
     /// Packs numbers below 2 to the power of `bits`, as many as fit.
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     pub(crate) fn packed(numbers: impl Iterator<Item = u16>, bits: usize) -> Self {
         let mut words = [0; WORDS];
         for (position, number) in numbers.enumerate() {
@@ -41,7 +41,7 @@ impl StateKey {
     }
 
     /// The packed number at a position.
-    #[cfg(feature = "large")]
+    #[cfg(feature = "alloc")]
     pub(crate) fn unpacked(self, position: usize, bits: usize) -> u16 {
         (0..bits).fold(0, |number, bit| {
             let at = position.wrapping_mul(bits).wrapping_add(bit);
@@ -50,7 +50,7 @@ impl StateKey {
     }
 }
 
-#[cfg(all(test, feature = "large"))]
+#[cfg(all(test, feature = "alloc"))]
 mod tests {
     use super::*;
 

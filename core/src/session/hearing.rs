@@ -271,7 +271,7 @@ impl<M: AgentMemory> Agent<M> {
     /// The facts of the session's start state that its tasks' descriptions need.
     pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
         let scene = self.start.map(|start| Scene::new(domain.keyed(start)));
-        #[cfg(all(feature = "derived", feature = "talk"))]
+        #[cfg(all(feature = "ways", feature = "talk"))]
         let scene = scene.map(|scene| scene.of_conversation(self.conversation.here(domain)));
         scene
     }

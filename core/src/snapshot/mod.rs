@@ -53,3 +53,13 @@ pub use saving::Saving;
 pub use section::Section;
 #[cfg(feature = "learning")]
 pub use starter::{Places, is_beside};
+
+/// Checks that the bytes are a model, or the parameters of one.
+pub(crate) fn check(bytes: &[u8]) -> Result<(), RestoreError> {
+    if cfg!(not(feature = "learning")) || bytes.starts_with(&PARAMETERS_MAGIC) {
+        return parameters::check(bytes);
+    }
+    #[cfg(feature = "learning")]
+    Contents::read(bytes)?;
+    Ok(())
+}

@@ -130,6 +130,11 @@ fn write(out: &mut Out<'_>, vocabulary: u32, language: LanguageRef<'_>) {
     cells.for_each(|cell| out.bytes(&cell.to_le_bytes()));
 }
 
+/// Checks that the bytes are a file of parameters.
+pub(super) fn check(bytes: &[u8]) -> Result<(), RestoreError> {
+    Parameters::read(bytes).map(drop)
+}
+
 /// The number of cells after the texts. A model that has learned nothing has none.
 fn cells(layout: &Layout) -> usize {
     if layout.words() == 0 { 0 } else { layout.translations().saturating_add(layout.trellis_start()) }

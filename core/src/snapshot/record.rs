@@ -171,6 +171,7 @@ fn hazard(moved: f32, other: [f32; 4]) -> Hazard {
 
 /// A trainer strategy and its probability.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[doc(hidden)]
 pub struct StrategyRecord {
     /// The probability of silence after a correct action.
     pub mu_plus: f32,
@@ -192,6 +193,7 @@ impl StrategyRecord {
 
 /// A strategy's lags, and its probability before the trainer was met.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[doc(hidden)]
 pub struct TrainerRecord {
     /// The probability that a word is about the last action, and about each of the two before it.
     pub lags: [f32; LAGS],
@@ -207,9 +209,11 @@ impl TrainerRecord {
 }
 
 /// How a strategy judges rests: see [`Strategy::with_rests`].
+#[doc(hidden)]
 pub type RestsRecord = [f32; RESTS];
 
 /// A machine command: the positions of its tokens.
+#[doc(hidden)]
 pub type CommandRecord = heapless::Vec<u16, TOKENS_PER_COMMAND>;
 
 /// The tokens of a machine command.
@@ -231,6 +235,7 @@ pub(super) fn marker(token: u16) -> Option<Symbol> {
 
 /// A session: the positions of its English words, and the number of its pairs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[doc(hidden)]
 pub struct SessionRecord {
     /// The words.
     pub words: heapless::Vec<u16, WORDS_PER_COMMAND>,
@@ -240,6 +245,7 @@ pub struct SessionRecord {
 
 /// A machine command that a session's English command may mean, and its weight.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[doc(hidden)]
 pub struct PairRecord {
     /// The position of the machine command.
     pub command: u16,

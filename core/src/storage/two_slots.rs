@@ -3,7 +3,7 @@
 use super::error::StorageError;
 use super::slot::{SLOT_HEADER_BYTES, SlotHeader};
 use crate::checksum::{CHECK, CHECK_BYTES};
-use crate::snapshot::Contents;
+use crate::snapshot::check;
 use embedded_storage::nor_flash::NorFlash;
 
 /// The largest unit of reading or writing of a flash.
@@ -49,7 +49,6 @@ pub struct TwoSlots<F> {
 /// # Some(())
 /// # }
 /// ```
-#[cfg(feature = "storage-async")]
 #[derive(Debug)]
 pub struct TwoSlotsAsync<F> {
     flash: F,
@@ -133,12 +132,12 @@ macro_rules! two_slots {
                 Ok(Some(needed))
             }
 
-            /// Stores a model over the older slot. Until this is complete, the previous model is the newest.
+            /// Stores a model, or a file of parameters, over the older slot. Until this is complete, the previous one is the newest.
             ///
             /// # Errors
             /// [`StorageError`]; the previous model is then still the newest, unless the flash failed after the last byte was written.
             pub $($async)? fn store(&mut self, model: &[u8]) -> Result<(), StorageError<F::Error>> {
-                Contents::read(model).map_err(StorageError::NotAModel)?;
+                check(model).map_err(StorageError::NotAModel)?;
                 let too_large = StorageError::Size { needed: model.len(), given: self.room() };
                 if model.len() > self.room() {
                     return Err(too_large);
@@ -237,5 +236,4 @@ macro_rules! two_slots {
 }
 
 two_slots!(TwoSlots, NorFlash, [], []);
-#[cfg(feature = "storage-async")]
 two_slots!(TwoSlotsAsync, embedded_storage_async::nor_flash::NorFlash, [async], [.await]);

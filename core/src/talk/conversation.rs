@@ -165,7 +165,7 @@ impl Conversation {
     }
 
     /// Passes each fact of an object to `tell`.
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     pub(crate) fn tell<D: Domain + ?Sized>(&self, domain: &D, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         if !self.is_empty() {
             Fact::ALL.into_iter().filter(|&fact| self.holds(domain, fact, object)).for_each(|fact| tell(fact.name()));
@@ -227,7 +227,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Remembers a task that was followed from the state `before`. [`listen`](Self::listen) then resolves "it", "there", "back", "the other
-    /// one", "the same" and "again", as far as its table has these words. With the feature `derived`, the descriptions of tasks contain the
+    /// one", "the same" and "again", as far as its table has these words. With the feature `ways`, the descriptions of tasks contain the
     /// [facts](Fact), so that other words are learned for them. Without this call the agent has no facts, and understands as without them.
     ///
     /// ```

@@ -39,7 +39,7 @@ mod reworded;
 mod several;
 mod slips;
 mod syntax;
-#[cfg(all(test, feature = "std"))]
+#[cfg(all(test, feature = "alloc"))]
 mod taught;
 mod told;
 mod verdict;

@@ -12,14 +12,14 @@
 //! objects first.
 
 use super::machine_command::{Tokens, attribute_token};
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 use super::role::VALUE_SORTS;
 use super::role::{Marker, Role, RoleKind, is_marker};
 use super::{GroundedTask, LiftedProposition, LiftedTask, Part};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError, LIFTED_TASKS, NAME_BYTES};
 use crate::oomdp::{ClassId, Domain, GroundProposition, ObjectId, PropositionId, Schema, World};
 use crate::symbols::{Symbol, Symbols};
-#[cfg(all(feature = "derived", feature = "talk"))]
+#[cfg(all(feature = "ways", feature = "talk"))]
 use crate::talk::Conversation;
 use heapless::String;
 
@@ -112,7 +112,7 @@ pub struct Scene<S> {
     forms: [u16; LIFTED_TASKS],
     /// For each of the first objects and each attribute one more than the value's token, 0 if it was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
-    #[cfg(all(feature = "derived", feature = "talk"))]
+    #[cfg(all(feature = "ways", feature = "talk"))]
     conversation: Conversation,
 }
 
@@ -170,13 +170,13 @@ impl<S> Scene<S> {
             spoken: None,
             forms: [0; LIFTED_TASKS],
             tokens: [[0; ATTRIBUTES]; REMEMBERED],
-            #[cfg(all(feature = "derived", feature = "talk"))]
+            #[cfg(all(feature = "ways", feature = "talk"))]
             conversation: Conversation::NEW,
         }
     }
 
     /// The same scene, with the facts of a conversation.
-    #[cfg(all(feature = "derived", feature = "talk"))]
+    #[cfg(all(feature = "ways", feature = "talk"))]
     pub(crate) fn of_conversation(self, conversation: Conversation) -> Self {
         Self { conversation, ..self }
     }
@@ -359,7 +359,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
 
     /// Whether words could distinguish objects of a class.
     fn can_be_told(&self, class: ClassId) -> bool {
-        cfg!(feature = "derived") || self.spoken.things.contains(class.0)
+        cfg!(feature = "ways") || self.spoken.things.contains(class.0)
     }
 
     fn of_class(&self, class: ClassId) -> impl Iterator<Item = ObjectId> + use<'a, D> {
@@ -472,13 +472,13 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
                 self.write_group(Marker { role, sort: sort | 1 }, attribute, guests)?;
             }
         }
-        #[cfg(feature = "derived")]
+        #[cfg(feature = "ways")]
         self.write_derived(role, objects);
         Ok(())
     }
 
     /// Writes the group of a role's derived facts, like one more attribute. Facts without room are left out.
-    #[cfg(feature = "derived")]
+    #[cfg(feature = "ways")]
     fn write_derived(&mut self, role: Role, objects: &Chosen) {
         let sort = self.world.schema.attributes.len() << 1;
         if sort >= VALUE_SORTS {

@@ -10,6 +10,7 @@
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
 pub(crate) mod constraint;
+#[doc(hidden)]
 pub mod description;
 pub(crate) mod grounded;
 pub(crate) mod lifted;
@@ -24,7 +25,7 @@ pub(crate) use grounded::ground_unless;
 pub use grounded::ground_with_done;
 pub use grounded::{GroundedTask, ground};
 pub use lifted::{LiftedProposition, LiftedTask, NO_VARIABLE, TaskTextError};
-#[cfg(feature = "derived")]
+#[cfg(feature = "ways")]
 pub(crate) use machine_command::attribute_token;
 pub use machine_command::{Expression, TokenOrder, Tokens};
 pub use role::{Marker, NoMarker, Role, RoleKind, VALUE_SORTS, is_marker};
@@ -32,7 +33,7 @@ pub use way::{Clause, Part, Way, WayState};
 pub use wording::{Piece, TaskText, Wording};
 
 /// Words of a set of tasks.
-const WORDS: usize = if cfg!(feature = "large") { 4 } else { 1 };
+const WORDS: usize = if cfg!(feature = "alloc") { 4 } else { 1 };
 const WORD: usize = u64::BITS as usize;
 
 /// A set of a session's tasks, one bit each, by position.
@@ -42,7 +43,7 @@ pub struct TaskSet([u64; WORDS]);
 impl TaskSet {
     /// The most tasks of a session.
     pub const MOST: usize = WORDS * WORD;
-    /// The most tasks of a session without the feature `large`, as on controllers.
+    /// The most tasks of a session without the feature `alloc`, as on controllers.
     pub const MOST_OF_ONE_WORD: usize = WORD;
     /// No task.
     pub const EMPTY: Self = Self([0; WORDS]);

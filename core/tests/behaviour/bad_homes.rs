@@ -117,5 +117,5 @@ fn a_home_with_more_states_than_can_be_numbered_is_refused() {
     };
     assert_eq!(build(7), Ok(()));
     let refused = Err(HomeError { problem: Problem::TooManyStates, object: None });
-    assert_eq!(build(8), if cfg!(feature = "large") { Ok(()) } else { refused });
+    assert_eq!(build(8), if cfg!(feature = "alloc") { Ok(()) } else { refused });
 }

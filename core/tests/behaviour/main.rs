@@ -15,7 +15,7 @@ mod hypotheses;
 #[cfg(feature = "layer")]
 mod layer;
 mod lending_memory;
-#[cfg(feature = "std")]
+#[cfg(feature = "alloc")]
 mod on_a_host;
 #[cfg(all(feature = "alloc", feature = "snapshot"))]
 mod role_model;

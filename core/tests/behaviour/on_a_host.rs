@@ -1,4 +1,4 @@
-//! The feature `std` for programs with the standard library.
+//! The feature `alloc` for programs with the standard library.
 
 use goodbot::feedback::Feedback;
 use goodbot::home::paper_tasks;
@@ -29,7 +29,7 @@ fn every_error_is_one_of_the_standard_library() {
     is_error::<goodbot::snapshot::RestoreError>();
     #[cfg(feature = "snapshot")]
     is_error::<goodbot::snapshot::SaveError>();
-    #[cfg(feature = "storage")]
+    #[cfg(feature = "snapshot")]
     is_error::<goodbot::storage::StorageError<()>>();
     #[cfg(feature = "talk")]
     is_error::<goodbot::talk::ClosedWordsError<'static>>();

@@ -249,6 +249,27 @@ fn a_model_that_is_too_long_and_what_is_no_model_leave_the_stored_one() {
 }
 
 #[test]
+fn a_robot_that_only_obeys_keeps_its_parameters_in_flash() {
+    let new = || Agent::new(HeapMemory::new(&Capacities::SMALL).agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+    let parameters = |agent: &Agent<_>| {
+        let mut file = vec![0; 4_096];
+        let length = agent.save_parameters(&mut file).unwrap();
+        file.truncate(length);
+        file
+    };
+    let mut taught = new();
+    train(&mut taught, &school::lessons()[0], Strategy::BALANCED, &mut Pcg32::new(2, 2)).unwrap();
+    let mut file = parameters(&taught);
+    let mut slots = TwoSlots::new(Flash::<1, 4, 256>::new(32), 0, 4_096).unwrap();
+    slots.store(&file).unwrap();
+    let mut obeying = new();
+    obeying.restore_parameters(&load(&mut slots).unwrap()).unwrap();
+    assert!(parameters(&obeying) == file);
+    file[20] ^= 1;
+    assert!(matches!(slots.store(&file), Err(StorageError::NotAModel(_))));
+}
+
+#[test]
 fn slots_off_the_erase_blocks_or_beyond_the_flash_are_refused() {
     for (start, slot) in [(1, 256), (0, 255), (0, 512), (256, 512), (u32::MAX, 256), (0, 0), (0, u32::MAX)] {
         assert_eq!(TwoSlots::new(Flash::<1, 4, 256>::new(3), start, slot).map(|_| ()), Err(StorageError::Geometry), "{start} {slot}");

@@ -33,7 +33,10 @@ impl Step {
             }
             Self::Tests => (work::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| work::docs(), "mend the doc comments that rustdoc points at"),
-            Self::Portable => (|run| work::portable(run), "mark code for Unix alone with `#[cfg(unix)]`"),
+            Self::Portable => (
+                |run| work::portable(run),
+                "`cargo check -p goodbot --no-default-features --features …` shows it; mark code for Unix alone with `#[cfg(unix)]`",
+            ),
             Self::Python => (work::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (work::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),

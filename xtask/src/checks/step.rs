@@ -21,7 +21,7 @@ pub enum Step {
     Trust,
     /// the documentation is built without a warning
     Docs,
-    /// the command line compiles for Windows, where its standard library is ready
+    /// the core compiles with each of its features, and the command line for Windows, where its standard library is ready
     Portable,
     /// the Python package's tests, types and stubs, of a wheel in an environment of its own
     Python,

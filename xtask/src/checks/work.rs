@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
 use xshell::{Shell, cmd};
 
 use super::step::Step;
@@ -111,10 +112,19 @@ pub fn docs() -> Result<()> {
     Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks, without a linker, that the command line compiles for another system. To build the standard library of Windows takes minutes, so
-/// that is done only if no other step was chosen.
+/// Checks, without a linker, that the core compiles with each of its features alone, beside `learning`, beside `snapshot`, and with all of them; and that
+/// the command line compiles for another system. To build the standard library of Windows takes minutes, so that is done only if no other step was chosen.
 pub fn portable(run: &Run) -> Result<()> {
     let sh = shell()?;
+    let sets = feature_sets(&sh)?;
+    println!("the core with {} sets of features", sets.len());
+    // Apart from the workspace's own builds, which run at the same time.
+    let folder = target_dir().join("features");
+    for features in sets {
+        cmd!(sh, "cargo check --quiet --package goodbot --target-dir {folder} --no-default-features --features={features}")
+            .quiet()
+            .run()?;
+    }
     if toolchain::has_windows()? || run.chosen == [Step::Portable] {
         let check = toolchain::cargo(&sh, WINDOWS, "check")?.arg("--locked");
         check.args(["--package", "goodbot-cli"]).run()?;
@@ -124,6 +134,19 @@ pub fn portable(run: &Run) -> Result<()> {
         );
     }
     Ok(())
+}
+
+/// The core's features one by one, each also beside `learning` and beside `snapshot`, and all of them together.
+fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
+    let metadata: Value = serde_json::from_str(&cmd!(sh, "cargo metadata --no-deps --format-version 1").quiet().read()?)?;
+    let packages = metadata["packages"].as_array().context("cargo tells packages")?;
+    let core = packages.iter().find(|package| package["name"] == "goodbot").context("cargo tells of the core")?;
+    let features = core["features"].as_object().context("cargo tells features")?;
+    let mut sets = vec![features.keys().map(String::as_str).collect::<Vec<_>>().join(",")];
+    for feature in features.keys().filter(|feature| *feature != "default") {
+        sets.extend(["", ",learning", ",snapshot"].map(|beside| format!("{feature}{beside}")));
+    }
+    Ok(sets)
 }
 
 /// Runs the tests by cargo-nextest if it is installed, otherwise by cargo. nextest runs the tests of several files at once and knows

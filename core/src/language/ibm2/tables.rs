@@ -9,6 +9,7 @@ use crate::symbols::Symbol;
 
 /// A pair of lengths, and the position of its alignment table.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[doc(hidden)]
 pub struct LengthPair {
     /// l: the number of machine tokens.
     pub machine: u8,
