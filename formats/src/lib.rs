@@ -8,13 +8,12 @@
 //! | [`environment`] | a home: rooms, doors, the agent, blocks |
 //! | [`map`] | a home drawn as text |
 //! | [`microbit`] | the file for a BBC micro:bit, with a robot's memory |
-//! | [`pddl`] | planning problems in PDDL |
 //! | [`session`] | a log of training sessions: commands, steps, feedback |
 //! | [`posterior`] | the robot's belief after each step |
 //! | [`task_text`] | a task as a text, `agentInRoom(agent0,room1)` |
 //! | [`world`] | worlds of any kind, and commands in them |
 //!
-//! Every format but maps and PDDL is JSON in UTF-8, version 1. Readers are strict: a field that is unknown, missing or given twice is an
+//! Every format but maps is JSON in UTF-8, version 1. Readers are strict: a field that is unknown, missing or given twice is an
 //! error. A [`FormatError`] names the field, the line, the fault and the remedy. Writers keep the order and the exact values. Those of logs
 //! and posteriors refuse to write a record that they could not read again.
 
@@ -27,7 +26,6 @@ mod json;
 mod lines;
 pub mod map;
 pub mod microbit;
-pub mod pddl;
 pub mod posterior;
 mod quoted;
 pub mod session;

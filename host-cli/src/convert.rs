@@ -5,9 +5,8 @@ use goodbot_console::load::input;
 use goodbot_console::messages::tell;
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
-use goodbot_formats::pddl::{Domain, PddlError, Problem};
 use goodbot_lesson::Fault;
-use goodbot_lesson::world::pddl;
+use goodbot_lesson::world::pddl::{self, PddlError, Text};
 use goodbot_lesson::world::robot::{self, Tables, WorldFlaw};
 use std::io::Write;
 use std::sync::Arc;
@@ -36,15 +35,13 @@ pub struct ConvertArgs {
 /// # Errors
 /// [`Failure`]: a fault of the files, or a part that a world cannot express.
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
-    let domain = read(&args.domain, Domain::parse)?;
-    let problem = read(&args.problem, Problem::parse)?;
-    let refused = |flaw: WorldFlaw| Failure::Input(format!("{}: {flaw}", input::name(&args.problem)));
-    let world = pddl::world(&domain, &problem).map_err(|flaw| match flaw.field.as_str() {
-        "types" | "predicates" | "actions" => Failure::Input(format!("{}: {flaw}", input::name(&args.domain))),
-        _ => refused(flaw),
-    })?;
-    if problem.goal.iter().all(|atom| problem.init.contains(atom)) {
-        tell(&format!("{}: warning: the goal holds at first; no plan is needed", input::name(&args.problem)));
+    let [domain, problem] = [input::text(&args.domain)?, input::text(&args.problem)?];
+    let file = |text| input::name(if text == Text::Domain { &args.domain } else { &args.problem });
+    let refused = |flaw: WorldFlaw| Failure::Input(format!("{}: {flaw}", file(Text::Problem)));
+    let pddl::Converted { world, warnings } = pddl::convert(&domain, &problem)
+        .map_err(|PddlError { text, line, message }| Failure::from(Fault::on_line(file(text), line, message)))?;
+    for warning in warnings {
+        tell(&format!("{}: warning: {warning}", file(Text::Problem)));
     }
     // A world in which no robot can act is refused here, before it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;
@@ -53,8 +50,4 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     serde_json::to_writer_pretty(&mut out, tables.file().as_ref()).map_err(std::io::Error::from)?;
     writeln!(out)?;
     Ok(out.flush()?)
-}
-
-fn read<T>(file: &str, parse: fn(&str) -> Result<T, PddlError>) -> Result<T, Failure> {
-    parse(&input::text(file)?).map_err(|error| Fault::on_line(input::name(file), error.line, error.message).into())
 }

@@ -443,4 +443,21 @@ fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
     assert!(told.code == 0 && told.output.contains("\"learned\":true"), "{}{}", told.output, told.messages);
     let refused = goodbot(&["convert", &pddl("blocks-3.pddl"), &pddl("blocks.pddl")], b"");
     assert!(refused.code == 2 && refused.messages.contains("blocks-3.pddl:2: is no definition of a domain"), "{}", refused.messages);
+    let other = goodbot(&["convert", &pddl("blocks.pddl"), &pddl("ferry-3.pddl")], b"");
+    assert!(other.code == 2 && other.messages.contains("ferry-3.pddl:1: ferry-3 is of the domain ferry"), "{}", other.messages);
+}
+
+#[test]
+fn a_goal_whose_objects_can_be_exchanged_is_one_task_that_is_taught() {
+    let pddl = |name: &str| format!("{}/../lesson/tests/pddl/{name}", env!("CARGO_MANIFEST_DIR"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let converted = goodbot(&["convert", &pddl("carry.pddl"), &pddl("carry-3.pddl")], b"");
+    assert!(converted.code == 0 && converted.messages.is_empty(), "{}", converted.messages);
+    let world = file(folder.path(), "carry.json", &converted.output);
+    let world = world.to_str().expect("UTF-8");
+    let checked = goodbot(&["check", world], b"");
+    assert!(checked.output.contains("6 objects and 86 tasks"), "{}{}", checked.output, checked.messages);
+    let lines = b"command put all of them in b\nintended at(x,b) & at(y,b) & at(z,b)\nstep\nauto\nfinish\n";
+    let told = goodbot(&["teach", world, "--lines"], lines);
+    assert!(told.code == 0 && told.output.contains("\"learned\":true"), "{}{}", told.output, told.messages);
 }

@@ -1,7 +1,8 @@
-//! Visits all states that a problem can reach, and finds which arguments determine others in all of them.
+//! Visits all states that a problem can reach, and finds what holds in all of them.
 
-use crate::world::robot::{WorldFlaw, flaw};
-use goodbot_formats::pddl::{Atom, Cost, Domain, Problem, Schema, Typed};
+use super::names::{Named, TWICE, has_one_twice};
+use super::reading::{Atom, Cost, Schema};
+use super::{PddlError, Text};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// The most states to visit, and the most actions with their objects.
@@ -9,83 +10,203 @@ const MOST_STATES: usize = 200_000;
 const MOST_ACTIONS: usize = 20_000;
 /// The most objects to try as parameters, for all actions together.
 const MOST_TRIES: usize = 100_000;
+/// The most conditions of actions to look at: a problem that is too large is refused within seconds.
+const MOST_LOOKS: usize = 200_000_000;
 
 /// A predicate and its objects, by their positions.
 type Fact = (usize, Vec<usize>);
 
+/// A state: a bit for each fact that can change.
+type State = Box<[u64]>;
+
+fn has(state: &State, fact: usize) -> bool {
+    state.get(fact / 64).is_some_and(|word| word >> (fact % 64) & 1 == 1)
+}
+
+fn set(state: &mut State, fact: usize, holds: bool) {
+    if let Some(word) = state.get_mut(fact / 64) {
+        *word = *word & !(1 << (fact % 64)) | u64::from(holds) << (fact % 64);
+    }
+}
+
+/// What becomes one action of a world file.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Kind {
+    /// The position of the action in the domain.
+    pub schema: usize,
+    /// For each parameter, the first one with the same object. In a world from a file, different variables have different objects.
+    pub same: Vec<usize>,
+    /// The cost.
+    pub cost: u64,
+}
+
+/// How an action of the world is possible.
+#[derive(Debug, Default)]
+pub struct Ways {
+    /// Whether it ever changes a state.
+    is_of_use: bool,
+    /// Those that are ever possible.
+    all: BTreeSet<usize>,
+    /// Those that are possible in one state, if there are several.
+    together: HashSet<Vec<usize>>,
+}
+
 /// An action with objects for its parameters.
+#[derive(Debug)]
 struct Ground {
+    kind: usize,
+    objects: Vec<usize>,
     needs: Vec<usize>,
     forbids: Vec<usize>,
     adds: Vec<usize>,
     deletes: Vec<usize>,
-    /// The schema and two of its parameters, if both have the same object.
-    twice: Option<(usize, [usize; 2])>,
+    /// The predicate of an effect with one object for two arguments.
+    twice: Option<usize>,
 }
 
 /// The findings that hold in every reachable state.
 #[derive(Debug)]
 pub struct Swept {
-    /// For each predicate and each argument: whether the other arguments leave at most one object for it.
-    at_most_one: Vec<Vec<bool>>,
-    /// For each predicate: how many of its facts hold, if the number is the same in all states.
-    always: Vec<Option<usize>>,
+    actions: Vec<Ground>,
+    kinds: Vec<(Kind, Ways)>,
+    /// For each predicate: whether its last argument always has exactly one object for each choice of the others.
+    variables: Vec<bool>,
+    /// Whether the goal holds in some state.
+    pub reaches_goal: bool,
 }
 
 impl Swept {
-    /// Whether the other arguments of a predicate always leave at most one object for this one.
-    pub fn is_settled(&self, predicate: usize, argument: usize) -> bool {
-        self.at_most_one.get(predicate).and_then(|arguments| arguments.get(argument)).copied().unwrap_or(false)
+    /// The actions that ever change a state.
+    pub fn kinds(&self) -> impl Iterator<Item = (&Kind, &Ways)> {
+        self.kinds.iter().filter(|(_, ways)| ways.is_of_use).map(|(kind, ways)| (kind, ways))
     }
 
-    /// Whether the last argument of a predicate always has exactly one object for each of the `choices` of the others.
-    pub fn is_variable(&self, predicate: usize, choices: usize) -> bool {
-        let last = self.at_most_one.get(predicate).and_then(|arguments| arguments.last()).copied().unwrap_or(false);
-        last && self.always.get(predicate).copied().flatten() == Some(choices)
+    /// Whether the last argument of a predicate always has exactly one object for each choice of the others.
+    pub fn is_variable(&self, predicate: usize) -> bool {
+        self.variables.get(predicate).copied().unwrap_or(false)
+    }
+
+    fn chosen(&self, action: usize, parameters: &[usize]) -> Vec<usize> {
+        let objects = self.actions.get(action).map_or(&[][..], |action| &action.objects);
+        parameters.iter().filter_map(|&at| objects.get(at).copied()).collect()
+    }
+
+    /// How many actions there are if only these parameters count.
+    pub fn count(&self, ways: &Ways, parameters: &[usize]) -> usize {
+        ways.all.iter().map(|&action| self.chosen(action, parameters)).collect::<HashSet<_>>().len()
+    }
+
+    /// Whether these parameters settle the others: in no state do the others leave a choice of effects.
+    pub fn settles(&self, ways: &Ways, parameters: &[usize]) -> bool {
+        let effect = |&action: &usize| self.actions.get(action).map(|action| (&action.adds, &action.deletes));
+        ways.together.iter().all(|possible| {
+            let mut effects = HashMap::new();
+            possible.iter().all(|action| {
+                let effect = effect(action);
+                *effects.entry(self.chosen(*action, parameters)).or_insert(effect) == effect
+            })
+        })
     }
 }
 
-/// The objects and predicates of a problem, by position.
-pub struct Named<'p> {
-    /// The objects of the domain, then those of the problem.
-    pub objects: Vec<&'p Typed>,
-    /// The domain.
-    pub domain: &'p Domain,
-}
-
-impl Named<'_> {
-    /// The position of a predicate.
-    pub fn predicate(&self, name: &str) -> Option<usize> {
-        self.domain.predicates.iter().position(|(known, _)| known == name)
+/// Visits all states.
+///
+/// # Errors
+/// There are too many, or an effect has one object for two arguments.
+pub fn sweep(named: &Named<'_>) -> Result<Swept, PddlError> {
+    let too_many = || PddlError {
+        text: Text::Problem,
+        line: 1,
+        message: format!(
+            "makes more states or actions than can be looked at ({MOST_STATES} and {MOST_ACTIONS}); take a smaller problem, with fewer objects"
+        ),
+    };
+    let mut grounder = Grounder::of(named);
+    for (position, schema) in named.domain.actions.iter().enumerate() {
+        grounder.ground(position, schema, &mut BTreeMap::new()).ok_or_else(too_many)?;
     }
-
-    /// The position of an object.
-    pub fn object(&self, name: &str) -> Option<usize> {
-        self.objects.iter().position(|known| known.name == name)
-    }
-
-    /// Whether a type equals another, or is below it.
-    pub fn is_a(&self, kind: &str, above: &str) -> bool {
-        let mut kind = kind;
-        for _ in 0..=self.domain.types.len() {
-            if kind == above || above == "object" {
-                return true;
+    let Grounder { facts, actions, kinds, start, changed, .. } = grounder;
+    let mut first: State = vec![0; facts.all.len().div_ceil(64)].into();
+    start.iter().filter_map(|fact| facts.numbers.get(fact)).for_each(|&fact| set(&mut first, fact, true));
+    let goal: Option<Vec<usize>> = named
+        .problem
+        .goal
+        .iter()
+        .filter_map(|atom| fact(named, atom, &BTreeMap::new()))
+        .filter(|fact| changed.contains(&fact.0) || !start.contains(fact))
+        .map(|fact| facts.numbers.get(&fact).copied())
+        .collect();
+    let mut variables = variables(named, &facts);
+    let mut swept = Swept { actions, kinds, variables: vec![], reaches_goal: false };
+    let (mut known, mut open, mut looks) = (HashSet::from([first.clone()]), vec![first], MOST_LOOKS);
+    while let Some(state) = open.pop() {
+        swept.reaches_goal |= goal.as_ref().is_some_and(|goal| goal.iter().all(|&fact| has(&state, fact)));
+        let is_one = |facts: &Vec<usize>| facts.iter().filter(|&&fact| has(&state, fact)).count() == 1;
+        variables.retain(|_, choices| choices.iter().all(is_one));
+        looks = looks.checked_sub(swept.actions.len()).ok_or_else(too_many)?;
+        let mut possible: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for (position, action) in swept.actions.iter().enumerate() {
+            if !action.needs.iter().all(|&fact| has(&state, fact)) || action.forbids.iter().any(|&fact| has(&state, fact)) {
+                continue;
             }
-            match self.domain.types.iter().find(|known| known.name == kind) {
-                Some(known) => kind = &known.kind,
-                None => return false,
+            possible.entry(action.kind).or_default().push(position);
+            let mut next = state.clone();
+            action.deletes.iter().for_each(|&fact| set(&mut next, fact, false));
+            action.adds.iter().for_each(|&fact| set(&mut next, fact, true));
+            if next == state {
+                continue;
+            }
+            let Some((kind, ways)) = swept.kinds.get_mut(action.kind) else { continue };
+            ways.is_of_use = true;
+            if let (Some(twice), Some(schema)) = (action.twice, named.domain.actions.get(kind.schema)) {
+                let predicate = named.domain.predicates.get(twice).map_or("", |(name, _)| name);
+                let message = format!("an effect of {} on {predicate} {TWICE}", schema.name);
+                return Err(PddlError { text: Text::Domain, line: schema.line, message });
+            }
+            if known.insert(next.clone()) {
+                if known.len() > MOST_STATES {
+                    return Err(too_many());
+                }
+                open.push(next);
             }
         }
-        false
+        for (kind, actions) in possible {
+            let Some((_, ways)) = swept.kinds.get_mut(kind) else { continue };
+            ways.all.extend(&actions);
+            if actions.len() > 1 {
+                ways.together.insert(actions);
+            }
+        }
     }
-
-    fn fact(&self, atom: &Atom, binding: &BTreeMap<&str, usize>) -> Option<Fact> {
-        let term = |term: &String| binding.get(term.as_str()).copied().or_else(|| self.object(term));
-        Some((self.predicate(&atom.predicate)?, atom.terms.iter().map(term).collect::<Option<_>>()?))
-    }
+    swept.variables = (0..named.domain.predicates.len()).map(|predicate| variables.contains_key(&predicate)).collect();
+    Ok(swept)
 }
 
-/// The facts of a problem, with a number for each.
+/// The facts of each predicate that may be a variable, by the choice of all arguments but the last.
+fn variables(named: &Named<'_>, facts: &Facts) -> BTreeMap<usize, Vec<Vec<usize>>> {
+    let mut variables = BTreeMap::new();
+    for (predicate, (_, parameters)) in named.domain.predicates.iter().enumerate() {
+        let classes: Vec<&str> = parameters.iter().map(|it| named.class(&it.kind)).collect();
+        let Some((last, firsts)) = classes.split_last() else { continue };
+        let mut by_choice: BTreeMap<&[usize], Vec<usize>> = BTreeMap::new();
+        for (number, (_, objects)) in facts.all.iter().enumerate().filter(|(_, fact)| fact.0 == predicate) {
+            if let Some((_, others)) = objects.split_last() {
+                by_choice.entry(others).or_default().push(number);
+            }
+        }
+        // Arguments of one class have different objects.
+        let choices = firsts
+            .iter()
+            .enumerate()
+            .map(|(at, class)| named.of_class(class).saturating_sub(firsts.iter().take(at).filter(|other| *other == class).count()));
+        if !firsts.contains(last) && !by_choice.is_empty() && by_choice.len() == choices.product::<usize>() {
+            variables.insert(predicate, by_choice.into_values().collect());
+        }
+    }
+    variables
+}
+
+/// The facts that can change, with a number for each.
 #[derive(Default)]
 struct Facts {
     numbers: HashMap<Fact, usize>,
@@ -103,179 +224,117 @@ impl Facts {
     }
 }
 
-/// Visits all states. `None` if there are too many.
-///
-/// # Errors
-/// A [`WorldFlaw`] if an action can have one object for two parameters: in a world from a file they differ.
-pub fn sweep(named: &Named<'_>, problem: &Problem) -> Result<Option<Swept>, WorldFlaw> {
-    let changed: BTreeSet<usize> = named
-        .domain
-        .actions
-        .iter()
-        .flat_map(|action| action.adds.iter().chain(&action.deletes))
-        .filter_map(|atom| named.predicate(&atom.predicate))
-        .collect();
-    let mut facts = Facts::default();
-    let none = BTreeMap::new();
-    let init: BTreeSet<Fact> = problem.init.iter().filter_map(|atom| named.fact(atom, &none)).collect();
-    let start: BTreeSet<usize> = init.iter().map(|fact| facts.number(fact.clone())).collect();
-    let (mut actions, mut tries) = (Vec::new(), MOST_TRIES);
-    for (position, schema) in named.domain.actions.iter().enumerate() {
-        ground(named, (position, schema), &mut BTreeMap::new(), &changed, &init, &mut facts, &mut actions, &mut tries);
-        if actions.len() > MOST_ACTIONS || tries == 0 {
-            return Ok(None);
-        }
-    }
-    let mut swept = Swept {
-        at_most_one: named.domain.predicates.iter().map(|(_, parameters)| vec![true; parameters.len()]).collect(),
-        always: vec![None; named.domain.predicates.len()],
-    };
-    let first: Vec<usize> = start.into_iter().collect();
-    look(&first, &facts, &mut swept, true);
-    let (mut known, mut open) = (HashSet::from([first.clone()]), vec![first]);
-    while let Some(state) = open.pop() {
-        let has: HashSet<usize> = state.iter().copied().collect();
-        for action in &actions {
-            if !action.needs.iter().all(|fact| has.contains(fact)) || action.forbids.iter().any(|fact| has.contains(fact)) {
-                continue;
-            }
-            let kept = state.iter().copied().filter(|fact| !action.deletes.contains(fact));
-            let next: Vec<usize> = kept.chain(action.adds.iter().copied()).collect::<BTreeSet<_>>().into_iter().collect();
-            if next == state {
-                continue;
-            }
-            if let Some((schema, [a, b])) = action.twice {
-                return twice(named, schema, a, b);
-            }
-            if known.insert(next.clone()) {
-                if known.len() > MOST_STATES {
-                    return Ok(None);
-                }
-                look(&next, &facts, &mut swept, false);
-                open.push(next);
-            }
-        }
-    }
-    Ok(Some(swept))
+/// The object of each parameter.
+type Binding<'p> = BTreeMap<&'p str, usize>;
+
+fn value(named: &Named<'_>, term: &String, binding: &Binding<'_>) -> Option<usize> {
+    binding.get(term.as_str()).copied().or_else(|| named.object(term))
 }
 
-fn twice<T>(named: &Named<'_>, schema: usize, a: usize, b: usize) -> Result<T, WorldFlaw> {
-    let Some(schema) = named.domain.actions.get(schema) else { return flaw("actions", "take one object twice") };
-    let name = |position: usize| schema.parameters.get(position).map_or("", |it| it.name.as_str());
-    let message = format!(
-        "{} can be done with one object for {} and {}, and in a world from a file they are two; add (not (= {} {}))",
-        schema.name,
-        name(a),
-        name(b),
-        name(a),
-        name(b)
-    );
-    flaw("actions", message)
+fn fact(named: &Named<'_>, atom: &Atom, binding: &Binding<'_>) -> Option<Fact> {
+    Some((named.predicate(&atom.predicate)?, atom.terms.iter().map(|term| value(named, term, binding)).collect::<Option<_>>()?))
 }
 
-/// Records the facts of a state.
-fn look(state: &[usize], facts: &Facts, swept: &mut Swept, is_first: bool) {
-    let mut counts: HashMap<(usize, usize, Vec<usize>), usize> = HashMap::new();
-    let mut all = vec![0; swept.always.len()];
-    for &(predicate, ref arguments) in state.iter().filter_map(|&fact| facts.all.get(fact)) {
-        all.iter_mut().skip(predicate).take(1).for_each(|count| *count += 1);
-        for (position, _) in arguments.iter().enumerate() {
-            let mut others = arguments.clone();
-            others.remove(position);
-            *counts.entry((predicate, position, others)).or_default() += 1;
-        }
-    }
-    for ((predicate, position, _), count) in counts {
-        if let Some(slot) = swept.at_most_one.get_mut(predicate).and_then(|arguments| arguments.get_mut(position)) {
-            *slot &= count == 1;
-        }
-    }
-    for (slot, count) in swept.always.iter_mut().zip(all) {
-        *slot = if is_first || *slot == Some(count) { Some(count) } else { None };
-    }
+/// Gives the actions each choice of objects that is ever possible.
+struct Grounder<'p> {
+    named: &'p Named<'p>,
+    /// The predicates that an action changes, and the facts at the start.
+    changed: BTreeSet<usize>,
+    start: BTreeSet<Fact>,
+    /// The values of the functions.
+    values: HashMap<(&'p str, Vec<usize>), u64>,
+    facts: Facts,
+    kinds: Vec<(Kind, Ways)>,
+    actions: Vec<Ground>,
+    tries: usize,
 }
 
-/// Grounds an action with each choice of objects that is ever possible.
-#[expect(clippy::too_many_arguments, reason = "what is chosen, what it is chosen from, and what comes of it")]
-fn ground<'p>(
-    named: &Named<'p>,
-    (position, schema): (usize, &'p Schema),
-    binding: &mut BTreeMap<&'p str, usize>,
-    changed: &BTreeSet<usize>,
-    init: &BTreeSet<Fact>,
-    facts: &mut Facts,
-    actions: &mut Vec<Ground>,
-    tries: &mut usize,
-) {
-    // A proposition that no action changes must hold as at the start. This is checked as soon as its objects are chosen.
-    for (atom, holds) in &schema.conditions {
-        if let Some(fact) = named.fact(atom, binding)
-            && !changed.contains(&fact.0)
-            && init.contains(&fact) != *holds
-        {
-            return;
+impl<'p> Grounder<'p> {
+    fn of(named: &'p Named<'p>) -> Self {
+        let effects = named.domain.actions.iter().flat_map(|action| action.adds.iter().chain(&action.deletes));
+        let changed: BTreeSet<usize> = effects.filter_map(|atom| named.predicate(&atom.predicate)).collect();
+        let none = BTreeMap::new();
+        let start: BTreeSet<Fact> = named.problem.init.iter().filter_map(|atom| fact(named, atom, &none)).collect();
+        let told = |(what, value): &'p (Atom, u64)| {
+            let objects = what.terms.iter().map(|term| named.object(term)).collect::<Option<_>>()?;
+            Some(((what.predicate.as_str(), objects), *value))
+        };
+        let values = named.problem.values.iter().filter_map(told).collect();
+        let mut facts = Facts::default();
+        for fact in start.iter().filter(|fact| changed.contains(&fact.0)) {
+            facts.number(fact.clone());
         }
+        Self { named, changed, start, values, facts, kinds: vec![], actions: vec![], tries: MOST_TRIES }
     }
-    for (a, b, same) in &schema.equal {
-        let value = |term: &String| binding.get(term.as_str()).copied().or_else(|| named.object(term));
-        if let (Some(a), Some(b)) = (value(a), value(b))
-            && (a == b) != *same
-        {
-            return;
+
+    /// Grounds an action with each choice of objects for the parameters that have none yet; `None` if there are too many.
+    fn ground(&mut self, position: usize, schema: &'p Schema, binding: &mut Binding<'p>) -> Option<()> {
+        // A proposition that no action changes must hold as at the start. This is checked as soon as its objects are chosen.
+        let is_as_wanted = |(atom, holds): &(Atom, bool)| {
+            let fact = fact(self.named, atom, binding).filter(|fact| !self.changed.contains(&fact.0));
+            fact.is_none_or(|fact| self.start.contains(&fact) == *holds)
+        };
+        let is_possible = schema.conditions.iter().all(is_as_wanted)
+            && schema.equal.iter().all(|equal| {
+                let [a, b] = equal.terms.each_ref().map(|term| value(self.named, term, binding));
+                a.is_none() || b.is_none() || (a == b) == equal.is_same
+            });
+        if !is_possible {
+            return Some(());
         }
-    }
-    *tries = tries.saturating_sub(1);
-    if actions.len() > MOST_ACTIONS || *tries == 0 {
-        return;
-    }
-    if let Some(next) = schema.parameters.iter().find(|it| !binding.contains_key(it.name.as_str())) {
-        for object in
-            (0..named.objects.len()).filter(|&object| named.objects.get(object).is_some_and(|it| named.is_a(&it.kind, &next.kind)))
-        {
-            binding.insert(&next.name, object);
-            ground(named, (position, schema), binding, changed, init, facts, actions, tries);
+        self.tries = self.tries.checked_sub(1).filter(|_| self.actions.len() <= MOST_ACTIONS)?;
+        let Some(next) = schema.parameters.iter().find(|it| !binding.contains_key(it.name.as_str())) else {
+            self.add(position, schema, binding);
+            return Some(());
+        };
+        for (object, of) in self.named.objects.iter().enumerate() {
+            if self.named.is_a(&of.kind, &next.kind) {
+                binding.insert(&next.name, object);
+                self.ground(position, schema, binding)?;
+            }
         }
         binding.remove(next.name.as_str());
-        return;
+        Some(())
     }
-    let mut numbers = |atoms: &mut dyn Iterator<Item = &Atom>| -> Vec<usize> {
-        atoms.filter_map(|atom| named.fact(atom, binding)).map(|fact| facts.number(fact)).collect()
-    };
-    let values: Vec<usize> = schema.parameters.iter().filter_map(|it| binding.get(it.name.as_str()).copied()).collect();
-    let same = |(b, value): (usize, &usize)| values.iter().take(b).position(|other| other == value).map(|a| [a, b]);
-    // Parameters that the domain declares equal count as one.
-    let said = |[a, b]: &[usize; 2]| {
-        let is = |term: &String, position: usize| schema.parameters.get(position).is_some_and(|it| it.name == *term);
-        schema.equal.iter().any(|(one, other, same)| *same && (is(one, *a) && is(other, *b) || is(one, *b) && is(other, *a)))
-    };
-    actions.push(Ground {
-        needs: numbers(&mut schema.conditions.iter().filter(|(_, holds)| *holds).map(|(atom, _)| atom)),
-        forbids: numbers(&mut schema.conditions.iter().filter(|(_, holds)| !*holds).map(|(atom, _)| atom)),
-        adds: numbers(&mut schema.adds.iter()),
-        deletes: numbers(&mut schema.deletes.iter()),
-        twice: values.iter().enumerate().filter_map(same).find(|pair| !said(pair)).map(|pair| (position, pair)),
-    });
-}
 
-/// The costs of an action in a problem, each with the values of the cost function that give it.
-pub fn costs<'p>(problem: &'p Problem, schema: &'p Schema) -> Result<Vec<(u64, Vec<&'p Atom>)>, WorldFlaw> {
-    let told = match &schema.cost {
-        _ if !problem.minimizes_cost => return Ok(vec![(1, vec![])]),
-        None => {
-            return flaw(
-                "actions",
-                format!(
-                    "line {}: {} has no cost, and a world's action costs 1 to 16; add (increase (total-cost) 1)",
-                    schema.line, schema.name
-                ),
-            );
+    fn add(&mut self, position: usize, schema: &Schema, binding: &Binding<'_>) {
+        let Some(cost) = self.cost(schema, binding) else { return };
+        let Self { named, changed, facts, kinds, actions, .. } = self;
+        let objects: Vec<usize> = schema.parameters.iter().filter_map(|it| binding.get(it.name.as_str()).copied()).collect();
+        let same = objects.iter().map(|object| objects.iter().position(|other| other == object).unwrap_or(0)).collect();
+        let kind = Kind { schema: position, same, cost };
+        let of_kind = kinds.iter().position(|(known, _)| *known == kind).unwrap_or(kinds.len());
+        if of_kind == kinds.len() {
+            kinds.push((kind, Ways::default()));
         }
-        Some(Cost::Of(cost)) => return Ok(vec![(*cost, vec![])]),
-        Some(Cost::Told(told)) => told,
-    };
-    let mut by_cost: BTreeMap<u64, Vec<&Atom>> = BTreeMap::new();
-    for (what, cost) in problem.values.iter().filter(|(what, _)| what.predicate == told.predicate) {
-        by_cost.entry(*cost).or_default().push(what);
+        let mut numbers = |atoms: &mut dyn Iterator<Item = &Atom>| -> Vec<usize> {
+            let facts_of = atoms.filter_map(|atom| fact(named, atom, binding)).filter(|fact| changed.contains(&fact.0));
+            facts_of.map(|fact| facts.number(fact)).collect()
+        };
+        let mut ground = Ground {
+            kind: of_kind,
+            objects,
+            needs: numbers(&mut schema.conditions.iter().filter(|(_, holds)| *holds).map(|(atom, _)| atom)),
+            forbids: numbers(&mut schema.conditions.iter().filter(|(_, holds)| !*holds).map(|(atom, _)| atom)),
+            adds: numbers(&mut schema.adds.iter()),
+            deletes: numbers(&mut schema.deletes.iter()),
+            twice: None,
+        };
+        let mut effects = ground.adds.iter().chain(&ground.deletes).filter_map(|&number| facts.all.get(number));
+        ground.twice = effects.find(|(_, objects)| has_one_twice(objects)).map(|&(predicate, _)| predicate);
+        actions.push(ground);
     }
-    Ok(by_cost.into_iter().collect())
+
+    /// What an action costs; `None` if it cannot be done, because its function has no value for these objects.
+    fn cost(&self, schema: &Schema, binding: &Binding<'_>) -> Option<u64> {
+        match &schema.cost {
+            _ if !self.named.problem.minimizes_cost => Some(1),
+            None => Some(0),
+            Some(Cost::Of(cost)) => Some(*cost),
+            Some(Cost::Told(told)) => {
+                let objects = told.terms.iter().map(|term| value(self.named, term, binding)).collect::<Option<_>>()?;
+                self.values.get(&(told.predicate.as_str(), objects)).copied()
+            }
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Words, and lists in brackets.
 
-use super::PddlError;
+use super::{PddlError, Text};
 
 /// The most lists inside one another.
 const DEEPEST: usize = 64;
@@ -14,19 +14,34 @@ pub enum Expression {
     List(Vec<Expression>, usize),
 }
 
-pub fn error<T>(line: usize, message: impl Into<String>) -> Result<T, PddlError> {
-    Err(PddlError { line, message: message.into() })
+/// The fault of a text, and its line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    line: usize,
+    message: String,
+}
+
+impl Fault {
+    /// The fault, told of its text.
+    pub fn of(self, text: Text) -> PddlError {
+        PddlError { text, line: self.line, message: self.message }
+    }
+}
+
+pub fn error<T>(line: usize, message: impl Into<String>) -> Result<T, Fault> {
+    Err(Fault { line, message: message.into() })
 }
 
 impl Expression {
     /// The only list of a text.
-    pub fn parse(text: &str) -> Result<Self, PddlError> {
+    pub fn parse(text: &str) -> Result<Self, Fault> {
         // The lists that are open, the outermost first.
         let mut open: Vec<(Vec<Self>, usize)> = Vec::new();
         let mut whole = None;
-        for (line, number) in text.lines().zip(1..) {
+        // Some editors begin a file with a byte-order mark, and some domains write no blank before a variable: `(at?room)`.
+        for (line, number) in text.trim_start_matches('\u{feff}').lines().zip(1..) {
             let line = line.split(';').next().unwrap_or("");
-            let spaced = line.replace('(', " ( ").replace(')', " ) ");
+            let spaced = line.replace('(', " ( ").replace(')', " ) ").replace('?', " ?");
             for token in spaced.split_whitespace() {
                 if whole.is_some() {
                     return error(number, "is after the end: write one definition in each file");
@@ -64,7 +79,7 @@ impl Expression {
     }
 
     /// The word.
-    pub fn word(&self) -> Result<&str, PddlError> {
+    pub fn word(&self) -> Result<&str, Fault> {
         match self {
             Self::Word(word, _) => Ok(word),
             Self::List(_, line) => error(*line, "is a list where a word belongs"),
@@ -72,7 +87,7 @@ impl Expression {
     }
 
     /// The items of the list.
-    pub fn list(&self) -> Result<&[Self], PddlError> {
+    pub fn list(&self) -> Result<&[Self], Fault> {
         match self {
             Self::List(items, _) => Ok(items),
             Self::Word(word, line) => error(*line, format!("{word:?} is a word where a list belongs; write it in brackets")),
@@ -80,7 +95,7 @@ impl Expression {
     }
 
     /// The first word of a list, and the rest of the list.
-    pub fn headed(&self) -> Result<(&str, &[Self]), PddlError> {
+    pub fn headed(&self) -> Result<(&str, &[Self]), Fault> {
         match self.list()?.split_first() {
             Some((head, rest)) => Ok((head.word()?, rest)),
             None => error(self.line(), "is an empty list; leave it out"),

@@ -1,0 +1,7 @@
+(define (domain carry)
+(:predicates (room ?r) (ball ?b) (hand ?h) (here ?r) (at ?b ?r) (empty ?h) (holds ?h ?b))
+(:action go :parameters (?a ?b) :precondition (and (room ?a) (room ?b) (here ?a)) :effect (and (here ?b) (not (here ?a))))
+(:action pick :parameters (?b ?r ?h) :precondition (and (ball ?b) (room ?r) (hand ?h) (at ?b ?r) (here ?r) (empty ?h))
+    :effect (and (holds ?h ?b) (not (at ?b ?r)) (not (empty ?h))))
+(:action drop :parameters (?b ?r ?h) :precondition (and (ball ?b) (room ?r) (hand ?h) (holds ?h ?b) (here ?r))
+    :effect (and (at ?b ?r) (empty ?h) (not (holds ?h ?b)))))
