@@ -56,7 +56,13 @@ impl<M: AgentMemory> Agent<M> {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
             }
-            let result = self.understand_on(domain, budget);
+            let mut left = budget.max(1);
+            // One after the other, because both together take more stack.
+            let result = match self.hear_words_on(&mut left) {
+                Ok(true) if left > 0 => self.understand_on(domain, left),
+                Ok(_) => Ok(Progress::Working),
+                Err(error) => Err(error),
+            };
             if result.is_err() {
                 (self.start, self.progressed) = (None, Progressed::Idle);
             }
@@ -170,9 +176,10 @@ impl<M: AgentMemory> Agent<M> {
         Ok(is_kept)
     }
 
-    /// Hears on the words of a command that is kept at the front of the workspace. Returns whether all are heard.
+    /// Hears on the words of a command, if it is kept at the front of the workspace. Returns whether all are heard.
     #[inline(never)]
-    fn hear_words_on(&mut self, mut heard: Heard, bytes: u32, left: &mut u32) -> Result<bool, AgentError> {
+    fn hear_words_on(&mut self, left: &mut u32) -> Result<bool, AgentError> {
+        let Progressed::Words(mut heard, bytes) = self.progressed else { return Ok(true) };
         let tables = self.memory.lend();
         let kept: &[u8] = bytemuck::cast_slice(tables.workspace);
         let command = core::str::from_utf8(kept.get(..bytes as usize).unwrap_or(&[])).unwrap_or("");
@@ -185,9 +192,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Hears the words of a command that is kept in the workspace, which other work needs now. A session whose command is too long ends.
     pub(crate) fn hear_words_to_the_end(&mut self) {
-        if let Progressed::Words(heard, bytes) = self.progressed
-            && self.hear_words_on(heard, bytes, &mut { u32::MAX }).is_err()
-        {
+        if self.hear_words_on(&mut { u32::MAX }).is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
     }
@@ -223,13 +228,8 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Continues to set each task's prior to Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
-    fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
-        let mut left = budget.max(1);
-        if let Progressed::Words(heard, bytes) = self.progressed
-            && (!self.hear_words_on(heard, bytes, &mut left)? || left == 0)
-        {
-            return Ok(Progress::Working);
-        }
+    #[inline(never)]
+    fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Progress, AgentError> {
         if matches!(self.progressed, Progressed::Opened) {
             self.take_up(domain)?;
             left = left.saturating_sub(self.task_count as u32);
