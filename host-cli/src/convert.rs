@@ -1,7 +1,7 @@
 //! `goodbot convert`: a world from PDDL.
 
 use clap::{Args, ValueHint};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::messages::tell;
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
@@ -24,10 +24,10 @@ Example:
 pub struct ConvertArgs {
     /// The domain
     #[arg(value_name = "DOMAIN", value_hint = ValueHint::FilePath)]
-    domain: String,
+    domain: InputFile,
     /// The problem
     #[arg(value_name = "PROBLEM", value_hint = ValueHint::FilePath)]
-    problem: String,
+    problem: InputFile,
 }
 
 /// Runs the command.

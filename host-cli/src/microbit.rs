@@ -9,7 +9,7 @@ use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::snapshot::Contents;
 use goodbot::storage::TwoSlots;
 use goodbot::{Agent, Capacities, Options};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
@@ -48,7 +48,7 @@ pub struct MicrobitOptions {
     model: PathBuf,
     /// A home in place of the robot's own, as JSON or drawn as text; - is standard input
     #[arg(long, value_name = "HOME", value_hint = ValueHint::FilePath)]
-    home: Option<String>,
+    home: Option<InputFile>,
     /// A command for the list of the long press; may be given several times
     #[arg(long, short = 'c', value_name = "WORDS")]
     command: Vec<String>,
@@ -65,7 +65,7 @@ pub struct MicrobitOptions {
 /// # Errors
 /// [`Failure`] names the file and its fault.
 pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
-    let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(Path::new));
+    let inputs = [&options.hex, &options.model].map(PathBuf::as_path).into_iter().chain(options.home.as_ref().map(AsRef::as_ref));
     let target = Output::new(Kind::Microbit, &options.out, inputs, options.force)?;
     let mut file =
         MicrobitFile::parse(&read_text(&options.hex)?).map_err(|error| refused(&options.hex, &format!("{error}; {HOW_TO_GET_IT}")))?;
@@ -75,7 +75,7 @@ pub fn run(options: &MicrobitOptions) -> Result<(), Failure> {
         return Err(Failure::Input(format!("{command:?} is no command; say what to do, on one line")));
     }
     if options.home.is_some() || !options.command.is_empty() {
-        let objects = options.home.as_deref().map(described).transpose()?;
+        let objects = options.home.as_ref().map(described).transpose()?;
         file.put_home(objects.as_ref(), &options.command).map_err(|error| Failure::Input(error.to_string()))?;
     }
     target.write(file.to_text().as_bytes())?;
@@ -99,12 +99,12 @@ fn read_text(path: &Path) -> Result<String, Failure> {
 }
 
 /// A home that fits the board.
-fn described(name: &str) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
-    let environment = input::home(name)?;
+fn described(file: &InputFile) -> Result<goodbot_formats::environment::EnvironmentFile, Failure> {
+    let environment = input::home(file)?;
     let mut memory = HomeHeap::new(&CAPACITIES);
     match home::build(&environment, Moves::Push, &mut memory) {
         Ok(_) => Ok(environment),
-        Err(flaw) => Err(Failure::Input(format!("{name} on a micro:bit: {}", flaw.message(&environment)))),
+        Err(flaw) => Err(Failure::Input(format!("{} on a micro:bit: {}", input::name(file), flaw.message(&environment)))),
     }
 }
 

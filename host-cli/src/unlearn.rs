@@ -3,7 +3,7 @@
 use crate::inspect::sessions;
 use clap::{Args, ValueHint};
 use goodbot::snapshot::Contents;
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
@@ -32,7 +32,7 @@ pub struct UnlearnArgs {
     session: String,
     /// The log of all sessions that the model learned from, which has their ids
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    log: Option<String>,
+    log: Option<InputFile>,
     /// The model to write, without the session; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
@@ -46,7 +46,7 @@ pub struct UnlearnArgs {
 /// # Errors
 /// [`Failure`] names the file and its fault.
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
-    let inputs = [Some(args.model.as_path()), args.log.as_deref().map(Path::new)];
+    let inputs = [Some(args.model.as_path()), args.log.as_ref().map(AsRef::as_ref)];
     let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
     let mut agent = restored::model(&args.model)?;
     let file = read_model(&args.model)?;
@@ -84,7 +84,7 @@ fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
 }
 
 /// The position of a session with this id, in the log of all learned sessions.
-fn position_in_log(model: &Path, log: &str, id: &str, count: usize) -> Result<usize, Failure> {
+fn position_in_log(model: &Path, log: &InputFile, id: &str, count: usize) -> Result<usize, Failure> {
     let name = input::name(log);
     let opened = input::log(log)?;
     let mut ids = Vec::new();

@@ -6,7 +6,7 @@ use goodbot::oomdp::Action;
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, Capacities, Options};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::messages::counting;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::session::{Kind, RecordedSession, SessionReader};
@@ -62,7 +62,7 @@ pub fn trainer_of<'a>(id: Option<&'a str>, file: &'a str) -> &'a str {
 ///
 /// # Errors
 /// The first fault.
-pub fn read(files: &[String], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Failure> {
+pub fn read(files: &[InputFile], lifted: &[LiftedTask]) -> Result<Vec<Walk>, Failure> {
     let mut agent = Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, Options::PAPER)?;
     let mut walks = vec![];
     let progress = counting("planning for sessions");

@@ -1,6 +1,6 @@
 //! Closed classes of words from a file, in place of the built-in ones.
 
-use super::input;
+use super::input::{self, InputFile};
 use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::talk::ClosedWords;
@@ -13,7 +13,7 @@ pub struct ClosedWordOptions {
     /// A table of closed words such as "not", "and" and "please", in place of the built-in one (goodbot example closed-words prints it); an
     /// empty file has none
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    closed_words: Option<String>,
+    closed_words: Option<InputFile>,
 }
 
 impl ClosedWordOptions {

@@ -2,6 +2,7 @@
 
 use super::content::{Content, HEAD};
 use crate::messages;
+use crate::output::is_standard;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::FormatError;
 use goodbot_formats::Problem;
@@ -9,28 +10,63 @@ use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldFile, WorldReader, field_line};
 use goodbot_lesson::{Fault, home};
+use std::ffi::OsString;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
 
 /// The name of standard input in messages.
 const STANDARD_INPUT: &str = "standard input";
 
+/// A file to read, by any name that the system allows. `-` is standard input.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InputFile {
+    path: PathBuf,
+    /// The name in messages: not every name of a file is text.
+    name: String,
+}
+
+impl From<OsString> for InputFile {
+    fn from(typed: OsString) -> Self {
+        let name = if typed == "-" { STANDARD_INPUT.to_owned() } else { typed.to_string_lossy().into_owned() };
+        Self { path: typed.into(), name }
+    }
+}
+
+impl AsRef<Path> for InputFile {
+    fn as_ref(&self) -> &Path {
+        &self.path
+    }
+}
+
+impl InputFile {
+    /// Standard input.
+    pub fn standard() -> Self {
+        Self::from(OsString::from("-"))
+    }
+
+    /// Whether it is standard input.
+    pub fn is_standard(&self) -> bool {
+        is_standard(&self.path)
+    }
+}
+
 /// The name of a file in messages.
-pub fn name(file: &str) -> &str {
-    if file == "-" { STANDARD_INPUT } else { file }
+pub fn name(file: &InputFile) -> &str {
+    &file.name
 }
 
 /// Opens a file.
-pub fn open(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
+pub fn open(file: &InputFile) -> Result<BufReader<Box<dyn Read>>, Fault> {
     let opened: Box<dyn Read> =
-        if file == "-" { Box::new(std::io::stdin()) } else { Box::new(File::open(file).map_err(unreadable(file))?) };
+        if file.is_standard() { Box::new(std::io::stdin()) } else { Box::new(File::open(&file.path).map_err(unreadable(&file.name))?) };
     Ok(BufReader::with_capacity(HEAD, opened))
 }
 
 /// Opens a session log, and refuses a file of another kind.
-pub fn log(file: &str) -> Result<BufReader<Box<dyn Read>>, Fault> {
+pub fn log(file: &InputFile) -> Result<BufReader<Box<dyn Read>>, Fault> {
     let mut opened = open(file)?;
-    let content = Content::of(opened.fill_buf().map_err(unreadable(file))?);
+    let content = Content::of(opened.fill_buf().map_err(unreadable(name(file)))?);
     let is_other = matches!(content, Content::Map | Content::Beliefs | Content::Model | Content::Picture | Content::ClosedWords);
     if is_other || is_home(opened.buffer()) {
         let message = format!("this is {}, not a session log; name a log (goodbot example log prints one)", content.name());
@@ -71,7 +107,7 @@ pub enum Place {
 ///
 /// # Errors
 /// The fault of the file.
-pub fn place(file: &str) -> Result<Place, Fault> {
+pub fn place(file: &InputFile) -> Result<Place, Fault> {
     let bytes = bytes(file)?;
     if Content::of(&bytes) == Content::Worlds {
         return WorldInFile::parse(name(file), bytes).map(|world| Place::World(Box::new(world)));
@@ -83,11 +119,11 @@ pub fn place(file: &str) -> Result<Place, Fault> {
 ///
 /// # Errors
 /// The fault of the file.
-pub fn home(file: &str) -> Result<EnvironmentFile, Fault> {
+pub fn home(file: &InputFile) -> Result<EnvironmentFile, Fault> {
     home_of(file, bytes(file)?)
 }
 
-fn home_of(file: &str, bytes: Vec<u8>) -> Result<EnvironmentFile, Fault> {
+fn home_of(file: &InputFile, bytes: Vec<u8>) -> Result<EnvironmentFile, Fault> {
     let name = name(file);
     let content = Content::of(&bytes);
     if !matches!(content, Content::Environment | Content::Map) {
@@ -127,12 +163,12 @@ impl WorldInFile {
 ///
 /// # Errors
 /// The fault of the file.
-pub fn world(file: &str) -> Result<Option<WorldInFile>, Fault> {
+pub fn world(file: &InputFile) -> Result<Option<WorldInFile>, Fault> {
     let mut opened = open(file)?;
-    if Content::of(opened.fill_buf().map_err(unreadable(file))?) != Content::Worlds {
+    if Content::of(opened.fill_buf().map_err(unreadable(name(file)))?) != Content::Worlds {
         return Ok(None);
     }
-    WorldInFile::parse(name(file), rest(file, opened)?).map(Some)
+    WorldInFile::parse(name(file), rest(name(file), opened)?).map(Some)
 }
 
 /// Writes faults to standard error.
@@ -141,29 +177,29 @@ pub fn tell(faults: &[Fault]) {
 }
 
 /// The whole content of a file.
-pub fn bytes(file: &str) -> Result<Vec<u8>, Fault> {
-    rest(file, open(file)?)
+pub fn bytes(file: &InputFile) -> Result<Vec<u8>, Fault> {
+    rest(name(file), open(file)?)
 }
 
 /// The whole content of a file, as text.
 ///
 /// # Errors
 /// A fault if it cannot be read, or is not UTF-8.
-pub fn text(file: &str) -> Result<String, Fault> {
+pub fn text(file: &InputFile) -> Result<String, Fault> {
     String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), Problem::NotUtf8))
 }
 
-/// The rest of an opened file.
+/// The rest of an opened file, with its name for messages.
 pub fn rest(file: &str, opened: impl Read) -> Result<Vec<u8>, Fault> {
     let mut bytes = Vec::new();
     opened.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(unreadable(file))?;
     if bytes.len() as u64 > MOST_BYTES {
         let message = format!("has more than {} MiB, too much for a file that is read whole; check its name", MOST_BYTES >> 20);
-        return Err(Fault::new(name(file), message));
+        return Err(Fault::new(file, message));
     }
     Ok(bytes)
 }
 
 fn unreadable(file: &str) -> impl FnOnce(std::io::Error) -> Fault {
-    move |error| Fault::new(name(file), format!("cannot be read ({error}); check its name and that you may read it"))
+    move |error| Fault::new(file, format!("cannot be read ({error}); check its name and that you may read it"))
 }

@@ -1,6 +1,6 @@
 //! Tables of synonyms.
 
-use super::input;
+use super::input::{self, InputFile};
 use crate::outcome::Failure;
 use clap::{Args, ValueHint};
 use goodbot::capacity::CapacityError;
@@ -13,7 +13,7 @@ use std::borrow::Cow;
 pub struct SynonymOptions {
     /// A table of synonyms: an unknown word is heard as a known word of its line (goodbot example synonyms prints one)
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    synonyms: Option<String>,
+    synonyms: Option<InputFile>,
 }
 
 impl SynonymOptions {

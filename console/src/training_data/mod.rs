@@ -16,7 +16,7 @@ pub use lesson::{Lesson, MachineCommand, Reading};
 
 use crate::believes::Believes;
 use crate::load::content::Content;
-use crate::load::input;
+use crate::load::input::{self, InputFile};
 use crate::load::limit::Limit;
 use crate::messages::{bar, counted, counting, say, summed};
 use crate::outcome::Failure;
@@ -60,7 +60,13 @@ pub struct LogOptions {
 }
 
 /// Reads the sessions of all files and replays them.
-pub fn read(files: &[String], lifted: &[LiftedTask], options: Options, plans: bool, log_options: &LogOptions) -> Result<Lessons, Failure> {
+pub fn read(
+    files: &[InputFile],
+    lifted: &[LiftedTask],
+    options: Options,
+    plans: bool,
+    log_options: &LogOptions,
+) -> Result<Lessons, Failure> {
     let keep_going = log_options.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);

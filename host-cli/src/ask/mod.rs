@@ -28,7 +28,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::talk::{ClosedWords, Hypothesis, Verdict};
 use goodbot_console::load::closed_words::ClosedWordOptions;
 use goodbot_console::load::content::Content;
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::synonyms::{SynonymOptions, said_in_known_words};
 use goodbot_console::messages::{counted, tell};
@@ -53,6 +53,9 @@ use std::sync::Arc;
 use told::Told;
 use why::Word;
 
+/// The most sessions of a log to ask at once.
+const MOST_SESSIONS: usize = 10_000;
+
 /// The options of `goodbot ask`.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -62,13 +65,13 @@ pub struct AskOptions {
     with: PathBuf,
     /// A home, as JSON or drawn as text, or a world from a file; - is standard input
     #[arg(long, short = 'e', value_name = "HOME", value_hint = ValueHint::FilePath, required_unless_present = "log")]
-    environment: Option<String>,
+    environment: Option<InputFile>,
     /// The command, in as many words as you like; - asks each line of standard input
     #[arg(value_name = "COMMAND", required_unless_present = "log")]
     command: Vec<String>,
     /// Ask the commands of a session log, each in its own home, and compare with the intended tasks
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath, conflicts_with_all = ["environment", "command", "pull"])]
-    log: Option<String>,
+    log: Option<InputFile>,
     /// Ask the session of this id alone
     #[arg(long, value_name = "ID", requires = "log")]
     session: Option<String>,
@@ -233,7 +236,7 @@ enum Questions {
 fn questions(options: &AskOptions) -> Result<Questions, Failure> {
     let Some(file) = options.log.as_ref().or(options.environment.as_ref()) else { return Ok(Questions::Heard(vec![])) };
     // Standard input is read once, for a home.
-    if file != "-" {
+    if !file.is_standard() {
         let mut opened = input::open(file)?;
         // A file that cannot be read is refused later, when it is read.
         if opened.fill_buf().map(Content::of).ok() == Some(Content::Worlds) {
@@ -252,7 +255,7 @@ fn questions(options: &AskOptions) -> Result<Questions, Failure> {
 }
 
 /// The commands of the options, in one place.
-fn asked(options: &AskOptions, file: &str, setting: &Setting, commands: Vec<String>) -> Vec<Question> {
+fn asked(options: &AskOptions, file: &InputFile, setting: &Setting, commands: Vec<String>) -> Vec<Question> {
     let moves = if options.pull { Moves::PushAndPull } else { Moves::Push };
     let question = |command| Question {
         session: None,
@@ -267,9 +270,9 @@ fn asked(options: &AskOptions, file: &str, setting: &Setting, commands: Vec<Stri
 }
 
 /// The commands of the options, or those of standard input if it is not the place.
-fn commands(options: &AskOptions, file: &str) -> Result<Vec<String>, Failure> {
+fn commands(options: &AskOptions, file: &InputFile) -> Result<Vec<String>, Failure> {
     match options.command.as_slice() {
-        [only] if only == "-" && file == "-" => {
+        [only] if only == "-" && file.is_standard() => {
             let message = "the home and the commands cannot both come from standard input; name a file for the home";
             Err(Failure::Input(message.to_owned()))
         }
@@ -279,7 +282,7 @@ fn commands(options: &AskOptions, file: &str) -> Result<Vec<String>, Failure> {
 }
 
 /// The questions in a world from a file.
-fn in_world(options: &AskOptions, file: &str, opened: impl BufRead) -> Result<Questions, Failure> {
+fn in_world(options: &AskOptions, file: &InputFile, opened: impl BufRead) -> Result<Questions, Failure> {
     let name = input::name(file);
     let world = input::WorldInFile::parse(name, input::rest(name, opened)?)?.world;
     let commands = commands(options, file)?;
@@ -306,11 +309,15 @@ fn refuse_why(options: &AskOptions) -> Result<(), Failure> {
 }
 
 /// The questions of a log of worlds.
-fn in_log_of_worlds(options: &AskOptions, file: &str, opened: impl BufRead) -> Result<Questions, Failure> {
+fn in_log_of_worlds(options: &AskOptions, file: &InputFile, opened: impl BufRead) -> Result<Questions, Failure> {
     let name = input::name(file);
     let is_wanted = |id: &Option<String>| options.session.is_none() || *id == options.session;
     let (mut questions, mut known, mut acting) = (Vec::new(), HashMap::new(), BTreeSet::new());
     for line in WorldReader::new(opened) {
+        if questions.len() > MOST_SESSIONS {
+            questions.retain(|question: &Question| is_wanted(&question.session));
+            has_few_sessions(name, questions.len())?;
+        }
         match line.map_err(|error| Fault::from_format(name, error))? {
             Line::World(world) => {
                 acting.insert(!world.actions.is_empty());
@@ -362,6 +369,17 @@ fn in_log_of_worlds(options: &AskOptions, file: &str, opened: impl BufRead) -> R
     }
 }
 
+/// Refuses a log of which too many sessions are wanted.
+fn has_few_sessions(name: &str, wanted: usize) -> Result<(), Failure> {
+    if wanted <= MOST_SESSIONS {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{name}: has more than {MOST_SESSIONS} sessions, and each takes a plan; name one with --session, ask the log in parts, or count right answers \
+         with goodbot evaluate --with"
+    )))
+}
+
 fn no_such_command(name: &str) -> Failure {
     Failure::Input(format!("{name}: has no such command; check its id"))
 }
@@ -370,7 +388,7 @@ fn no_such_command(name: &str) -> Failure {
 fn lines() -> Result<Vec<String>, Failure> {
     const MOST: usize = 100_000;
     let mut commands = Vec::new();
-    for line in input::text("-")?.lines() {
+    for line in input::text(&InputFile::standard())?.lines() {
         if !line.trim().is_empty() {
             commands.push(line.trim().to_owned());
         }
@@ -384,7 +402,7 @@ fn lines() -> Result<Vec<String>, Failure> {
     Ok(commands)
 }
 
-fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
+fn sessions(options: &AskOptions, log: &InputFile) -> Result<Vec<Question>, Failure> {
     let name = input::name(log);
     let mut questions = Vec::new();
     for recorded in SessionReader::new(input::log(log)?) {
@@ -393,6 +411,7 @@ fn sessions(options: &AskOptions, log: &str) -> Result<Vec<Question>, Failure> {
         if options.session.is_some() && header.id != options.session {
             continue;
         }
+        has_few_sessions(name, questions.len() + 1)?;
         let intended = header.meant().and_then(Result::ok);
         questions.push(Question {
             source: format!("{name}:{}", recorded.header_line),

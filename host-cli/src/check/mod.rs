@@ -12,10 +12,10 @@ use goodbot::oomdp::{Domain, check as soundness};
 use goodbot::talk::{Class, ClosedWords, ClosedWordsError};
 use goodbot::task::LiftedTask;
 use goodbot_console::load::content::{Content, HEAD};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{self, counted, counting, summed, summed_by};
+use goodbot_console::messages::{self, counted, counting, say, summed, summed_by};
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
 use goodbot_console::training_data::worlds;
@@ -31,6 +31,8 @@ use serde_json::json;
 use std::collections::{HashMap, HashSet};
 use std::io::{BufRead, Read, Write};
 
+/// From this many bytes on, checking a log may take a minute.
+const LONG: u64 = 100_000_000;
 /// The most different faults to report for one file.
 const MOST_FAULTS: usize = 100;
 /// The most faults to report for one file in total.
@@ -52,7 +54,7 @@ Example: goodbot check home.json lessons.jsonl"
 pub struct CheckArgs {
     /// Homes (JSON or drawn as text), session logs and beliefs (JSON Lines), tables of closed words; - is standard input
     #[arg(required = true, value_name = "FILE")]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     #[command(flatten)]
     kinds: TaskKinds,
     #[command(flatten)]
@@ -117,13 +119,13 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
 ///
 /// # Errors
 /// The first fault, and the number of the others.
-pub fn summary(file: &str) -> Result<String, String> {
+pub fn summary(file: &InputFile) -> Result<String, String> {
     let lifted = paper_tasks().map_err(|error| error.to_string())?;
     let found = check(file, &lifted, Limit::default()).map_err(|fault| fault.to_string())?;
     match found.faults.split_first() {
         None => Ok(found.what),
         Some((first, [])) => Err(first.to_string()),
-        Some((first, rest)) => Err(format!("{first}; and {} more: goodbot check {file} names all", rest.len())),
+        Some((first, rest)) => Err(format!("{first}; and {} more: goodbot check {} names all", rest.len(), input::name(file))),
     }
 }
 
@@ -170,11 +172,14 @@ fn tell_json(file: &str, found: &Findings) -> std::io::Result<()> {
 ///
 /// # Errors
 /// The fault of a file that cannot be read.
-fn check(file: &str, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
+fn check(file: &InputFile, lifted: &[LiftedTask], limit: Limit) -> Result<Findings, Fault> {
     let name = input::name(file);
     let mut opened = input::open(file)?;
     let unreadable = |error: std::io::Error| Fault::new(name, format!("cannot be read ({error}); check its name and that you may read it"));
     let content = Content::of(opened.fill_buf().map_err(unreadable)?);
+    if matches!(content, Content::Log | Content::Worlds) && std::fs::metadata(file).is_ok_and(|it| it.len() > LONG) {
+        say!("{name}: has more than {} MB, every line of which is checked; --limit N checks the first N sessions alone", LONG / 1_000_000);
+    }
     if content == Content::Log {
         return Ok(check_log(name, opened, lifted, limit));
     }

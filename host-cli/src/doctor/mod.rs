@@ -7,6 +7,7 @@ mod robots;
 
 use crate::check;
 use clap::{Args, ValueHint};
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -29,7 +30,7 @@ Example: goodbot doctor home.json words.goodbot")]
 pub struct DoctorArgs {
     /// Files to look at too: models, homes, session logs
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     /// Print a line of JSON for each finding
     #[arg(long)]
     json: bool,
@@ -129,11 +130,11 @@ fn terminal() -> Vec<Finding> {
 }
 
 /// Checks a named file.
-fn look_at(file: &str) -> Finding {
+fn look_at(file: &InputFile) -> Finding {
     match robots::is_model(file) {
-        true => robots::model(std::path::Path::new(file)),
+        true => robots::model(file.as_ref()),
         false => match check::summary(file) {
-            Ok(what) => Finding::new(State::Fine, format!("{file}: {what}")),
+            Ok(what) => Finding::new(State::Fine, format!("{}: {what}", input::name(file))),
             Err(fault) => Finding::new(State::Wrong, fault),
         },
     }

@@ -39,7 +39,7 @@ pub fn kept() -> Vec<Finding> {
 }
 
 /// Whether a file begins like a model.
-pub fn is_model(file: &str) -> bool {
+pub fn is_model(file: impl AsRef<Path>) -> bool {
     let mut head = Vec::new();
     File::open(file).and_then(|file| file.take(64).read_to_end(&mut head)).is_ok() && Content::of(&head) == Content::Model
 }

@@ -4,6 +4,7 @@ use clap::{Args, ValueHint};
 use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::{self, Learner};
+use goodbot_console::load::input::InputFile;
 use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::load::limit::Limit;
 use goodbot_console::messages::{counted, working};
@@ -28,7 +29,7 @@ Example:
 pub struct LearnOptions {
     /// Session logs (JSON Lines): feedback, demonstrations or labels; - is standard input
     #[arg(required_unless_present = "starter", value_name = "FILE", value_hint = ValueHint::FilePath)]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     /// The model file to write; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,

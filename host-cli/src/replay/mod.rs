@@ -12,8 +12,8 @@ use goodbot::session::Options;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::content::Content;
-use goodbot_console::load::input;
 use goodbot_console::load::input::tell;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
 use goodbot_console::load::synonyms::SynonymOptions;
@@ -50,7 +50,7 @@ Examples:
 pub struct ReplayArgs {
     /// Session logs (JSON Lines); - is standard input
     #[arg(required = true, value_name = "FILE")]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     /// Print each belief as a line of JSON: before the first step, and after each
     #[arg(long)]
     json: bool,

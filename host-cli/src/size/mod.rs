@@ -9,6 +9,7 @@ pub mod source;
 use clap::{Args, ValueHint};
 use goodbot::capacity::{Capacity, WORDS_PER_COMMAND};
 use goodbot_console::learner::Learner;
+use goodbot_console::load::input::InputFile;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::counted;
 use goodbot_console::numbers::between;
@@ -34,10 +35,10 @@ Examples:
 pub struct SizeOptions {
     /// The robot's homes, as JSON or drawn as text, or the world of another robot; - is standard input
     #[arg(value_name = "PLACE", value_hint = ValueHint::FilePath, required_unless_present = "log")]
-    places: Vec<String>,
+    places: Vec<InputFile>,
     /// Sessions that it is to keep, with their homes; may be given several times
     #[arg(long, short = 'l', value_name = "LOG", value_hint = ValueHint::FilePath)]
-    log: Vec<String>,
+    log: Vec<InputFile>,
     /// The number of sessions that it must keep, 1 to 65535 [default: those of the log, or 16]
     #[arg(long, value_name = "N", value_parser = between(1, usize::from(u16::MAX)), allow_negative_numbers = true)]
     sessions: Option<usize>,

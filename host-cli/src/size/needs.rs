@@ -10,7 +10,7 @@ use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::memory::bytes_32;
-use goodbot_console::load::input::{self, Place, WorldInFile};
+use goodbot_console::load::input::{self, InputFile, Place, WorldInFile};
 use goodbot_console::outcome::Failure;
 use goodbot_console::refusal;
 use goodbot_console::training_data::{self, Lesson, LogOptions, training};
@@ -181,7 +181,7 @@ fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(
 type Named<'l> = Vec<(&'l str, EnvironmentFile)>;
 
 /// The homes of the files, and the world, if one of the files is a world.
-fn places(files: &[String]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Failure> {
+fn places(files: &[InputFile]) -> Result<(Named<'_>, Option<Box<WorldInFile>>), Failure> {
     let (mut homes, mut world) = (Vec::new(), None);
     for file in files {
         match input::place(file)? {

@@ -12,7 +12,7 @@ use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::oomdp::check;
 use goodbot::session::Lessons;
 use goodbot_console::learner::Learner;
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
@@ -35,7 +35,7 @@ Examples:
 pub struct TableOptions {
     /// The world, as JSON
     #[arg(value_name = "WORLD", value_hint = ValueHint::FilePath)]
-    world: String,
+    world: InputFile,
     /// Print C
     #[arg(long, required_unless_present = "rust", conflicts_with = "rust")]
     c: bool,

@@ -31,7 +31,7 @@ use classroom::Classroom;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::closed_words::ClosedWordOptions;
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds;
 use goodbot_console::load::synonyms::SynonymOptions;
 use goodbot_console::messages::{counted, is_colored, say};
@@ -81,7 +81,7 @@ Examples:
 pub struct TeachOptions {
     /// A home: an environment (JSON), or a drawing; or a world with a robot (JSON) [default: four rooms, a chair and a bag]
     #[arg(value_name = "HOME", value_hint = ValueHint::FilePath)]
-    home: Option<String>,
+    home: Option<InputFile>,
     /// The paper's lessons and tests, one after the other; with --seed in random homes
     #[arg(long, conflicts_with_all = ["home", "random", "starter"])]
     tour: bool,
@@ -224,7 +224,7 @@ fn picture_of_a_lesson(options: &TeachOptions, seed: u64) -> Result<String, Fail
 fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     let home = setting(options)?;
     let world = if let Setting::Other(world) = &home { Some(world) } else { None };
-    let name = options.home.as_deref().map(input::name);
+    let name = options.home.as_ref().map(input::name);
     let pupil = Pupil::new(&home, options.seed.unwrap_or(1), options.routes, options.believes.clone())
         .map_err(|refusal| name.map_or_else(|| Failure::Input(refusal.to_string()), |name| Failure::Input(format!("{name}: {refusal}"))))?;
     let files = robot_files(options, lines, world)?;
@@ -317,7 +317,7 @@ fn setting(options: &TeachOptions) -> Result<Setting, Failure> {
         let home = if options.random { lessons::random_home(options.seed.unwrap_or(1)).ok_or_else(no_home) } else { first_home() };
         return home.map(Setting::Floor);
     };
-    if file == "-" {
+    if file.is_standard() {
         return Err(Failure::Input("standard input is where requests come from; name a file for the home".to_owned()));
     }
     match input::world(file)? {

@@ -298,3 +298,17 @@ fn a_command_that_is_refused_keeps_no_other_from_being_asked() {
     assert_eq!((run.code, types), (2, vec!["answer".into(), "error".into(), "answer".into()]));
     assert!(run.messages.contains(&format!("{long:?}: ")) && run.messages.contains("1 of 3 commands were refused"), "{}", run.messages);
 }
+
+#[test]
+fn a_log_of_too_many_sessions_is_refused_before_the_first_is_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let [log, model] = ["log.jsonl", "model"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    let lesson = goodbot(&["example", "log"], b"").output;
+    std::fs::write(&log, &lesson).unwrap();
+    assert_eq!(goodbot(&["learn", &log, "--out", &model], b"").code, 0);
+    let sessions = lesson.lines().filter(|line| line.contains("\"type\":\"session\"")).count();
+    std::fs::write(&log, lesson.repeat(10_000 / sessions + 1)).unwrap();
+    let run = goodbot(&["ask", "--with", &model, "--log", &log], b"");
+    assert!(run.code == 2 && run.output.is_empty(), "{}", run.output.len());
+    assert!(run.messages.contains("has more than 10000 sessions") && run.messages.contains("--session"), "{}", run.messages);
+}

@@ -142,8 +142,8 @@ const COMMANDS: [&str; 41] = [
     "replay log.jsonl",
     "replay log.jsonl --json",
     "replay log.jsonl --plot plot.svg",
-    "evaluate log.jsonl --folds 2",
-    "evaluate log.jsonl --folds 2 --json",
+    "evaluate log.jsonl --k-fold 2",
+    "evaluate log.jsonl --k-fold 2 --json",
     "evaluate --with words.goodbot --test log.jsonl",
     "fit-trainers log.jsonl",
     "table world.json --c",
@@ -165,6 +165,8 @@ fn no_command_sends_the_terminal_what_it_would_obey() {
         for command in COMMANDS {
             let run = place.run(command, hostile, &lines);
             assert!((0..=2).contains(&run.code), "{command}: {} {}", run.code, run.messages);
+            let is_misused = run.messages.contains("For more information");
+            assert!(!is_misused || command.contains("--task") || command.contains("--expected"), "{command}: {}", run.messages);
             for text in [&run.output, &run.messages] {
                 assert!(!text.contains(is_obeyed), "{command} {hostile:?}: {text:?}");
             }

@@ -299,3 +299,34 @@ fn a_folder_and_a_place_that_is_not_there_are_known_before_the_work() {
     let run = place.run(&["learn", "log.jsonl", "--out", folder]);
     assert!(run.code == 2 && run.messages.contains("is a folder"), "{}", run.messages);
 }
+
+/// Not every name of a file is text: `teach --model` writes such a log, and every command reads it.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_may_have_any_name_that_the_system_allows() {
+    use std::os::unix::ffi::OsStrExt;
+    let place = Place::new();
+    let name = |name: &[u8]| place.folder.path().join(std::ffi::OsStr::from_bytes(name));
+    let [log, home, out] = [&b"log\xff\x1b.jsonl"[..], b"home\xff.json", b"model\xff.goodbot"].map(name);
+    fs::copy(place.path("log.jsonl"), &log).unwrap();
+    fs::write(&home, goodbot(&["example", "home"], b"").output).unwrap();
+    let run = |words: &[&str], files: &[&PathBuf]| {
+        let run = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot")).args(words).args(files).output().unwrap();
+        assert!(run.status.success(), "{words:?}: {}", String::from_utf8_lossy(&run.stderr));
+        String::from_utf8(run.stdout).unwrap()
+    };
+    assert!(run(&["check"], &[&log, &home]).contains("log\u{fffd}\\u001b.jsonl: 4 sessions"));
+    run(&["learn", "--out", place.path("other").to_str().unwrap()], &[&log]);
+    run(&["replay"], &[&log]);
+    run(&["evaluate", "--k-fold", "2"], &[&log]);
+    run(&["size"], &[&home]);
+    run(&["learn", place.path("log.jsonl").to_str().unwrap(), "--out"], &[&out]);
+    let asked = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"))
+        .args(["ask", "go", "up", "--with"])
+        .arg(&out)
+        .arg("--environment")
+        .arg(&home)
+        .output()
+        .unwrap();
+    assert!(asked.status.success(), "{}", String::from_utf8_lossy(&asked.stderr));
+}

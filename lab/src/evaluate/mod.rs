@@ -24,6 +24,7 @@ use folds::Experiment;
 use goodbot::memory::AgentHeap;
 use goodbot::task::LiftedTask;
 use goodbot::{Capacities, Options};
+use goodbot_console::load::input::InputFile;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::load::limit::Limit;
 use goodbot_console::load::synonyms::SynonymOptions;
@@ -54,10 +55,10 @@ const PARTS: usize = 10;
 pub struct EvaluateOptions {
     /// Session logs (JSON Lines) to train on; - is standard input. Without --test, each is also asked, in its turn
     #[arg(required_unless_present = "with", value_name = "TRAIN", value_hint = ValueHint::FilePath)]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     /// Ask the sessions of these logs, and train on all of TRAIN
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out"])]
-    test: Vec<String>,
+    test: Vec<InputFile>,
     /// Ask a model that `goodbot learn` wrote, and train none
     #[arg(long, short = 'w', value_name = "MODEL", value_hint = ValueHint::FilePath, conflicts_with_all = ["leave_one_out", "k_fold", "group", "leave_environment_out", "leave_task_out", "learner", "ablation", "curve"])]
     with: Option<PathBuf>,
@@ -163,7 +164,7 @@ pub fn run(options: &EvaluateOptions) -> Result<(), Failure> {
     if options.synonyms.is_given() && (options.curve.is_some() || options.learner == Method::BagOfWords) {
         return Err(Failure::Input("--synonyms is not for --curve and not for --learner bag-of-words; leave one of them out".to_owned()));
     }
-    let inputs = || options.files.iter().chain(&options.test).map(Path::new).chain(options.with.as_deref());
+    let inputs = || options.files.iter().chain(&options.test).map(AsRef::as_ref).chain(options.with.as_deref());
     let [plot, curve] = [&options.plot, &options.curve].map(|path| Output::picture(path, inputs(), options.force));
     let (plot, curve) = (plot?, curve?);
     let mut out = output::text(&[plot.as_ref(), curve.as_ref()])?;
@@ -226,7 +227,7 @@ fn with_model(
     out: &mut impl Write,
 ) -> Result<(), Failure> {
     options.refuse_idle_seed(&[])?;
-    let files: Vec<String> = options.files.iter().chain(&options.test).cloned().collect();
+    let files: Vec<InputFile> = options.files.iter().chain(&options.test).cloned().collect();
     if files.is_empty() {
         return Err(Failure::Input("there is nothing to ask the model; name a session log with --test".to_owned()));
     }

@@ -17,6 +17,7 @@ use clap::{Args, ValueHint};
 use fit::{FeedbackCounts, Fit, Shape};
 use goodbot::feedback::population::DRIFT;
 use goodbot::feedback::{Ending, Hazard, Strategy};
+use goodbot_console::load::input::InputFile;
 use goodbot_console::load::kinds::TaskKinds;
 use goodbot_console::messages::{bar, counted};
 use goodbot_console::outcome::Failure;
@@ -47,7 +48,7 @@ Example:
 pub struct FitOptions {
     /// Session logs (JSON Lines) with feedback; - is standard input
     #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    files: Vec<String>,
+    files: Vec<InputFile>,
     #[command(flatten)]
     kinds: TaskKinds,
     /// Print the population as lines of JSON: one for each strategy, and a last one with the rest

@@ -61,6 +61,7 @@ use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueHint};
+use goodbot_console::load::input::InputFile;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
@@ -132,10 +133,10 @@ pub struct StudyOptions {
     pub shard: Option<Shard>,
     /// Join the parts of a study, or read a whole one, instead of running it
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
-    pub merge: Vec<String>,
+    pub merge: Vec<InputFile>,
     /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
     #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["plot", "csv"])]
-    pub fit: Vec<String>,
+    pub fit: Vec<InputFile>,
     /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
     #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report", "agents"])]
     pub tune: bool,
@@ -228,7 +229,7 @@ impl StudyOptions {
     }
 
     /// The files that are read.
-    fn inputs(&self) -> impl Iterator<Item = &String> {
+    fn inputs(&self) -> impl Iterator<Item = &InputFile> {
         self.merge.iter().chain(&self.fit)
     }
 }

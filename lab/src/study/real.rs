@@ -4,6 +4,7 @@ use crate::recorded::{self, WalkStep};
 use crate::study::trainer::population::{Observed, Record};
 use goodbot::feedback::Judged;
 use goodbot::home::paper_tasks;
+use goodbot_console::load::input::InputFile;
 use goodbot_console::outcome::Failure;
 
 /// The trainers of some logs, each with a name.
@@ -18,7 +19,7 @@ fn person(id: &str) -> &str {
 ///
 /// # Errors
 /// [`Failure::Input`] names the file and its fault.
-pub fn read(files: &[String]) -> Result<People, Failure> {
+pub fn read(files: &[InputFile]) -> Result<People, Failure> {
     let mut people = People::new();
     for walk in recorded::read(files, &paper_tasks()?)? {
         let Some(intended) = walk.intended else { continue };

@@ -9,7 +9,7 @@ use crate::study::course::Course;
 use crate::study::trainer::TRAINERS;
 use crate::study::trainer::population::Population;
 use crate::study::trial::{Ending, LessonOutcome, Outcome, TestOutcome};
-use goodbot_console::load::input;
+use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::outcome::Failure;
 use goodbot_lesson::Fault;
 use serde_json::{Value, json};
@@ -140,7 +140,7 @@ fn run_from_json(plan: &Plan, line: &Value) -> Result<Run, String> {
 ///
 /// # Errors
 /// [`Failure::Input`] names the file and line, or the part that is missing or given twice.
-pub fn read(files: &[String]) -> Result<(Plan, Vec<Run>), Failure> {
+pub fn read(files: &[InputFile]) -> Result<(Plan, Vec<Run>), Failure> {
     let mut whole: Option<(String, Plan)> = None;
     let mut runs = Vec::new();
     let mut parts = Vec::new();

@@ -1,8 +1,9 @@
 //! Model files: any bytes.
 
 use super::assert_sound;
+use goodbot::capacity::Capacity;
 use goodbot::home::paper_tasks;
-use goodbot::memory::AgentMemory;
+use goodbot::memory::{AgentHeap, AgentMemory};
 use goodbot::snapshot::Contents;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
@@ -15,7 +16,29 @@ pub fn model(input: &[u8]) {
     restore(&signed);
 }
 
+/// The memory that a file asks for follows its length, whatever its head claims, and is enough to restore it.
+fn assert_room(bytes: &[u8]) {
+    let Ok(contents) = Contents::read(bytes) else { return };
+    let (least, most) = (Capacities::SMALL, 1 << 16);
+    let room = contents.room(least, most);
+    // Tables of pairs grow with the product of two lists; they are bounded by `most` alone.
+    let of_pairs = [Capacity::Translations, Capacity::Alignments, Capacity::LengthPairs];
+    for table in Capacity::ALL.into_iter().filter(|table| !of_pairs.contains(table)) {
+        assert!(room.get(table) <= 2 * (least.get(table) + bytes.len()), "{}: {}", table.name(), room.get(table));
+    }
+    assert!(of_pairs.iter().all(|&table| room.get(table) <= most.max(least.get(table))));
+    if contents.needs().fits_in(&room).is_ok() {
+        let mut agent = Agent::new(AgentHeap::new(&room), &[], Options::PAPER).expect("room for the options");
+        agent.restore(bytes).expect("what fits can be restored without tasks");
+        assert_eq!(
+            agent.saved_for(contents.vocabulary).map(|file| Contents::read(&file).map(|it| it.vocabulary)),
+            Ok(Ok(contents.vocabulary))
+        );
+    }
+}
+
 fn restore(bytes: &[u8]) {
+    assert_room(bytes);
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut agent = Agent::new(&mut memory.agent, &paper_tasks().expect("the paper's tasks"), Options::PAPER).expect("two tasks fit");
     let before = saved(&agent);
