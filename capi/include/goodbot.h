@@ -43,7 +43,6 @@
 #define GOODBOT_HAS_ASKING 1
 #define GOODBOT_HAS_BOUNDS 1
 #define GOODBOT_HAS_CHECKS 1
-#define GOODBOT_HAS_DERIVED 1
 #define GOODBOT_HAS_EXPLAIN 1
 #define GOODBOT_HAS_FORGETTING 1
 #define GOODBOT_HAS_HOME 1
@@ -990,7 +989,9 @@ GOODBOT_MUST_USE goodbot_status goodbot_table_set_state(struct goodbot *robot, u
 GOODBOT_MUST_USE goodbot_status goodbot_table_state(const struct goodbot *robot, uint32_t *state);
 
 // Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-// for the other. The defaults are 0.7, 0.7 and 0.1. A session under way ends unlearned.
+// for the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
+// alone (0.7, 0.05 and 0.1), and finds out which; with fewer than 3 `STRATEGIES`, or fewer `BELIEFS` than 3 times `TASKS`, as in the tiny
+// preset, only the first. A session under way ends unlearned.
 //
 // The caller sees to it:
 // `robot` is null or a handle.
@@ -1073,8 +1074,8 @@ goodbot_status goodbot_decide(struct goodbot *robot,
                               uint32_t *plan);
 
 // Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-// `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
-// counts. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+// `GOODBOT_NEUTRAL`, if nothing was said to it: silence says something too. It may be called at any time until the next action is done,
+// also while the robot plans; of several words the last counts. An action of which nothing is told is no evidence. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1082,6 +1083,15 @@ GOODBOT_MUST_USE
 goodbot_status goodbot_feedback(struct goodbot *robot,
                                 int32_t feedback,
                                 uint32_t *evidence);
+
+// A remark for whoever writes the program: `text` receives a constant text, which is empty if there is none. There is one if words were told,
+// but nothing of eight actions or more, and silence never: a trainer with one button says something by not pressing it.
+//
+// The caller sees to it:
+// `robot` is null or a handle, `text` null or room for a pointer.
+GOODBOT_MUST_USE
+goodbot_status goodbot_remark(const struct goodbot *robot,
+                              const char **text);
 
 // Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
 // where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.

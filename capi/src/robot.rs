@@ -9,6 +9,7 @@ use core::ffi::{CStr, c_char};
 use core::ptr::NonNull;
 use core::sync::atomic::{AtomicU32, Ordering};
 use goodbot::capacity::CapacityError;
+use goodbot::feedback::Strategy;
 use goodbot::memory::{AgentTables, HomeTables};
 #[cfg(feature = "home")]
 use goodbot::oomdp::Either;
@@ -38,10 +39,25 @@ pub(crate) struct Robot {
     pub(crate) agent: Agent<AgentTables<'static>>,
     pub(crate) world: World,
     #[cfg(feature = "learning")]
+    pub(crate) told: Told,
+    #[cfg(feature = "learning")]
     pub(crate) starter: Places,
     /// The starter's places before the session that is ending.
     #[cfg(feature = "learning")]
     pub(crate) starter_aside: Places,
+}
+
+/// What the robot was told of its actions so far.
+#[cfg(feature = "learning")]
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Told {
+    /// How many actions nothing was told of, not even silence.
+    pub(crate) nothing: u16,
+    /// Whether the last action is one of them, so far.
+    pub(crate) waits: bool,
+    /// Whether a word was told, and whether silence was.
+    pub(crate) words: bool,
+    pub(crate) silence: bool,
 }
 
 #[cfg(feature = "home")]
@@ -102,7 +118,12 @@ pub(crate) unsafe fn settle(
     world: &mut dyn FnMut(HomeTables<'static>) -> Result<World, Fault>,
     robot: *mut *mut Goodbot,
 ) -> Result<GoodbotStatus, Fault> {
-    let agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
+    let mut agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
+    // One button is enough, where there is room to find out which.
+    let room = agent.capacities();
+    if room.beliefs >= room.tasks.saturating_mul(Strategy::ONE_BUTTON_OR_BOTH.len()) {
+        let _ = agent.set_strategies(&Strategy::ONE_BUTTON_OR_BOTH);
+    }
     let world = world(plot.home)?;
     // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
     unsafe {
@@ -113,6 +134,8 @@ pub(crate) unsafe fn settle(
                 random: Pcg32::new(0, 0x2014),
                 agent,
                 world,
+                #[cfg(feature = "learning")]
+                told: Told::default(),
                 #[cfg(feature = "learning")]
                 starter: Places::default(),
                 #[cfg(feature = "learning")]

@@ -1,5 +1,7 @@
 //! Hear, plan, decide, feedback, learn.
 
+#[cfg(feature = "learning")]
+use crate::robot::look;
 use crate::robot::{Goodbot, Robot, give, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::{World, in_world};
@@ -50,7 +52,9 @@ fn of(progress: Progress) -> Result<GoodbotStatus, Failure> {
 }
 
 /// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
-/// for the other. The defaults are 0.7, 0.7 and 0.1. A session under way ends unlearned.
+/// for the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
+/// alone (0.7, 0.05 and 0.1), and finds out which; with fewer than 3 `STRATEGIES`, or fewer `BELIEFS` than 3 times `TASKS`, as in the tiny
+/// preset, only the first. A session under way ends unlearned.
 ///
 /// # Safety
 /// `robot` is null or a handle.
@@ -272,8 +276,8 @@ pub(crate) fn write(evidence: Evidence) -> u32 {
 }
 
 /// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-/// `GOODBOT_NEUTRAL`. It may be called at any time until the next action is done, also while the robot plans; of several words the last
-/// counts. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+/// `GOODBOT_NEUTRAL`, if nothing was said to it: silence says something too. It may be called at any time until the next action is done,
+/// also while the robot plans; of several words the last counts. An action of which nothing is told is no evidence. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
@@ -292,7 +296,34 @@ pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, ev
             if evidence.is_null() {
                 return Err(GoodbotStatus::Null.into());
             }
-            give(evidence, write(robot.agent.feedback(feedback)?))
+            let came = robot.agent.feedback(feedback)?;
+            robot.told.waits = false;
+            *(if feedback == Feedback::Neutral { &mut robot.told.silence } else { &mut robot.told.words }) = true;
+            give(evidence, write(came))
+        })
+    }
+}
+
+/// Actions of which nothing was told, after which `goodbot_remark` says so.
+#[cfg(feature = "learning")]
+const MANY: u16 = 8;
+
+/// A remark for whoever writes the program: `text` receives a constant text, which is empty if there is none. There is one if words were told,
+/// but nothing of eight actions or more, and silence never: a trainer with one button says something by not pressing it.
+///
+/// # Safety
+/// `robot` is null or a handle, `text` null or room for a pointer.
+#[cfg(feature = "learning")]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_remark(robot: *const Goodbot, text: *mut *const c_char) -> GoodbotStatus {
+    const SILENCE: &core::ffi::CStr =
+        c"silence is never told; call goodbot_feedback with GOODBOT_NEUTRAL for an action that the trainer said nothing to, before the next is done";
+    // SAFETY: the caller's promise.
+    unsafe {
+        look(robot, |robot| {
+            let told = robot.told;
+            let is_missing = told.words && !told.silence && told.nothing >= MANY;
+            give(text, if is_missing { SILENCE } else { c"" }.as_ptr())
         })
     }
 }
@@ -354,6 +385,11 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
         with(robot, |robot| {
             let agent = &mut robot.agent;
             in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, Action::new(action))?);
+            #[cfg(feature = "learning")]
+            {
+                robot.told.nothing = robot.told.nothing.saturating_add(u16::from(robot.told.waits));
+                robot.told.waits = true;
+            }
             Ok(GoodbotStatus::Ok)
         })
     }

@@ -139,6 +139,18 @@ impl Strategy {
     /// The mirror image: a trainer who rewards nearly every right action.
     pub const REWARD_ONLY: Self = Self::known(0.05, 0.7, 0.1);
 
+    /// Trainers who use both words, "good bot" alone or "bad bot" alone, each as probable as the others: the robot finds out which (I-SABL;
+    /// paper, footnote 1). Silence then says something, so tell it too: [`Feedback::Neutral`].
+    ///
+    /// ```
+    /// use goodbot::{Agent, HeapMemory, Options, feedback::Strategy, home::paper_tasks};
+    /// let memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// let mut agent = Agent::new(memory.agent, &paper_tasks()?, Options::DEFAULT)?;
+    /// agent.set_strategies(&Strategy::ONE_BUTTON_OR_BOTH)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub const ONE_BUTTON_OR_BOTH: [(Self, f32); 3] = [(Self::BALANCED, 1.0), (Self::REWARD_ONLY, 1.0), (Self::PUNISH_ONLY, 1.0)];
+
     /// The value of unused memory.
     pub const UNUSED: Self = Self { lags: [0.0; LAGS], ..Self::known(0.0, 0.0, 0.0) };
 
