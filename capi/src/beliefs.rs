@@ -43,7 +43,7 @@ pub unsafe extern "C" fn goodbot_most_likely(robot: *mut Goodbot, task: *mut u32
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let best = robot.agent.most_likely_by(&mut robot.random).ok_or(GoodbotStatus::NoSession)?;
+            let best = robot.agent.most_likely_with(&mut robot.random).ok_or(GoodbotStatus::NoSession)?;
             give(task, best as u32)
         })
     }

@@ -250,7 +250,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
     unsafe {
         with(robot, |robot| {
             let Robot { agent, random, .. } = robot;
-            let decision = in_world!(&robot.world, |domain, state| agent.decide_by(domain, state, random)?);
+            let decision = in_world!(&robot.world, |domain, state| agent.decide_with(domain, state, random)?);
             let kind = match decision.plan {
                 OptimalSet::Goal => GOODBOT_PLAN_GOAL,
                 OptimalSet::Toward(_) => GOODBOT_PLAN_TOWARD,
@@ -270,7 +270,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
 pub(crate) fn write(evidence: Evidence) -> u32 {
     match evidence {
         Evidence::Used => GOODBOT_EVIDENCE_USED,
-        Evidence::SaysNothing => GOODBOT_EVIDENCE_NOTHING,
+        Evidence::Uninformative => GOODBOT_EVIDENCE_NOTHING,
         Evidence::Impossible => GOODBOT_EVIDENCE_IMPOSSIBLE,
     }
 }

@@ -106,7 +106,7 @@ pub fn run_course<R: Rng + ?Sized>(
     let (home, start) = homes.test.build(&mut *memory)?;
     for (number, (exercise, report)) in TESTS.iter().zip(&mut results.tests).enumerate() {
         let intended = exercise.pose(agent, &home, &start)?.ok_or(CourseError::NotPosed)?;
-        let task = agent.most_likely_by(random).ok_or(CourseError::Agent(AgentError::NoTask))?;
+        let task = agent.most_likely_with(random).ok_or(CourseError::Agent(AgentError::NoTask))?;
         *report = TestReport { right: task == intended, task, probability: agent.belief().probability(intended) };
         observer.tested(&Scene { number, exercise, home: &home, state: &start, agent, intended }, report);
         agent.forget();

@@ -223,7 +223,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
         }
-        let decision = agent.decide_by(domain, &self.state, random)?;
+        let decision = agent.decide_with(domain, &self.state, random)?;
         self.understood.get_or_insert(decision.task == self.intended);
         // The trainer takes a way that only seems shortest for a shortest one.
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));

@@ -121,7 +121,7 @@ pub fn run(
         watch.end(Work::Build, number);
         hear(agent, &home, &start, (number, test), budget, watch)?;
         take(agent, &mut outcome.digest);
-        let understood = test.intention.find(agent, &home) == agent.most_likely_by(&mut random);
+        let understood = test.intention.find(agent, &home) == agent.most_likely_with(&mut random);
         outcome.passed = outcome.passed.wrapping_add(u32::from(understood));
         agent.forget();
     }

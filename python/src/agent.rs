@@ -45,7 +45,7 @@ const MOST_OF_A_FIELD: usize = 1 << 24;
 pub const fn evidence_name(evidence: Evidence) -> &'static str {
     match evidence {
         Evidence::Used => "used",
-        Evidence::SaysNothing => "says nothing",
+        Evidence::Uninformative => "says nothing",
         Evidence::Impossible => "impossible",
     }
 }
@@ -447,7 +447,7 @@ impl Agent {
         let py = domain.py();
         self.with(|mind| {
             let place = mind.place(domain, state)?;
-            let decided = in_place!(&place, |domain, state| mind.core.decide_by(domain, state, &mut mind.random));
+            let decided = in_place!(&place, |domain, state| mind.core.decide_with(domain, state, &mut mind.random));
             let decision = mind.settled(py, &place, decided)?;
             let name = mind.names.get(decision.task).map_or_else(|| PyString::new(py, "").unbind(), |name| name.clone_ref(py));
             Ok(Decision { action: place.action_text(decision.action), task: decision.task, plan: decision.plan, name })
@@ -754,7 +754,7 @@ impl Agent {
             let place = mind.place(domain, state)?;
             let result = in_place!(&place, |domain, state| (0..count).try_for_each(|_| {
                 mind.core.plan_fully(domain, state)?;
-                let decision = mind.core.decide_by(domain, state, &mut mind.random)?;
+                let decision = mind.core.decide_with(domain, state, &mut mind.random)?;
                 mind.core.acted(domain, state, decision.action)?;
                 mind.core.feedback(Feedback::Neutral).map(drop)
             }));

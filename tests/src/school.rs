@@ -120,7 +120,7 @@ pub fn train(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, trainer: Stra
     let mut at_goal = 0;
     for _ in 0..100 {
         agent.plan_fully(&home, &state)?;
-        let decision = agent.decide_by(&home, &state, random)?;
+        let decision = agent.decide_with(&home, &state, random)?;
         let optimal = agent.planned().optimal(intended);
         let correct = optimal.judge(decision.action) == Judgement::Correct;
         let word = trainer.feedback(correct, random);

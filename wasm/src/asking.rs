@@ -74,7 +74,7 @@ impl World {
         let before = self.probabilities();
         let outcome = match self.lesson.answer(given).map_err(Refusal::from)? {
             Evidence::Used => "used",
-            Evidence::SaysNothing => "says nothing",
+            Evidence::Uninformative => "says nothing",
             Evidence::Impossible => "impossible",
         };
         Ok(AnswerEvidence { outcome, before, after: self.probabilities() })

@@ -119,7 +119,7 @@ impl World {
     /// As [`act`](Self::act), and where there is no such action.
     pub fn act_as(&mut self, action: &str) -> Result<Decided, Refusal> {
         let (mind, rooms, state) = self.lesson.parts();
-        mind.decide_by(rooms, state, &mut self.random).map_err(Refusal::from)?;
+        mind.decide_with(rooms, state, &mut self.random).map_err(Refusal::from)?;
         let acted = self.lesson.act_as(action).map_err(Refusal::from)?.clone();
         Ok(self.decided(acted))
     }
@@ -149,7 +149,7 @@ impl World {
         let before = self.probabilities();
         let outcome = match self.lesson.judge(feedback).map_err(Refusal::from)? {
             session::Evidence::Used => "used",
-            session::Evidence::SaysNothing => "says nothing",
+            session::Evidence::Uninformative => "says nothing",
             session::Evidence::Impossible => "impossible",
         };
         self.lesson.go_on().map_err(Refusal::from)?;

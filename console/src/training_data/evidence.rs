@@ -228,7 +228,7 @@ impl Witness {
 pub fn remark(evidence: Evidence) -> Option<&'static str> {
     match evidence {
         Evidence::Used => None,
-        Evidence::SaysNothing => Some("is no evidence: no exact plan is known here"),
+        Evidence::Uninformative => Some("is no evidence: no exact plan is known here"),
         Evidence::Impossible => Some("this is impossible under every task and strategy, and was ignored"),
     }
 }

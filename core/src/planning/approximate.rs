@@ -6,8 +6,8 @@
 //!
 //! Such a plan can miss a shorter path, or a dead end. The robot acts on it, but it is no evidence.
 
-use super::bitboard::{RowSearch, View};
 use super::goals::Goals;
+use super::rows::{RowSearch, View};
 use crate::oomdp::{Piece, PushGrid};
 use crate::task::TaskSet;
 

@@ -4,7 +4,7 @@
 //!            Planner: for one state after another, all tasks at once
 //!            ┌──────────────────────────────────────────────────────┐
 //!  goals ──▶ │ deadlock ─▶ exact search ─▶ approximate              │ ──▶ Plan
-//!            │             bitboard, or     only for what the exact │
+//!            │             rows, or         only for what the exact │
 //!            │             one_by_one       search left open        │
 //!            └──────────────────────────────────────────────────────┘
 //! ```
@@ -13,7 +13,7 @@
 //!
 //! - `goals`: the tasks that a state satisfies, at nearly the same cost for one task as for 64;
 //! - `deadlock`: tasks that one piece alone makes impossible for ever, found without a search;
-//! - `bitboard`: exact; expands all states that differ only in the robot's cell together, as rows of bits;
+//! - `rows`: exact; expands all states that differ only in the robot's cell together, as rows of bits;
 //! - `one_by_one`: exact; serves every domain, and searches nearby through a hash table if the states do not fit the memory;
 //! - `bounds`: exact if two bounds of the distance agree; for floors with more joint states than fit (feature `bounds`);
 //! - `approximate`: searches smaller state spaces for the tasks that the exact search left open; to act on, but no evidence (feature
@@ -24,7 +24,6 @@
 
 #[cfg(feature = "approximate")]
 mod approximate;
-mod bitboard;
 mod bits;
 #[cfg(feature = "bounds")]
 mod bounds;
@@ -33,6 +32,7 @@ pub(crate) mod goals;
 mod one_by_one;
 pub(crate) mod plan;
 pub(crate) mod planner;
+mod rows;
 mod ways;
 
 pub use goals::GoalPart;

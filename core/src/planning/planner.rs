@@ -13,13 +13,13 @@
 use super::Progress;
 #[cfg(feature = "approximate")]
 use super::approximate::Approximation;
-use super::bitboard::{RowSearch, View};
 #[cfg(feature = "bounds")]
 use super::bounds::Bounds;
 use super::deadlock::Deadlocks;
 use super::goals::{GoalPart, GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
+use super::rows::{RowSearch, View};
 use super::ways::Ways;
 use crate::capacity::{Capacities, Capacity, CapacityError};
 use crate::memory::{GoalMemory, GoalMemoryRef, PlanMemory};

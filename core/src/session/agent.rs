@@ -59,7 +59,7 @@ pub enum Evidence {
     /// It changed the belief.
     Used,
     /// It is uninformative: no task's optimal set is known exactly in the state of the action. The belief is unchanged.
-    SaysNothing,
+    Uninformative,
     /// It is impossible under every task and strategy, and is ignored.
     Impossible,
 }
@@ -458,7 +458,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The most likely task: the largest posterior. On a tie, the task being followed stays, else the generator draws.
-    pub fn most_likely_by<R: Rng + ?Sized>(&self, random: &mut R) -> Option<usize> {
+    pub fn most_likely_with<R: Rng + ?Sized>(&self, random: &mut R) -> Option<usize> {
         self.likeliest(&mut |count| below(count, random))
     }
 
@@ -484,22 +484,22 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] if the plan for this state is not done.
     pub fn decide<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
-        self.decide_with(domain, state, &mut |_| 0)
+        self.decide_choosing(domain, state, &mut |_| 0)
     }
 
     /// As [`decide`](Self::decide), but the generator draws among equally likely tasks, and among actions that lead towards the goal.
     ///
     /// # Errors
     /// As [`decide`](Self::decide).
-    pub fn decide_by<D, R>(&mut self, domain: &D, state: &D::State, random: &mut R) -> Result<Decision, AgentError>
+    pub fn decide_with<D, R>(&mut self, domain: &D, state: &D::State, random: &mut R) -> Result<Decision, AgentError>
     where
         D: Domain + ?Sized,
         R: Rng + ?Sized,
     {
-        self.decide_with(domain, state, &mut |count| below(count, random))
+        self.decide_choosing(domain, state, &mut |count| below(count, random))
     }
 
-    fn decide_with<D: Domain + ?Sized>(
+    fn decide_choosing<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -600,7 +600,7 @@ impl<M: AgentMemory> Agent<M> {
         self.done.hear(feedback);
         let done = self.done;
         if !done.says_something(self.belief().strategies()) {
-            return Ok(Evidence::SaysNothing);
+            return Ok(Evidence::Uninformative);
         }
         let possible = self.belief_mut().observe_feedback(feedback, |task| done.judged(task));
         Ok(if possible { Evidence::Used } else { Evidence::Impossible })
@@ -625,7 +625,7 @@ impl<M: AgentMemory> Agent<M> {
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
         if !self.options.ending.is_evidence() || (0..self.task_count).all(|task| plan.optimal(task).exact().is_none()) {
-            return Ok(Evidence::SaysNothing);
+            return Ok(Evidence::Uninformative);
         }
         let mut belief = Belief::new(session.belief, &mut self.belief);
         belief.settle();
@@ -645,7 +645,7 @@ impl<M: AgentMemory> Agent<M> {
         // Nobody judges the trainer's own action.
         self.done = LastDone::NOTHING;
         if (0..self.task_count).all(|task| self.planned().optimal(task).exact().is_none()) {
-            return Ok(Evidence::SaysNothing);
+            return Ok(Evidence::Uninformative);
         }
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);

@@ -109,7 +109,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Evidence, AgentError> {
         self.check_session(domain)?;
         if self.tasks().iter().any(GroundedTask::is_negated) || self.language().tables().words() == 0 {
-            return Ok(Evidence::SaysNothing);
+            return Ok(Evidence::Uninformative);
         }
         let (mut meant, mut other): (Utterance, Utterance) = (Vec::new(), Vec::new());
         let mut is_other = false;
@@ -126,7 +126,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             Ok(())
         })?;
-        let mut evidence = Evidence::SaysNothing;
+        let mut evidence = Evidence::Uninformative;
         for (words, is_meant) in [(&meant, true), (&other, false)] {
             let Some(fits) = self.fits(domain, words, closed)? else { continue };
             // The words are compared with tasks that keep the rest, even if another task fits better.

@@ -120,7 +120,7 @@ fn act(agent: &mut Agent<impl AgentMemory>, homes: &[(Home<impl HomeMemory>, Hom
         4..=6 => drop(agent.plan(home, &at.1, random.next_u32() % 50)),
         7..=9 => {
             let _ = agent.plan_fully(home, &at.1);
-            if let Ok(decision) = agent.decide_by(home, &at.1, random) {
+            if let Ok(decision) = agent.decide_with(home, &at.1, random) {
                 at.1 = agent.acted(home, &at.1, decision.action).expect("an action that was decided on can be done");
                 let _ = agent.feedback(*pick(random, &[Feedback::Reward, Feedback::Punish, Feedback::Neutral]));
             }

@@ -151,7 +151,7 @@ fn a_late_word_counts_for_the_action_before_the_last_one() {
     agent.plan_fully(&home, &start).unwrap();
     let first: Vec<_> = (0..agent.tasks().len()).map(|task| agent.planned().judge(task, Action::new(3))).collect();
     let next = agent.acted(&home, &start, Action::new(3)).unwrap();
-    assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::SaysNothing), "there is no action before the first");
+    assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Uninformative), "there is no action before the first");
     agent.plan_fully(&home, &next).unwrap();
     agent.acted(&home, &next, Action::new(2)).unwrap();
     assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Used));
@@ -288,7 +288,7 @@ fn with_the_same_generator_it_takes_other_actions_where_they_tell_more() {
     let (mut telling, home, start) = heard(&mut telling, Options { telling: true, ..Options::PAPER });
     let (mut any, ..) = heard(&mut any, Options::PAPER);
     let chosen = |agent: &mut Agent<_>| -> Vec<Action> {
-        let draw = |seed| agent.decide_by(&home, &start, &mut rand_pcg::Pcg32::new(seed, 1)).unwrap().action;
+        let draw = |seed| agent.decide_with(&home, &start, &mut rand_pcg::Pcg32::new(seed, 1)).unwrap().action;
         (0..20).map(draw).collect()
     };
     // Both draw with the same seeds and follow the same task.

@@ -61,7 +61,7 @@ fn an_approximate_plan_is_acted_on_and_is_no_evidence() {
     assert!((0..4).all(|task| agent.planned().judge(task, decision.action) == Judgement::Unknown));
     let before = probabilities(&agent);
     agent.acted(&home, &start, decision.action).unwrap();
-    assert_eq!(agent.feedback(Feedback::Punish), Ok(Evidence::SaysNothing));
+    assert_eq!(agent.feedback(Feedback::Punish), Ok(Evidence::Uninformative));
     assert_eq!(probabilities(&agent), before);
 }
 

@@ -150,7 +150,7 @@ fn a_search_that_finds_no_room_says_that_it_does_not_know_and_takes_no_evidence(
     assert!((0..4).all(|task| agent.planned().optimal(task) == OptimalSet::Unknown));
     assert_eq!(agent.decide(&home, &start).unwrap().action, Action::NOOP);
     agent.acted(&home, &start, Action::new(0)).unwrap();
-    assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::SaysNothing));
+    assert_eq!(agent.feedback(Feedback::Reward), Ok(Evidence::Uninformative));
     assert_eq!(probabilities(&agent), [0.25; 4]);
 }
 
@@ -279,7 +279,7 @@ fn the_same_seed_decides_the_same() {
         let mut actions = vec![];
         for _ in 0..10 {
             agent.plan_fully(&home, &state).unwrap();
-            let decision = agent.decide_by(&home, &state, &mut random).unwrap();
+            let decision = agent.decide_with(&home, &state, &mut random).unwrap();
             actions.push((decision.task, decision.action));
             state = apply(&home, &state, decision.action).unwrap();
         }

@@ -148,7 +148,7 @@ fn course(tongue: &Tongue, seed: u64, capacities: &Capacities, random_homes: boo
     let (home, start) = homes.test.build(&mut memory.home).unwrap();
     let is_right = |(test, command): (&Exercise, &'static str)| {
         let intended = Exercise { command, ..*test }.pose(&mut agent, &home, &start).unwrap().unwrap();
-        let right = agent.most_likely_by(&mut random) == Some(intended);
+        let right = agent.most_likely_with(&mut random) == Some(intended);
         agent.forget();
         right
     };

@@ -34,7 +34,7 @@ fn first_lesson(seed: u64, expected: &[(Strategy, f32)]) -> Lesson {
     let (mut lesson, mut state, mut rests) = (Lesson::default(), start, 0);
     for _ in 0..MOST_STEPS {
         agent.plan_fully(&home, &state).unwrap();
-        let decision = agent.decide_by(&home, &state, &mut random).unwrap();
+        let decision = agent.decide_with(&home, &state, &mut random).unwrap();
         state = agent.acted(&home, &state, decision.action).unwrap();
         let before = agent.belief().probability(intended);
         let [judged, ..] = agent.judged(intended);

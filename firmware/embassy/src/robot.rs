@@ -156,7 +156,7 @@ impl Robot {
 
     #[inline(never)]
     fn act(&mut self, state: &mut HomeState) -> Result<(), &'static str> {
-        let action = self.agent.decide_by(&self.home, state, &mut self.random).map_err(text)?.action;
+        let action = self.agent.decide_with(&self.home, state, &mut self.random).map_err(text)?.action;
         *state = self.agent.acted(&self.home, state, action).map_err(text)?;
         self.tell_what_was_done(action, state);
         Ok(())

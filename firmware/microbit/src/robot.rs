@@ -332,7 +332,7 @@ impl<'a> Robot<'a> {
     fn act(&mut self, name: Option<&str>, now: u32) -> Result<(), &'static str> {
         let Place::Here { home, state, .. } = &mut self.place else { return Err(NO_HOME) };
         let action = match name {
-            None => self.agent.decide_by(home, state, &mut self.random).map_err(text)?.action,
+            None => self.agent.decide_with(home, state, &mut self.random).map_err(text)?.action,
             Some(name) => action_named(home, name).ok_or("there is no such action; say north, east, south, west or noop")?,
         };
         *state = self.agent.acted(home, state, action).map_err(text)?;

@@ -110,7 +110,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
         if spent.understood || spent.steps >= MOST_STEPS {
             return Ok(spent);
         }
-        let decision = agent.decide_by(&home, &state, &mut random)?;
+        let decision = agent.decide_with(&home, &state, &mut random)?;
         state = agent.acted(&home, &state, decision.action)?;
         let feedback = setting.trainer.says(strategy, agent.judged(intended), &mut random);
         let _ = agent.feedback(feedback)?;

@@ -355,10 +355,10 @@ impl<D: Place> Lesson<D> {
     /// The robot acts on its plan, which must be done. The last step must be over.
     ///
     /// # Errors
-    /// [`LiveError::StepNotOver`], or the errors of [`Agent::decide_by`].
+    /// [`LiveError::StepNotOver`], or the errors of [`Agent::decide_with`].
     pub fn act(&mut self, random: &mut impl Rng) -> Result<&Acted, LiveError> {
         self.check_over()?;
-        let decision = self.agent.decide_by(&self.walk.home, &self.state, random)?;
+        let decision = self.agent.decide_with(&self.walk.home, &self.state, random)?;
         self.perform(decision.action, Some(decision.task))
     }
 

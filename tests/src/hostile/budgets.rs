@@ -56,8 +56,8 @@ pub fn budgets(input: &[u8]) {
             while parts.plan(&home, &state, budget).expect("a session is under way") == Progress::Working {}
             whole.plan_fully(&home, &state).expect("a session is under way");
             let seed = u64::from(choices.byte());
-            let decision = parts.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done");
-            assert_eq!(decision, whole.decide_by(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done"));
+            let decision = parts.decide_with(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done");
+            assert_eq!(decision, whole.decide_with(&home, &state, &mut Pcg32::new(seed, 1)).expect("the plan is done"));
             let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
             let action = choices.one_of(&[decision.action, Action::new(0), Action::new(1), Action::new(2), Action::new(3), Action::NOOP]);
             let next = parts.acted(&home, &state, action);

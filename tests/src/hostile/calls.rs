@@ -42,7 +42,7 @@ pub fn calls(input: &[u8]) {
             4 => drop(agent.plan(home, state, u32::from(choices.byte()))),
             5 => drop(agent.plan_fully(home, state)),
             6 => {
-                if let Ok(decision) = agent.decide_by(home, state, &mut random) {
+                if let Ok(decision) = agent.decide_with(home, state, &mut random) {
                     *state = agent.acted(home, state, decision.action).expect("an action that was decided on can be done");
                 }
             }

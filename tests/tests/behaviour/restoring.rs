@@ -60,7 +60,7 @@ fn experience(agent: &mut Agent<impl AgentMemory>, lesson: &Lesson, random: &mut
     let (home, state) = lesson.home(&mut memory.home);
     agent.hear(&home, &state, &lesson.command).unwrap();
     agent.plan_fully(&home, &state).unwrap();
-    let decision = agent.decide_by(&home, &state, random).unwrap();
+    let decision = agent.decide_with(&home, &state, random).unwrap();
     let _ = agent.acted(&home, &state, decision.action).unwrap();
     let _ = agent.feedback([Feedback::Reward, Feedback::Punish, Feedback::Neutral][pick(random, 3)]).unwrap();
     let _ = agent.finish(&home).unwrap();

@@ -350,7 +350,7 @@ impl Visit {
         let waits = self.wait(acted).is_none();
         match self.classroom.pupil.lesson_mut().judge(feedback)? {
             Evidence::Impossible => self.message = "Your word is impossible under every task, so it was not counted.".to_owned(),
-            Evidence::SaysNothing => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
+            Evidence::Uninformative => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
             Evidence::Used => self.message.clear(),
         }
         if let (true, Phase::Waiting(_)) = (waits, self.phase) {

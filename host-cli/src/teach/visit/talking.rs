@@ -65,7 +65,7 @@ impl Visit {
         let best = self.classroom.pupil.meanings().into_iter().next().map(|meaning| meaning.words).unwrap_or_default();
         self.message = match evidence {
             Evidence::Used => format!("It thinks again: \"{best}\"."),
-            Evidence::Impossible | Evidence::SaysNothing => "That tells it nothing.".to_owned(),
+            Evidence::Impossible | Evidence::Uninformative => "That tells it nothing.".to_owned(),
         };
         // A robot that waited at its goal continues.
         if let (Phase::Waiting(None), false) = (self.phase, self.paused) {

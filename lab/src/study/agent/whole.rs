@@ -77,7 +77,7 @@ impl Learner for Goodbot {
     fn act(&mut self, now: &Now<'_>) -> Result<Action, StudyError> {
         let home = &now.place.home;
         self.agent.plan_fully(home, now.state)?;
-        let action = self.agent.decide_by(home, now.state, &mut self.random)?.action;
+        let action = self.agent.decide_with(home, now.state, &mut self.random)?.action;
         self.agent.acted(home, now.state, action)?;
         Ok(action)
     }
