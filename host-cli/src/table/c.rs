@@ -49,7 +49,7 @@ fn digit(DigitAt { digit, value }: DigitAt) -> String {
 /// The header.
 ///
 /// # Errors
-/// A [`WorldFlaw`] for a limit of the library's tables.
+/// A [`WorldFlaw`] for a limit of the library's tables, and for a name that no text in C can hold.
 pub fn text(source: &Source<'_>) -> Result<String, WorldFlaw> {
     let schema = &source.schema;
     let carriers: usize = schema.attributes.iter().map(|attribute| attribute.carriers.len()).sum();
@@ -62,7 +62,13 @@ pub fn text(source: &Source<'_>) -> Result<String, WorldFlaw> {
             return Err(WorldFlaw { field: field.to_owned(), message });
         }
     }
-    Ok(written(source).unwrap_or_default())
+    let text = written(source).unwrap_or_default();
+    // No other text has this: a backslash of a name is written as its number.
+    if text.contains("\\000") {
+        let message = "have a name or value with the character U+0000, where a text in C ends; rename it, or print --rust";
+        return Err(WorldFlaw { field: "objects".to_owned(), message: message.to_owned() });
+    }
+    Ok(text)
 }
 
 /// The text of the header. Writing to a text does not fail.

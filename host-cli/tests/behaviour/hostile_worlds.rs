@@ -136,6 +136,15 @@ fn no_name_of_a_world_becomes_code() {
 }
 
 #[test]
+fn a_name_that_would_end_early_in_c_is_refused_and_not_shortened() {
+    let folder = tempfile::tempdir().unwrap();
+    let cut = world("lift", "floor0", "up", "ga\0rage");
+    let refused = table(folder.path(), &cut, "--c").unwrap_err();
+    assert!(refused.contains("U+0000") && refused.contains("--rust"), "{refused}");
+    assert!(table(folder.path(), &cut, "--rust").unwrap().contains("ga\\0rage"));
+}
+
+#[test]
 fn a_world_with_the_name_of_the_library_or_of_no_letters_compiles() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["goodbot", "goodbot_size", "7 lifts", "_Static_assert", "__x", "家", "int", &"long ".repeat(100)] {
