@@ -76,7 +76,7 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     let mut sections =
         vec![("This program", vec![program()]), ("The terminal", terminal()), ("Robots that are kept by name", robots::kept())];
     if !args.files.is_empty() {
-        sections.push(("Files", args.files.iter().map(|file| look_at(file)).collect()));
+        sections.push(("Files", args.files.iter().map(look_at).collect()));
     }
     sections.push(("Programs that only cargo xtask test uses", programs::found()));
     let mut out = output::text(&[])?;

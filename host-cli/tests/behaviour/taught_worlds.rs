@@ -132,7 +132,7 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
         assert_eq!([&less, &both].map(|file| vocabulary(file)), [vocabulary(model); 2], "{}", course.world);
         for file in [&less, &both] {
             let asked = json(&goodbot(&["ask", "--with", file, "--environment", &world, "--json", command], b""));
-            assert_eq!(asked[0]["verdict"].is_string(), true, "{}", course.world);
+            assert!(asked[0]["verdict"].is_string(), "{}", course.world);
         }
         let first = json(&goodbot(&["inspect", &less, "--sessions", "--json"], b""));
         assert_eq!(first.len(), count - 1);

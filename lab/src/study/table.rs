@@ -44,7 +44,7 @@ pub fn csv(out: &mut impl Write, plan: &Plan, rows: &[Row]) -> io::Result<()> {
             let Mean { mean, half } = row.mean(column);
             [mean, mean - half, mean + half].map(|number| Cell::Number(format!("{number:.6}")))
         });
-        let names = [row.course.name(), row.trainer.as_ref(), row.agent.as_ref()].map(Cell::text);
+        let names = [row.course.name(), row.trainer, row.agent].map(Cell::text);
         csv::line(out, names.into_iter().chain([Cell::number(plan.seed), Cell::number(row.seeds)]).chain(cells.into_iter().flatten()))?;
     }
     Ok(())
