@@ -269,7 +269,8 @@ enum goodbot_status
   GOODBOT_STATUS_UNKNOWN = 17,
   // The bytes are no model, or were damaged.
   GOODBOT_STATUS_BAD_MODEL = 18,
-  // The model was learned with another machine vocabulary.
+  // The model was learned with another machine vocabulary. A robot of the caller's own keeps its lessons if propositions and attributes are
+  // only added, each at the end of its list.
   GOODBOT_STATUS_OTHER_DOMAIN = 19,
   // The buffer is too small.
   GOODBOT_STATUS_BUFFER = 20,
@@ -302,6 +303,8 @@ enum goodbot_status
   GOODBOT_STATUS_UNCHECKED = 33,
   // Another call is using this robot: this one came from a function of the caller's, an interrupt or another thread. It did nothing.
   GOODBOT_STATUS_BUSY = 34,
+  // The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
+  GOODBOT_STATUS_NEWER_FORMAT = 35,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -1354,7 +1357,8 @@ goodbot_status goodbot_save(struct goodbot *robot,
                             size_t *written);
 
 // Replaces everything learned here by a saved model. Call `goodbot_learn` until it is done. On any failure the robot is as
-// before.
+// before. A robot of the caller's own also takes the model of an earlier version of its table, with fewer propositions or attributes at the
+// ends of their lists: nothing is lost then. `OTHER_DOMAIN` for other names or another order, `NEWER_FORMAT` for a newer library's model.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `model` is null or points to `bytes` bytes.

@@ -1,7 +1,11 @@
 //! Saving and restoring a model.
 
-use crate::robot::{Goodbot, give, look, with};
+use crate::robot::{Goodbot, Robot, give, look, with};
 use crate::status::{Failure, GoodbotStatus};
+#[cfg(feature = "table")]
+use crate::world::World;
+#[cfg(feature = "table")]
+use goodbot::oomdp::{Domain, Either};
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
 use goodbot::snapshot::{Restoring, Saving};
@@ -36,7 +40,8 @@ pub unsafe extern "C" fn goodbot_save(robot: *mut Goodbot, buffer: *mut u8, byte
 }
 
 /// Replaces everything learned here by a saved model. Call `goodbot_learn` until it is done. On any failure the robot is as
-/// before.
+/// before. A robot of the caller's own also takes the model of an earlier version of its table, with fewer propositions or attributes at the
+/// ends of their lists: nothing is lost then. `OTHER_DOMAIN` for other names or another order, `NEWER_FORMAT` for a newer library's model.
 ///
 /// # Safety
 /// `robot` is null or a handle; `model` is null or points to `bytes` bytes.
@@ -48,10 +53,30 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
             if model.is_null() {
                 return Err(GoodbotStatus::Null.into());
             }
-            robot.agent.restore(core::slice::from_raw_parts(model, bytes))?;
-            robot.forget_starter();
-            Ok(GoodbotStatus::Ok)
+            robot.restore(core::slice::from_raw_parts(model, bytes))
         })
+    }
+}
+
+impl Robot {
+    /// Restores a model, also one that an earlier version of the caller's program learned.
+    pub(crate) fn restore(&mut self, model: &[u8]) -> Result<GoodbotStatus, Failure> {
+        let mut restoring = Restoring::of(model);
+        self.continue_vocabulary(&mut restoring);
+        while self.agent.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}
+        self.forget_starter();
+        Ok(GoodbotStatus::Ok)
+    }
+
+    /// Homes have one vocabulary.
+    fn continue_vocabulary(&self, restoring: &mut Restoring<'_>) {
+        #[cfg(feature = "table")]
+        #[allow(irrefutable_let_patterns, reason = "without the feature home there is nothing else")]
+        if let World::Here(Either::Other(table), _) = &self.world {
+            restoring.continue_vocabulary(&table.world().schema);
+        }
+        #[cfg(not(feature = "table"))]
+        let _ = restoring;
     }
 }
 
@@ -192,6 +217,7 @@ pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut
     unsafe {
         with(robot, |robot| {
             let work = begun(restoring.cast::<OfRestoring>())?;
+            robot.continue_vocabulary(work);
             let progress = robot.agent.restore_on(work, budget)?;
             if matches!(robot.agent.phase(), Phase::Restoring) || progress == Progress::Done {
                 robot.forget_starter();

@@ -50,7 +50,8 @@ pub enum GoodbotStatus {
     Unknown = 17,
     /// The bytes are no model, or were damaged.
     BadModel = 18,
-    /// The model was learned with another machine vocabulary.
+    /// The model was learned with another machine vocabulary. A robot of the caller's own keeps its lessons if propositions and attributes are
+    /// only added, each at the end of its list.
     OtherDomain = 19,
     /// The buffer is too small.
     Buffer = 20,
@@ -83,6 +84,8 @@ pub enum GoodbotStatus {
     Unchecked = 33,
     /// Another call is using this robot: this one came from a function of the caller's, an interrupt or another thread. It did nothing.
     Busy = 34,
+    /// The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
+    NewerFormat = 35,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -248,6 +251,7 @@ impl From<RestoreError> for Failure {
         match error {
             RestoreError::Capacity(error) => error.into(),
             RestoreError::OtherDomain => GoodbotStatus::OtherDomain.into(),
+            RestoreError::Version { found: 1.. } => GoodbotStatus::NewerFormat.into(),
             RestoreError::Interrupted => GoodbotStatus::Changed.into(),
             _ => GoodbotStatus::BadModel.into(),
         }
@@ -302,6 +306,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"a model is coming back; restore on until it is done",
         c"the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks",
         c"another call is using this robot; call again when it has returned",
+        c"the model has a newer format than this library; use the program that stored it, or a newer one",
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
 }

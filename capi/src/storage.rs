@@ -138,9 +138,7 @@ pub unsafe extern "C" fn goodbot_load(robot: *mut Goodbot, flash: *const Goodbot
             buffer.write_bytes(0, bytes);
             let buffer = core::slice::from_raw_parts_mut(buffer, bytes);
             let length = slots.load(buffer)?.ok_or(GoodbotStatus::NothingStored)?;
-            robot.agent.restore(buffer.get(..length).unwrap_or(&[]))?;
-            robot.forget_starter();
-            Ok(GoodbotStatus::Ok)
+            robot.restore(buffer.get(..length).unwrap_or(&[]))
         })
     }
 }

@@ -2,14 +2,17 @@
 
 use crate::robots;
 
+use goodbot_capi::beliefs::{goodbot_task_count, goodbot_task_probability};
 use goodbot_capi::home::goodbot_home_place;
 use goodbot_capi::memory::{GoodbotLessons, goodbot_least_capacities, goodbot_session_count};
 use goodbot_capi::model::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::storage::*;
+use goodbot_capi::table::description::*;
+use goodbot_capi::table::init::goodbot_table_set_state;
 use goodbot_capi::training::*;
-use robots::{at_home, describe, hear_and_plan, in_homes, small};
+use robots::{Lift, at_home, describe, hear_and_plan, in_homes, of_table, small};
 use std::ffi::{CStr, c_void};
 use std::ptr::{null, null_mut};
 
@@ -232,5 +235,89 @@ fn what_cannot_be_stored_or_loaded_says_why() {
         assert_eq!(goodbot_done(robot, action), GoodbotStatus::Ok);
         assert_eq!(goodbot_finish(robot, null_mut()), GoodbotStatus::Ok);
         assert_eq!(goodbot_store(robot, &good, null_mut()), GoodbotStatus::StillLearning);
+    }
+}
+
+unsafe extern "C" fn at_floor_or_idle(_: *mut c_void, state: u32, proposition: u8, arguments: *const u8) -> bool {
+    match proposition {
+        0 => u32::from(unsafe { *arguments.add(1) }) == state + 1,
+        _ => state == 0,
+    }
+}
+
+#[test]
+fn an_update_that_adds_propositions_and_attributes_keeps_the_lessons() {
+    let lift = Lift::new();
+    let before = of_table(&lift.table()).unwrap();
+    let judged = |robot, command: &CStr| unsafe {
+        let (mut probabilities, mut count) = (vec![], 0);
+        assert_eq!(goodbot_table_set_state(robot, 0), GoodbotStatus::Ok);
+        assert_eq!(goodbot_hear(robot, command.as_ptr()), GoodbotStatus::Ok);
+        assert_eq!(goodbot_task_count(robot, &raw mut count), GoodbotStatus::Ok);
+        for task in 0..count {
+            let mut probability = 0.0;
+            assert_eq!(goodbot_task_probability(robot, task, &raw mut probability), GoodbotStatus::Ok);
+            probabilities.push(probability);
+        }
+        probabilities
+    };
+    for command in [c"take me shopping", c"up to the roof"] {
+        let (mut action, mut evidence) = (0, 0);
+        unsafe {
+            assert_eq!(goodbot_table_set_state(before.robot, 0), GoodbotStatus::Ok);
+            hear_and_plan(before.robot, command);
+            assert_eq!(goodbot_decide(before.robot, &raw mut action, null_mut()), GoodbotStatus::Ok);
+            assert_eq!(goodbot_done(before.robot, action), GoodbotStatus::Ok);
+            assert_eq!(goodbot_feedback(before.robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::Ok);
+            assert_eq!(goodbot_finish(before.robot, null_mut()), GoodbotStatus::Ok);
+            while goodbot_learn(before.robot, 1_000) == GoodbotStatus::Working {}
+        }
+    }
+    let (mut model, mut length) = (vec![0; SLOT], 0);
+    assert_eq!(unsafe { goodbot_save(before.robot, model.as_mut_ptr(), model.len(), &raw mut length) }, GoodbotStatus::Ok);
+    // The new version of the program knows a proposition and an attribute more.
+    let propositions = [
+        GoodbotProposition { name: c"liftAtFloor".as_ptr(), parameters: [0, 1, 0], parameter_count: 2 },
+        GoodbotProposition { name: c"doorOpen".as_ptr(), parameters: [0, 0, 0], parameter_count: 1 },
+    ];
+    let attributes =
+        [
+            GoodbotAttribute { name: c"use".as_ptr(), carriers: null(), carrier_count: 1 },
+            GoodbotAttribute { name: c"size".as_ptr(), carriers: null(), carrier_count: 0 },
+        ]
+        .map(|attribute| {
+            if attribute.carrier_count == 1 { GoodbotAttribute { carriers: lift.carriers.as_ptr(), ..attribute } } else { attribute }
+        });
+    let updated = GoodbotTable {
+        propositions: propositions.as_ptr(),
+        proposition_count: 2,
+        attributes: attributes.as_ptr(),
+        attribute_count: 2,
+        holds: Some(at_floor_or_idle),
+        ..lift.table()
+    };
+    let after = of_table(&updated).unwrap();
+    unsafe {
+        assert_eq!(goodbot_restore(after.robot, model.as_ptr(), length), GoodbotStatus::Ok);
+        while goodbot_learn(after.robot, 1_000) == GoodbotStatus::Working {}
+    }
+    assert_eq!(judged(after.robot, c"take me shopping"), judged(before.robot, c"take me shopping"));
+    // In parts too.
+    let in_parts = of_table(&updated).unwrap();
+    let mut restoring = GoodbotRestoring { opaque: [0; 80] };
+    unsafe {
+        assert_eq!(goodbot_begin_restoring(&raw mut restoring, model.as_ptr(), length), GoodbotStatus::Ok);
+        while goodbot_restore_on(in_parts.robot, &raw mut restoring, 1) == GoodbotStatus::Working {}
+        assert_eq!(goodbot_restore_on(in_parts.robot, &raw mut restoring, 1), GoodbotStatus::Ok);
+        // The program before the update does not know what the one after it learned.
+        assert_eq!(goodbot_save(after.robot, model.as_mut_ptr(), model.len(), &raw mut length), GoodbotStatus::Ok);
+        assert_eq!(goodbot_restore(before.robot, model.as_ptr(), length), GoodbotStatus::OtherDomain);
+        // Nor one in which the new proposition stands first.
+        let moved = [propositions[1], propositions[0]];
+        let moved = of_table(&GoodbotTable { propositions: moved.as_ptr(), ..updated }).unwrap();
+        assert_eq!(goodbot_restore(moved.robot, model.as_ptr(), length), GoodbotStatus::OtherDomain);
+        // A model of a newer library is told from a damaged one.
+        model[8] = 9;
+        assert_eq!(goodbot_restore(after.robot, model.as_ptr(), length), GoodbotStatus::NewerFormat);
     }
 }

@@ -7,6 +7,7 @@ use super::saving::{Model, Saving};
 use crate::capacity::{Capacity, CapacityError};
 use crate::feedback::BeliefRef;
 use crate::memory::{AgentMemory, AgentTables};
+use crate::oomdp::Domain;
 use crate::planning::Progress;
 use crate::session::Agent;
 use crate::session::phase::Progressed;
@@ -137,6 +138,18 @@ impl<M: AgentMemory> Agent<M> {
         Ok(())
     }
 
+    /// Restores a model as [`restore`](Self::restore) does, also one that was learned with an earlier version of the domain: see
+    /// [`Restoring::continue_vocabulary`].
+    ///
+    /// # Errors
+    /// As [`restore`](Self::restore).
+    pub fn restore_earlier<D: Domain + ?Sized>(&mut self, domain: &D, bytes: &[u8]) -> Result<(), RestoreError> {
+        let mut restoring = Restoring::of(bytes);
+        restoring.continue_vocabulary(&domain.world().schema);
+        while self.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}
+        Ok(())
+    }
+
     /// Restores a model in parts, otherwise as [`restore`](Self::restore) does. Each part does at most about `budget` units of work: a unit
     /// is one entry of a record, or eight bytes while the file is checked, and a part reads at least one record. The result does not depend
     /// on the budget. While the file is checked, the robot is unchanged and may do anything. After that it has learned nothing until the
@@ -193,7 +206,9 @@ impl<M: AgentMemory> Agent<M> {
     #[inline(never)]
     fn check_strategies(&self, restoring: &Restoring<'_>) -> Result<(), RestoreError> {
         let contents = Contents::of(&restoring.checking)?;
-        if !self.takes(contents.vocabulary) {
+        let (now, earlier) = restoring.continued;
+        let is_earlier = earlier != 0 && contents.vocabulary == earlier && self.vocabulary() == now;
+        if !(is_earlier || self.takes(contents.vocabulary)) {
             return Err(RestoreError::OtherDomain);
         }
         let limit = self.belief().most_strategies();

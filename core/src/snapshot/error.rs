@@ -63,7 +63,8 @@ pub enum RestoreError {
     Damaged,
     /// The check matches, but a part has impossible values.
     Inconsistent(Part),
-    /// It was learned in a domain with another vocabulary.
+    /// It was learned in a domain with another vocabulary. One with fewer propositional functions or attributes is taken by
+    /// [`Agent::restore_earlier`](crate::Agent::restore_earlier).
     OtherDomain,
     /// Its words or machine commands are formed differently from those here, so the two models cannot be joined.
     OtherForms,

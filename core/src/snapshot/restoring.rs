@@ -3,12 +3,13 @@
 use super::checking::{COMMANDS, Checking, HEARD_AGAIN, PAIRS, SESSIONS, TOKENS, WORDS};
 use super::contents::Contents;
 use super::error::{Part, RestoreError};
-use super::record::{CommandRecord, PairRecord, SessionRecord, symbols};
+use super::record::{CommandRecord, HEADER_BYTES, PairRecord, SessionRecord, symbols};
 use super::section::{Section, take};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::model::{LanguageState, Unlearned};
 use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::LanguageTables;
+use crate::oomdp::{Schema, vocabulary};
 use crate::planning::Progress;
 use crate::symbols::Symbol;
 use heapless::Vec;
@@ -26,6 +27,8 @@ pub struct Restoring<'a> {
     unlearned: Unlearned,
     /// Identifies this restoring and its progress, to detect another one.
     pub(super) mark: u32,
+    /// A vocabulary, and the earlier version of it that the model has; 0 if none is known.
+    pub(super) continued: (u32, u32),
 }
 
 /// The next step.
@@ -61,6 +64,17 @@ impl<'a> Restoring<'a> {
             of_session: 0,
             unlearned: Unlearned::NONE,
             mark: 0,
+            continued: (0, 0),
+        }
+    }
+
+    /// Also takes the model if it was learned with an earlier version of the domain's vocabulary: with fewer propositional functions or
+    /// attributes at the end of their lists. Nothing of it is lost then. Call it before the first part; again it does nothing.
+    pub fn continue_vocabulary(&mut self, schema: &Schema<'_>) {
+        if self.continued.0 == 0 {
+            let mut rest = self.checking.bytes.get(HEADER_BYTES..).unwrap_or(&[]);
+            let earlier = take(&mut rest).filter(|&earlier| vocabulary::continues(schema, earlier)).unwrap_or(0);
+            self.continued = (vocabulary::digest(schema), earlier);
         }
     }
 
