@@ -139,7 +139,11 @@ pub fn data<'m, 'l>(
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
             .pairs
             .iter()
-            .map(|(command, share)| Ok((symbols(&mut model, command)?, *share)))
+            .map(|(command, share)| {
+                let command = symbols(&mut model, command)?;
+                // The layer compares it with the descriptions of the possible tasks.
+                Ok((if settings.layer { in_order(lesson, command) } else { command }, *share))
+            })
             .collect::<Result<_, CapacityError>>()?;
         model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
         if settings.layer {

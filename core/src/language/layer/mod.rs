@@ -21,7 +21,7 @@
 //! (`unmet`). If tasks have ways, a command in a new scene that names no way means none. And new words decide about a kind that no session
 //! could mean.
 //!
-//! In a scene that was taught often (`scenes`), small recurrent networks read the words in their order (`network`). They only share out what
+//! In a scene that was taught often (`scenes`), a small recurrent network reads the words in their order (`network`). It only shares out what
 //! the tasks that were meant there have together.
 //!
 //! The target of training is each session's posterior of its tasks (`training`), with

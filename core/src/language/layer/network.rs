@@ -1,6 +1,6 @@
-//! The order of words in a scene that was taught often: small recurrent networks score the tasks that were meant there.
+//! The order of words in a scene that was taught often: a small recurrent network scores the tasks that were meant there.
 //!
-//! A network reads word by word. A word and the one before it move the state h of each unit, by a share z, towards c. With n words, w(0) the
+//! The network reads word by word. A word and the one before it move the state h of each unit, by a share z, towards c. With n words, w(0) the
 //! beginning and t a task,
 //!
 //! ```text
@@ -9,14 +9,12 @@
 //! ```
 //!
 //! So it knows which room was named last, and the effect of "then" or "back". In training, three words of ten are replaced by the unknown word.
-//! The networks differ in their first weights and in the replaced words; the mean of their scores counts.
 
 use super::weights::{Weights, hashed};
 use crate::probability::exp;
 use crate::symbols::Symbol;
 use alloc::vec::Vec;
 
-const NETWORKS: u16 = 3;
 const UNITS: usize = 16;
 /// The tables of a word: a, d, b and f.
 const TABLES: usize = 4;
@@ -31,10 +29,9 @@ const FORGOTTEN: usize = 3;
 const STEPS: f32 = 1.33;
 const SQUARES: f32 = 0.1;
 
-/// The weights of one network, and for each the sum of its squared slopes (AdaGrad).
+/// The weights of the network, and for each the sum of its squared slopes (AdaGrad).
 #[derive(Clone, Debug)]
 pub(super) struct Network {
-    number: u16,
     words: usize,
     values: Vec<f32>,
     squares: Vec<f32>,
@@ -56,14 +53,18 @@ impl WordPair {
 }
 
 impl Network {
-    /// Untrained networks for this many words and tasks; none if there is no task.
-    pub fn several(words: usize, tasks: usize) -> Vec<Self> {
+    /// No network.
+    pub const NONE: Self = Self { words: 0, values: Vec::new(), squares: Vec::new() };
+
+    /// An untrained network for this many words and tasks; none if there is no task.
+    pub fn new(words: usize, tasks: usize) -> Self {
+        if tasks == 0 {
+            return Self::NONE;
+        }
         let words = words.saturating_add(2);
         let count = words.saturating_mul(TABLES).saturating_add(tasks).saturating_mul(UNITS);
-        let small = |number: u16, at: usize| hashed(1 << 16, [number, at as u16, (at >> 16) as u16]) as f32 / 655_360.0 - 0.05;
-        let one =
-            |number| Self { number, words, values: (0..count).map(|at| small(number, at)).collect(), squares: alloc::vec![SQUARES; count] };
-        (0..if tasks == 0 { 0 } else { NETWORKS }).map(one).collect()
+        let small = |at: usize| hashed(1 << 16, [at as u16, (at >> 16) as u16]) as f32 / 655_360.0 - 0.05;
+        Self { words, values: (0..count).map(small).collect(), squares: alloc::vec![SQUARES; count] }
     }
 
     /// The numbers of a command's words, each after the one before it.
@@ -111,15 +112,11 @@ impl Network {
         moves.iter().enumerate().map(|(unit, moves)| state(moves) * self.value(self.of_task(task, unit))).sum()
     }
 
-    /// The mean score of each task, given by its position among the tasks of scenes that were taught often.
-    pub fn scores(several: &[Self], words: &[Option<Symbol>], tasks: impl Iterator<Item = Option<usize>>) -> Vec<Option<f32>> {
-        let read = |network: &Self| {
-            let heard = network.heard(words.iter().copied());
-            (0..UNITS).map(|unit| network.read(&heard, unit)).collect()
-        };
-        let moves: Vec<Vec<Vec<(f32, f32)>>> = several.iter().map(read).collect();
-        let mean = |task| several.iter().zip(&moves).map(|(network, moves)| network.score(moves, task)).sum::<f32>() / f32::from(NETWORKS);
-        tasks.map(|task| task.map(mean)).collect()
+    /// The score of each task, given by its position among the tasks of scenes that were taught often.
+    pub fn scores(&self, words: &[Option<Symbol>], tasks: impl Iterator<Item = Option<usize>>) -> Vec<Option<f32>> {
+        let heard = self.heard(words.iter().copied());
+        let moves: Vec<Vec<(f32, f32)>> = (0..UNITS).map(|unit| self.read(&heard, unit)).collect();
+        tasks.map(|task| task.map(|task| self.score(&moves, task))).collect()
     }
 
     /// One step of a training pass towards the wanted share of each of these tasks. Returns the cost, in table cells.
@@ -127,7 +124,7 @@ impl Network {
         if wanted.is_empty() {
             return 0;
         }
-        let is_kept = |position: usize| hashed(10, [self.number, u16::from(pass), session, position as u16]) >= FORGOTTEN;
+        let is_kept = |position: usize| hashed(10, [u16::from(pass), session, position as u16]) >= FORGOTTEN;
         let heard = self.heard(words.iter().enumerate().map(|(position, &word)| Some(word).filter(|_| is_kept(position))));
         let moves: Vec<Vec<(f32, f32)>> = (0..UNITS).map(|unit| self.read(&heard, unit)).collect();
         let scores: Vec<f32> = wanted.iter().map(|&(task, _)| self.score(&moves, task)).collect();
@@ -173,17 +170,15 @@ mod tests {
         let said = |first: u16, second: u16| [first, ROOMS, second].map(Symbol::new);
         let pairs = || (0..ROOMS).flat_map(|first| (0..ROOMS).map(move |second| (first, second))).filter(|(first, second)| first != second);
         let is_lesson = |&(first, second): &(u16, u16)| (first + 2) % ROOMS != second;
-        let mut networks = Network::several(usize::from(ROOMS) + 1, usize::from(ROOMS));
+        let mut network = Network::new(usize::from(ROOMS) + 1, usize::from(ROOMS));
         for pass in 0..passes {
             for (number, (first, second)) in pairs().filter(is_lesson).enumerate() {
                 let wanted: Vec<(usize, f32)> = (0..ROOMS).map(|room| (usize::from(room), f32::from(u8::from(room == second)))).collect();
-                for network in &mut networks {
-                    network.learn(number as u16, pass, &said(first, second), &wanted, 0.15);
-                }
+                network.learn(number as u16, pass, &said(first, second), &wanted, 0.15);
             }
         }
         let best = |(first, second): (u16, u16)| {
-            let scores = Network::scores(&networks, &said(first, second).map(Some), (0..usize::from(ROOMS)).map(Some));
+            let scores = network.scores(&said(first, second).map(Some), (0..usize::from(ROOMS)).map(Some));
             scores.iter().enumerate().max_by(|a, b| a.1.partial_cmp(b.1).unwrap()).map(|(room, _)| room) == Some(usize::from(second))
         };
         pairs().filter(|pair| !is_lesson(pair)).filter(|&pair| best(pair)).count()
@@ -197,8 +192,8 @@ mod tests {
 
     #[test]
     fn words_that_no_lesson_had_are_one_unknown_word() {
-        let networks = Network::several(3, 2);
-        let scores = |word| Network::scores(&networks, &[word], vec![Some(0), None, Some(1)].into_iter());
+        let network = Network::new(3, 2);
+        let scores = |word| network.scores(&[word], vec![Some(0), None, Some(1)].into_iter());
         assert_eq!(scores(None), scores(Some(Symbol::new(3))));
         assert_ne!(scores(None), scores(Some(Symbol::new(2))));
         assert_eq!(scores(None)[1], None);

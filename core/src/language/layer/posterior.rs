@@ -1,7 +1,6 @@
 //! The layer's posterior over the tasks of a command.
 
 use super::contexts::Command;
-use super::network::Network;
 use super::parts::Parts;
 use super::tables::LayerRef;
 use super::unmet;
@@ -37,7 +36,7 @@ impl LayerRef<'_> {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));
         }
         let before = |weights: &[Scaled], group: &[(usize, usize)]| total(group.iter().filter_map(|&(_, task)| weights.get(task).copied()));
-        let themselves = Network::scores(self.networks, sentence, parts.themselves());
+        let themselves = self.network.scores(sentence, parts.themselves());
         let mut tasks: Vec<Weighed> = Vec::new();
         for (position, ((first, group), itself)) in groups().zip(themselves).enumerate() {
             let understood = before(weights, group).over(whole);

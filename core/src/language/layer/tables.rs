@@ -47,7 +47,7 @@ pub struct LayerMemory {
     learned: Learned,
     /// The tasks that were meant in scenes that were taught often, sorted.
     taught: Vec<u32>,
-    networks: Vec<Network>,
+    network: Network,
     left_out: LeftOut,
     /// One entry per word, while a role model reads sessions that it has not seen: whether the word was heard in its own.
     heard: Vec<bool>,
@@ -68,7 +68,7 @@ impl LayerMemory {
         weights: Vec::new(),
         learned: Learned::NOTHING,
         taught: Vec::new(),
-        networks: Vec::new(),
+        network: Network::NONE,
         left_out: LeftOut::NONE,
         heard: Vec::new(),
         found: Found::NONE,
@@ -176,7 +176,7 @@ pub(in crate::language) struct Room<'t> {
     pub(super) weights: &'t mut [f32],
     pub(super) learned: &'t mut Learned,
     pub(super) taught: &'t mut Vec<u32>,
-    pub(super) networks: &'t mut Vec<Network>,
+    pub(super) network: &'t mut Network,
     pub(super) heard: &'t mut Vec<bool>,
     pub(super) found: &'t mut Found,
 }
@@ -189,7 +189,7 @@ pub(in crate::language) struct LayerRef<'t> {
     pub(super) weights: &'t [f32],
     pub(super) learned: Learned,
     pub(super) taught: &'t [u32],
-    pub(super) networks: &'t [Network],
+    pub(super) network: &'t Network,
 }
 
 #[cfg(feature = "layer")]
@@ -209,7 +209,7 @@ impl<'t> LayerRef<'t> {
             weights: &memory.weights,
             learned: memory.learned,
             taught: &memory.taught,
-            networks: &memory.networks,
+            network: &memory.network,
         })
     }
 }
@@ -233,7 +233,7 @@ impl<'t> Room<'t> {
             weights: &mut memory.weights,
             learned: &mut memory.learned,
             taught: &mut memory.taught,
-            networks: &mut memory.networks,
+            network: &mut memory.network,
             heard: &mut memory.heard,
             found: &mut memory.found,
         })
@@ -246,7 +246,7 @@ impl<'t> Room<'t> {
             weights: self.weights,
             learned: *self.learned,
             taught: self.taught.as_slice(),
-            networks: self.networks.as_slice(),
+            network: self.network,
         }
     }
 

@@ -8,10 +8,12 @@
 //! ```
 //!
 //! The words may decide what the trainer's actions leave open, and some sessions show another task than was meant; so a task that the
-//! actions refute keeps a tenth of its prior. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
+//! actions refute keeps a tenth of its prior. A session that shows one task alone, such as a labelled one, has nothing to decide, and its
+//! target is that task: otherwise a task that the words do not show yet would be taught as wrong, by as much as the sessions before left
+//! it improbable, and the order of the sessions would decide. After each pass one step pulls every weight towards 0, and a towards 1. The steps get shorter
 //! with each pass, unless the words in names are values.
 //!
-//! The networks learn apart, session by session too: to share out what the tasks that were meant in the scene have together. The weights
+//! The network learns apart, session by session too: to share out what the tasks that were meant in the scene have together. The weights
 //! learn as if there were none.
 
 use super::network::Network;
@@ -22,11 +24,10 @@ use super::weighed::{Group, Weighed, weigh};
 use super::weights::{PULLS, TRUST, Weights};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::TablesRef;
-use alloc::vec;
 use alloc::vec::Vec;
 
 const PASSES: u8 = 30;
-/// The share of a task's prior that the actions of a session cannot refute.
+/// The share of a task's prior that the actions of a session cannot refute, if they leave more than one task.
 const UNREFUTED: f32 = 0.1;
 /// The smallest probability, so that no task is lost for good.
 const LEAST: f32 = 1e-9;
@@ -52,7 +53,7 @@ impl Room<'_> {
                 self.learned.begin(tables.layout(), bitext, self.possible.read());
                 let is_told = tables.layout().has_names();
                 *self.taught = if is_told { Vec::new() } else { scenes::taught(self.possible.read(), self.shares) };
-                *self.networks = Network::several(tables.words(), self.taught.len());
+                *self.network = Network::new(tables.words(), self.taught.len());
                 *self.found = Found::NONE;
                 (weights.values.len(), Part::Pass(0, 0))
             }
@@ -97,18 +98,14 @@ impl Room<'_> {
             tasks.push(Weighed { group, understood, parts: parts.sum(position), ..Weighed::default() });
         }
         weigh(&mut tasks, 1.0 + weights.value(TRUST));
-        let wanted = &mut *vec![0.0_f32; count];
-        for (((slot, task), &shown), pair) in wanted.iter_mut().zip(&tasks).zip(shown).zip(pairs) {
-            *slot = (shown + UNREFUTED * pair.weight) * (task.trusted + LEAST);
-        }
-        normalise(wanted);
+        let priors = pairs.iter().map(|pair| pair.weight);
+        let wanted = target(shown, priors, tasks.iter().map(|task| task.trusted));
         // The words cannot change the target of a whole group.
         let is_met = |task: &Weighed| task.group == Group::Met;
         let wanted_of =
-            |met: bool| tasks.iter().zip(&*wanted).filter(|(task, _)| is_met(task) == met).map(|(_, wanted)| wanted).sum::<f32>();
+            |met: bool| tasks.iter().zip(&wanted).filter(|(task, _)| is_met(task) == met).map(|(_, wanted)| wanted).sum::<f32>();
         let (of_met, of_others) = (wanted_of(true), wanted_of(false));
-        let of_scene: Vec<(usize, f32)> =
-            parts.themselves().zip(&*wanted).filter_map(|(itself, &wanted)| Some((itself?, wanted))).collect();
+        let of_scene: Vec<(usize, f32)> = parts.themselves().zip(&wanted).filter_map(|(itself, &wanted)| Some((itself?, wanted))).collect();
 
         parts.each().for_each(|(_, number)| *number = 0.0);
         // If the words in names are values, a meaning counts as the root of the number of times it was told, as in the role model.
@@ -116,7 +113,7 @@ impl Room<'_> {
         let (counts, whole) = (sum(&|pair| tables.layout().weight(bitext, pair)), sum(&|pair| pair.weight));
         let counts = if whole > 0.0 { counts / whole } else { 1.0 };
         let mut of_trust = 0.0;
-        for (position, (task, &wanted)) in tasks.iter().zip(&*wanted).enumerate() {
+        for (position, (task, &wanted)) in tasks.iter().zip(&wanted).enumerate() {
             let slope = counts * (if is_met(task) { of_met } else { of_others } * task.within - wanted);
             parts.add(position, slope);
             of_trust += slope * task.logarithm;
@@ -124,8 +121,8 @@ impl Room<'_> {
         speaking.learn(&mut weights);
         weights.step(TRUST, of_trust);
         let (sentence, rate) = (bitext.sentence(session), weights.rate);
-        let of_networks: usize = self.networks.iter_mut().map(|network| network.learn(session, pass, sentence, &of_scene, rate)).sum();
-        let cells = speaking.len().saturating_mul(3).saturating_add(of_networks).saturating_add(1);
+        let of_network = self.network.learn(session, pass, sentence, &of_scene, rate);
+        let cells = speaking.len().saturating_mul(3).saturating_add(of_network).saturating_add(1);
         self.found.keep(session, speaking);
         cells
     }
@@ -145,12 +142,16 @@ impl Room<'_> {
     }
 }
 
-/// Divides the numbers by their sum.
-fn normalise(numbers: &mut [f32]) {
-    let whole: f32 = numbers.iter().sum();
+/// r, what a session teaches of each of its tasks: by the posterior that it showed, the prior, and the layer's present posterior.
+fn target(shown: &[f32], priors: impl Iterator<Item = f32>, trusted: impl Iterator<Item = f32>) -> Vec<f32> {
+    let unrefuted = if shown.iter().any(|&share| share >= 1.0) { 0.0 } else { UNREFUTED };
+    let wanted = shown.iter().zip(priors).zip(trusted).map(|((shown, prior), trusted)| (shown + unrefuted * prior) * (trusted + LEAST));
+    let mut wanted: Vec<f32> = wanted.collect();
+    let whole: f32 = wanted.iter().sum();
     if whole > 0.0 {
-        numbers.iter_mut().for_each(|number| *number /= whole);
+        wanted.iter_mut().for_each(|share| *share /= whole);
     }
+    wanted
 }
 
 /// The step size of a pass. It shrinks, so that the last sessions count no more than the first. If the words in names are values, it stays
@@ -159,4 +160,26 @@ fn rate(tables: TablesRef<'_>, pass: u8) -> f32 {
     const FIRST: f32 = 0.15;
     const TOLD: f32 = 0.1;
     if tables.layout().has_names() { TOLD } else { FIRST * f32::from(PASSES.saturating_sub(pass)) / f32::from(PASSES) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn taught(shown: [f32; 3], trusted: [f32; 3]) -> Vec<f32> {
+        target(&shown, [1.0 / 3.0; 3].into_iter(), trusted.into_iter())
+    }
+
+    #[test]
+    fn a_lesson_that_shows_one_task_teaches_it_however_improbable_the_lessons_before_it_made_it() {
+        for trusted in [[0.98, 0.01, 0.01], [1e-6, 0.5, 0.5], [0.0, 1.0, 0.0]] {
+            assert_eq!(taught([1.0, 0.0, 0.0], trusted), [1.0, 0.0, 0.0]);
+        }
+    }
+
+    #[test]
+    fn where_the_trainer_left_more_than_one_task_the_words_may_contradict_what_was_done() {
+        let taught = taught([0.9, 0.1, 0.0], [0.001, 0.001, 0.998]);
+        assert!(taught[2] > 0.9, "{taught:?}");
+    }
 }

@@ -29,9 +29,9 @@ pub(super) struct Weighed {
     pub logarithm: f32,
     /// The sum of U over its parts.
     pub parts: f32,
-    /// What the networks say, where the task was meant in this scene and the scene was taught often.
+    /// What the network says, where the task was meant in this scene and the scene was taught often.
     pub itself: Option<f32>,
-    /// The layer's posterior among the tasks of its group, and among all, without the networks.
+    /// The layer's posterior among the tasks of its group, and among all, without the network.
     pub within: f32,
     pub trusted: f32,
     /// The layer's posterior.
@@ -64,8 +64,8 @@ pub(super) fn weigh(tasks: &mut [Weighed], trust: f32) {
             (task.trusted, task.believed) = (mass * task.within, mass * task.within);
         }
     }
-    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together. The networks
-    // count as much as the rest of the layer.
+    // Nothing was learned for or against a task that was never meant in this scene: the others share what they have together. The network
+    // counts as much as the rest of the layer.
     let logarithm = |task: &Weighed| {
         let itself = task.itself?;
         Some(0.5 * (itself + libm::logf(task.believed.max(f32::MIN_POSITIVE))))
