@@ -1,7 +1,8 @@
 # Unpacks Debian's packages into a folder, where a launcher starts one of their programs. Nothing is installed, and root is not needed.
 #   fetch FOLDER FILE WHY PACKAGE...
 # apt gets folders of its own and an empty list of installed packages. So it finds all dependencies of a program, whatever packages the system
-# has, holds back or would conflict with. A package that the system has in exactly that version is left out.
+# has, holds back or would conflict with. A shared library that the system has in exactly that version is left out. Everything else is needed in
+# the folder, because a program looks for its parts beside itself.
 
 get() {
     apt-get -o Dir::State="$apt/state" -o Dir::Cache="$apt/cache" -o Dir::State::status="$apt/status" -o Debug::NoLocking=1 \
@@ -29,8 +30,9 @@ unpack() {
     needed "$@" >"$apt/needed"
     # The C library is the system's, because it must match the program loader.
     dpkg-query --show --showformat='${db:Status-Status} ${Package} ${Version}\n' | sed -n 's/^installed //p' >"$apt/installed"
-    awk -v installed="$apt/installed" 'BEGIN { while ((getline package <installed) > 0) has[package] = 1 }
-        !(($1 " " $2) in has) && $1 != "libc6" && $1 != "libc-bin"' "$apt/needed" >"$apt/wanted"
+    awk -v installed="$apt/installed" -v named=" $* " 'BEGIN { while ((getline package <installed) > 0) has[package] = 1 }
+        function is_library() { return $1 ~ /^lib/ && $1 !~ /-dev$/ && !index(named, " " $1 " ") }
+        !(is_library() && ($1 " " $2) in has) && $1 != "libc6" && $1 != "libc-bin"' "$apt/needed" >"$apt/wanted"
     echo "fetching $*, needed $why: $(awk '{ n++; sum += $3 } END { print n " packages, " int(sum / 1e6) " MB" }' "$apt/wanted"), into $tree"
     cd "$apt/archives"
     rm -f ./*.deb
