@@ -14,16 +14,18 @@
 //!   rarest length.
 //! - If the vocabulary is full, rare words go first: the oldest strange session goes, then the session with the most words that no other
 //!   has. Words and machine tokens that no session uses any more go with it. An eighth of the vocabulary is kept free, so that the next
-//!   command is heard whole; if more words, or more facts about objects, come at once, the rest are left out.
+//!   command is heard whole; if more words, or more facts about objects, come at once, the rest are left out. For words that were left out,
+//!   as much is kept free as they need, if the command fits alone: said again, it is heard whole.
 //!
-//! The newest session is never forgotten. A session that would not fit even alone is refused, and nothing is forgotten for it.
+//! The newest session is never forgotten. A session that would not fit even alone is refused, and nothing is forgotten for it. A command of
+//! which no word found room has nothing to learn from: it is refused too, and room is made for its words.
 
 use super::bitext::{Alone, close_up};
 use super::model::LanguageMut;
 use super::settings::Model;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
-use crate::symbols::{Symbol, SymbolsRef};
+use crate::symbols::Symbol;
 use heapless::Vec;
 
 /// Whether sessions may be forgotten. If not, the code that chooses one is not linked.
@@ -31,6 +33,24 @@ const FORGETS: bool = cfg!(feature = "forgetting");
 
 /// The inverse of the share of the vocabulary that is kept free.
 const FREE_PART: usize = 8;
+
+/// The words of a command that found no room when it was heard, each as often as it was said.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Unheard {
+    words: u8,
+    bytes: u16,
+}
+
+impl Unheard {
+    /// No words.
+    pub const NONE: Self = Self { words: 0, bytes: 0 };
+
+    /// One more word, of this many bytes.
+    pub const fn note(&mut self, bytes: usize) {
+        self.words = self.words.saturating_add(1);
+        self.bytes = self.bytes.saturating_add(bytes as u16);
+    }
+}
 
 /// The smallest capacity for `entries` of which an eighth is kept free.
 pub(crate) const fn with_free_part(entries: usize) -> usize {
@@ -119,7 +139,8 @@ impl LanguageMut<'_> {
     /// `session_tokens` are the machine tokens that must stay.
     ///
     /// # Errors
-    /// A [`CapacityError`] if the session would not fit even alone; nothing is forgotten then.
+    /// A [`CapacityError`] if the session would not fit even alone, or none of its words was heard; nothing is forgotten then. In the second
+    /// case the next step is [`Step::Take`]: room can be made for the words.
     pub(crate) fn add_session_or_make_room<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &mut self,
         sentence: &[Option<Symbol>],
@@ -142,9 +163,9 @@ impl LanguageMut<'_> {
             words.push(word).map_err(|_| too_long)?;
         }
         if let Step::Look = step {
-            self.check_alone(&words, session_tokens, pairs())?;
+            self.check_alone(&words, sentence.len(), session_tokens, &pairs)?;
             *step = Step::Take;
-            return Ok(Room::Sought);
+            return if words.is_empty() { Err(self.read().no_room_for_a_word()) } else { Ok(Room::Sought) };
         }
         let (extent, wanted) = (self.bitext.extent(), self.tables.trained.wanted);
         let Err(error) = self.add_to_data(&words, &pairs) else { return Ok(Room::Found) };
@@ -169,29 +190,47 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Checks that the session would fit if there were no other.
-    fn check_alone<'a>(
+    /// Checks that the session would fit if there were no other: with the words that were heard or, if there are none, with all.
+    fn check_alone<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
         &self,
         words: &[Symbol],
+        said: usize,
         tokens: &[Symbol],
-        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
+        pairs: &impl Fn() -> I,
     ) -> Result<(), CapacityError> {
-        if words.is_empty() {
-            return Err(self.read().no_room_for_a_word());
-        }
-        let different = |table: SymbolsRef<'_>, used: &[Symbol]| table.iter().filter(|(symbol, _)| used.contains(symbol)).count();
-        let (words, tokens, sentence) = (different(self.words.read(), words), different(self.tokens.read(), tokens), words.len());
+        let rooms = self.read().rooms();
+        let missing = if words.is_empty() { *self.unheard } else { Unheard::NONE };
+        let sentence = if words.is_empty() { said } else { words.len() };
+        let (words, word_bytes) = self.vocabulary_alone(|word| words.contains(&word), missing);
+        let tokens = self.tokens.read().iter().filter(|(symbol, _)| tokens.contains(symbol)).count();
         let alone = Alone { words, tokens, sentence };
         let needs = match self.model() {
-            Model::Model2 => ibm2::data::needs_alone(&alone, pairs),
-            Model::Roles => roles::data::needs_alone(&alone, pairs),
+            Model::Model2 => ibm2::data::needs_alone(&alone, &rooms, pairs),
+            Model::Roles => roles::data::needs_alone(&alone, &rooms, pairs),
         };
         let translations = tokens.saturating_add(1).saturating_mul(words);
-        Capacities { sessions: 1, sentence_words: sentence, translations, ..needs }.fits_in(&self.read().rooms())
+        Capacities { words, word_bytes, sessions: 1, sentence_words: sentence, translations, ..needs }.fits_in(&rooms)
     }
 
-    /// After a session was added, checks that the vocabulary fits the tables with an eighth free, and otherwise forgets other sessions:
-    /// call again, with the same `step`, until room is found. Symbols may change; those in `sentence` and `session_tokens` change too. A
+    /// The number of words, and of their bytes, in a vocabulary of these words alone.
+    fn vocabulary_alone(&self, has: impl Fn(Symbol) -> bool, unheard: Unheard) -> (usize, usize) {
+        let known = self.words.read().iter().filter(|&(symbol, _)| has(symbol));
+        known.fold((unheard.words.into(), unheard.bytes.into()), |(count, bytes): (usize, usize), (_, text)| {
+            (count.saturating_add(1), bytes.saturating_add(text.len()))
+        })
+    }
+
+    /// The words that were not heard, if there would be room for them beside those that were; otherwise none.
+    fn with_room_alone(&self, sentence: &[Option<Symbol>]) -> Unheard {
+        let unheard = *self.unheard;
+        let (words, bytes) = self.vocabulary_alone(|word| sentence.contains(&Some(word)), unheard);
+        let rooms = self.read().rooms();
+        if words <= rooms.words && bytes <= rooms.word_bytes { unheard } else { Unheard::NONE }
+    }
+
+    /// After a session was added, checks that the vocabulary fits the tables with an eighth free, and room for the words that were not heard.
+    /// Otherwise it forgets other sessions; without any word heard, no session was added, and each is another. Call again, with the same
+    /// `step`, until room is found. Symbols may change; those in `sentence` and `session_tokens` change too. A
     /// training must follow.
     ///
     /// # Errors
@@ -215,12 +254,14 @@ impl LanguageMut<'_> {
                 return Ok(Room::Sought);
             }
         }
-        let mut full = self.full_of_vocabulary();
+        let unheard = self.with_room_alone(sentence);
+        let mut full = self.full_of_vocabulary(unheard);
         if full.is_some() {
             self.remove_unused_tokens(session_tokens);
-            full = self.full_of_vocabulary();
+            full = self.full_of_vocabulary(unheard);
         }
-        let choice = full.and_then(|full| Choice::among(self.bitext.sessions().saturating_sub(1), Want::Vocabulary, full));
+        let newest = usize::from(sentence.iter().any(Option::is_some));
+        let choice = full.and_then(|full| Choice::among(self.bitext.sessions().saturating_sub(newest), Want::Vocabulary, full));
         *step = choice.map_or(Step::Take, Step::Choose);
         Ok(Room::Sought)
     }
@@ -236,16 +277,16 @@ impl LanguageMut<'_> {
     }
 
     /// The table of words, machine tokens or their parameters that has too little free space, if there is one.
-    fn full_of_vocabulary(&self) -> Option<Capacity> {
+    fn full_of_vocabulary(&self, unheard: Unheard) -> Option<Capacity> {
         let Capacities { words, word_bytes, tokens, token_bytes, .. } = self.read().rooms();
-        let is_full = |used: usize, room: usize| room.saturating_sub(used) < room / FREE_PART;
-        if is_full(self.words.len(), words) {
+        let is_full = |used: usize, room: usize, least: usize| room.saturating_sub(used) < (room / FREE_PART).max(least);
+        if is_full(self.words.len(), words, unheard.words.into()) {
             Some(Capacity::Words)
-        } else if is_full(self.words.read().byte_len(), word_bytes) {
+        } else if is_full(self.words.read().byte_len(), word_bytes, unheard.bytes.into()) {
             Some(Capacity::WordBytes)
-        } else if is_full(self.tokens.len(), tokens) {
+        } else if is_full(self.tokens.len(), tokens, 0) {
             Some(Capacity::Tokens)
-        } else if is_full(self.tokens.read().byte_len(), token_bytes) {
+        } else if is_full(self.tokens.read().byte_len(), token_bytes, 0) {
             Some(Capacity::TokenBytes)
         } else {
             self.parameters_fit().err().map(|error| error.capacity)

@@ -2,6 +2,7 @@
 //! loop may wait.
 
 use super::LanguageMut;
+use super::forgetting::Unheard;
 use super::spelling::{Search, variant_on};
 use super::tokenizer::{Sentence, composed_word, pieces, word_form};
 use crate::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
@@ -36,6 +37,9 @@ impl LanguageMut<'_> {
     ) -> Result<bool, CapacityError> {
         let letters = usize::from(self.settings().word_letters);
         let learned = self.learned_words();
+        if heard.at == 0 {
+            *self.unheard = Unheard::NONE;
+        }
         let mut rest = pieces(command.get(heard.at as usize..).unwrap_or(""));
         while *left > 0 {
             let Some(piece) = rest.next() else { return Ok(true) };
@@ -46,6 +50,9 @@ impl LanguageMut<'_> {
             let word = composed_word(piece)?;
             let Some(known) = variant_on(self.words.read(), learned, &word, letters, &mut heard.search, left) else { return Ok(false) };
             let symbol = known.or_else(|| self.words.intern(word_form(&word, self.settings().letters_kept())).ok());
+            if symbol.is_none() {
+                self.note_unheard(&word);
+            }
             let _ = sentence.push(symbol);
             *heard = Heard { at: command.len().saturating_sub(rest.left()) as u32, search: Search::START };
         }

@@ -1,6 +1,7 @@
 //! The language model as a whole: vocabularies, training data and parameters.
 
 use super::bitext::{Bitext, BitextRef, Extent};
+use super::forgetting::Unheard;
 use super::hearing::Heard;
 use super::layer::Layer;
 #[cfg(feature = "layer")]
@@ -32,6 +33,8 @@ pub(crate) struct LanguageState {
     training: Training,
     learned_words: usize,
     learned_tokens: usize,
+    /// Of the command heard last.
+    unheard: Unheard,
 }
 
 /// The extent of data in the tables that are not learned yet.
@@ -66,6 +69,7 @@ impl LanguageState {
             training: Training::DONE,
             learned_words: 0,
             learned_tokens: 0,
+            unheard: Unheard::NONE,
         }
     }
 
@@ -95,6 +99,7 @@ impl LanguageState {
             training: &mut self.training,
             learned_words: &mut self.learned_words,
             learned_tokens: &mut self.learned_tokens,
+            unheard: &mut self.unheard,
         }
     }
 
@@ -308,6 +313,7 @@ pub struct LanguageMut<'t> {
     training: &'t mut Training,
     learned_words: &'t mut usize,
     learned_tokens: &'t mut usize,
+    pub(super) unheard: &'t mut Unheard,
 }
 
 impl<'t> LanguageMut<'t> {
@@ -365,12 +371,16 @@ impl<'t> LanguageMut<'t> {
     /// As [`hear`](Self::hear).
     pub fn hear_into(&mut self, command: &str, sentence: &mut Sentence) -> Result<(), CapacityError> {
         sentence.clear();
+        *self.unheard = Unheard::NONE;
         if self.model() == Model::Roles {
             return self.hear_on(command, &mut { Heard::START }, sentence, &mut { u32::MAX }).map(|_| ());
         }
         let (model, learned) = (self.model(), *self.learned_words);
         let take = |word: &str| {
             let symbol = self.take_word(word, learned).ok();
+            if symbol.is_none() {
+                self.note_unheard(word);
+            }
             sentence.push(symbol).map_err(|_| CapacityError::full(Capacity::WordsPerCommand, WORDS_PER_COMMAND))
         };
         model.for_each_word(command, take)
@@ -502,6 +512,12 @@ impl<'t> LanguageMut<'t> {
             Some(known) => Ok(known),
             None => self.words.intern(word_form(word, self.settings.letters_kept())),
         }
+    }
+
+    /// Notes a word that found no room.
+    pub(super) fn note_unheard(&mut self, word: &str) {
+        let bytes = word_form(word, self.settings.letters_kept()).len();
+        self.unheard.note(bytes);
     }
 
     pub(crate) fn words_mut(&mut self) -> &mut Symbols<'t> {

@@ -104,8 +104,8 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::Capacity`] if the session does not fit even alone: it is then
-    /// forgotten, and all that was learned before is kept. If none of its words found room, because a vocabulary was restored full, other
-    /// sessions give way so that the next command is heard whole.
+    /// forgotten, and all that was learned before is kept. If none of its words found room when they were heard, other sessions give way,
+    /// so that the same command is heard whole when it is said again.
     pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
         self.begin_finishing(domain)?;
         loop {
@@ -266,7 +266,8 @@ impl<M: AgentMemory> Agent<M> {
             Err(error) => {
                 self.start = None;
                 language.forget_unlearned();
-                if self.sentence.iter().all(Option::is_none) {
+                // It would fit alone, but none of its words was heard: said again, it is.
+                if matches!(step, Step::Take) && self.sentence.iter().all(Option::is_none) {
                     step = Step::Look;
                     while language.tidy_vocabulary(&mut self.sentence, &mut [], &mut step)? != Room::Found {}
                     language.begin_training();

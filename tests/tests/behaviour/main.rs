@@ -23,6 +23,7 @@ mod derived_facts;
 mod every_state;
 mod example_robots;
 mod format;
+mod full_memory;
 mod fuzz_smoke;
 mod joining;
 mod large_homes;

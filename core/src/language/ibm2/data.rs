@@ -50,13 +50,28 @@ pub(crate) fn add<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
     Ok(())
 }
 
-/// The capacities that a session needs by itself.
-pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
-    let (mut count, mut command_tokens, mut lengths) = (0_usize, 0_usize, SeenLengths::new());
-    for (command, _) in pairs {
+/// The capacities that a session needs by itself: with all its machine commands that find a table, as [`add`] would keep them in empty
+/// tables of these sizes. Heavy ones need one.
+pub(crate) fn needs_alone<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    alone: &Alone,
+    rooms: &Capacities,
+    pairs: &impl Fn() -> I,
+) -> Capacities {
+    let mut lengths = SeenLengths::new();
+    pairs().filter(|&(_, weight)| weight >= LIGHT).for_each(|(command, _)| lengths.see(command.len(), alone.sentence));
+    let (heavy, heavy_cells) = (lengths.pairs, lengths.cells);
+    let (mut count, mut command_tokens, mut kept) = (0_usize, 0_usize, 0.0);
+    for (command, weight) in pairs() {
+        if !lengths.see_within(command.len(), alone.sentence, rooms.length_pairs.max(heavy), rooms.alignments.max(heavy_cells)) {
+            continue;
+        }
         count = count.saturating_add(1);
         command_tokens = command_tokens.saturating_add(command.len());
-        lengths.see(command.len(), alone.sentence);
+        kept += weight;
+    }
+    // Too little is left: all would be needed.
+    if kept < LEAST_KEPT {
+        pairs().for_each(|(command, _)| lengths.see(command.len(), alone.sentence));
     }
     Capacities { pairs: count, commands: count, command_tokens, length_pairs: lengths.pairs, alignments: lengths.cells, ..Capacities::NONE }
 }

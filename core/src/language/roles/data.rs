@@ -63,16 +63,28 @@ fn add_heavy<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
     pairs().filter(|&(_, weight)| weight >= least).try_for_each(|(description, weight)| bitext.add_pair(description, weight / whole))
 }
 
-/// The capacities that a session needs by itself, with only its longest description.
-pub(crate) fn needs_alone<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
+/// The capacities that a session needs by itself: with all its descriptions, or with the heavier ones only, as [`add`] would keep them in
+/// empty tables of these sizes.
+pub(crate) fn needs_alone<'a, I: Iterator<Item = (&'a [Symbol], f32)>>(
+    alone: &Alone,
+    rooms: &Capacities,
+    pairs: &impl Fn() -> I,
+) -> Capacities {
+    let all = needs(alone, pairs());
+    let kept: f32 = pairs().map(|(_, weight)| weight).filter(|&weight| weight >= LIGHT).sum();
+    let fits = all.pairs <= rooms.pairs && all.commands <= rooms.commands && all.command_tokens <= rooms.command_tokens;
+    if fits || kept < LEAST_KEPT { all } else { needs(alone, pairs().filter(|&(_, weight)| weight >= LIGHT)) }
+}
+
+fn needs<'a>(alone: &Alone, pairs: impl Iterator<Item = (&'a [Symbol], f32)>) -> Capacities {
     let mut layout = Layout::NONE;
     layout.see_length(alone.sentence);
-    let mut longest = None;
+    let (mut count, mut command_tokens) = (0_usize, 0_usize);
     for (description, _) in pairs {
         layout.see(description);
-        longest = longest.max(Some(description.len()));
+        count = count.saturating_add(1);
+        command_tokens = command_tokens.saturating_add(description.len());
     }
     let layout = layout.with(alone.words, alone.tokens);
-    let count = usize::from(longest.is_some());
-    Capacities { pairs: count, commands: count, command_tokens: longest.unwrap_or(0), alignments: layout.cells(), ..Capacities::NONE }
+    Capacities { pairs: count, commands: count, command_tokens, alignments: layout.cells(), ..Capacities::NONE }
 }
