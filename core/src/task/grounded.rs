@@ -54,6 +54,15 @@ impl GroundedTask {
         lifted.parts().map(move |(part, proposition)| (part, task.grounded(proposition)))
     }
 
+    /// Whether this task and another of the same lifted task have the same propositions in another order: `done(a) & done(b)`, and
+    /// `done(b) & done(a)`. With a single proposition, different objects are different tasks.
+    fn is_same(&self, other: &Self, lifted: &LiftedTask) -> bool {
+        let has = |task: &Self, part| task.parts(lifted).any(|own| own == part);
+        lifted.propositions().len() > 1
+            && self.parts(lifted).all(|part| has(other, part))
+            && other.parts(lifted).all(|part| has(self, part))
+    }
+
     /// A proposition of the lifted task, with the objects in it.
     pub fn grounded(&self, part: LiftedProposition) -> GroundProposition {
         let object = |variable: u8| self.bindings.get(usize::from(variable)).copied().unwrap_or(ObjectId(0));
@@ -62,7 +71,8 @@ impl GroundedTask {
 }
 
 /// Grounds every lifted task that the environment permits: one task for each binding of its variables to different objects, except those
-/// that hold already, and those whose way adds no constraint in this start state. Pr(l|s) is uniform over the permissible lifted tasks and
+/// that hold already, those whose way adds no constraint in this start state, and those with the same propositions as one before: interchangeable
+/// variables give a task once. Pr(l|s) is uniform over the permissible lifted tasks and
 /// Pr(t|s,l) over the remaining groundings, renormalised (paper, section 3). Returns the number of tasks.
 ///
 /// # Errors
@@ -185,7 +195,10 @@ pub(crate) fn ground_unless(
         }
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
-            if !(holds(&grounded, task) || task.has_way() && Way::of(&grounded, task).is_twin()) {
+            let earlier = tasks.get(first..count).unwrap_or(&[]);
+            let is_twin =
+                || earlier.iter().any(|other| other.is_same(&grounded, task)) || task.has_way() && Way::of(&grounded, task).is_twin();
+            if !(holds(&grounded, task) || is_twin()) {
                 if let Some(slot) = tasks.get_mut(count).filter(|_| count < limit) {
                     *slot = grounded;
                 }

@@ -237,6 +237,40 @@ fn a_robot_of_a_world_tells_what_holds_there_and_is_led_into_no_home() {
     assert!(acted["facts"].is_array() && acted["plan"] == "toward", "{acted}");
 }
 
+/// A robot that does things, and one kind of task, for this many of them together.
+fn chores(objects: usize, together: usize) -> String {
+    let objects: Vec<String> =
+        (0..objects).map(|at| format!(r#"{{"name":"x{at}","class":"thing","attributes":{{"name":"x{at}"}}}}"#)).collect();
+    let kind: Vec<String> = (0..together).map(|at| format!("done(?x{at})")).collect();
+    format!(
+        r#"{{"type":"world","name":"w","classes":["thing"],"attributes":{{"name":["thing"]}},"propositions":{{"done":["thing"]}},"objects":[{}],"actions":[{{"name":"do","parameters":{{"?x":"thing"}},"conditions":["!done(?x)"],"effects":["done(?x)"]}}],"task_kinds":["{}"]}}"#,
+        objects.join(","),
+        kind.join(" & ")
+    )
+}
+
+#[test]
+fn things_to_be_done_together_are_one_task_in_whatever_order() {
+    for (objects, together, tasks) in [(5, 3, 10), (6, 4, 15), (4, 2, 6)] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("w.json");
+        std::fs::write(&file, chores(objects, together)).expect("a file");
+        let file = file.to_str().expect("UTF-8");
+        let checked = goodbot(&["check", file], b"").output;
+        assert!(checked.contains(&format!("{tasks} tasks")), "{checked}");
+        // Its name in the log has another order.
+        let meant: Vec<String> = (0..together).rev().map(|at| format!("done(x{at})")).collect();
+        let lesson = format!("command wash them\nintended {}\n{}", meant.join(" & "), "step\nauto\n".repeat(12));
+        let run = goodbot(&["teach", file, "--lines"], lesson.as_bytes());
+        let answers: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+        assert_eq!(answers[1]["tasks"].as_array().expect("tasks").len(), tasks, "{}", answers[1]);
+        let judged = answers.iter().rfind(|answer| answer["type"] == "judged").expect("judged");
+        let best = &judged["tasks"][0];
+        assert!(best["probability"].as_f64() > Some(0.9), "{best}");
+        assert!((0..together).all(|at| best["task"].as_str().is_some_and(|task| task.contains(&format!("done(x{at})")))), "{best}");
+    }
+}
+
 #[test]
 fn a_world_that_was_changed_is_told_anew_in_the_same_log() {
     let folder = tempfile::tempdir().expect("a folder");
