@@ -7,7 +7,7 @@ use goodbot_console::learner::{self, Learner};
 use goodbot_console::load::input::InputFile;
 use goodbot_console::load::kinds::{TaskKinds, with_kinds};
 use goodbot_console::load::limit::Limit;
-use goodbot_console::messages::{counted, working};
+use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::starter::StarterOptions;
@@ -82,10 +82,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let settings = options.learner.options().language;
     let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
     let mut memory = room();
-    let progress = working("learning what the words mean");
-    let model = training::train(&mut memory, lessons.iter(), settings);
-    progress.finish_and_clear();
-    let model = model?;
+    // A model file keeps the training data, and whoever reads it trains on them: so nothing is trained here.
+    let model = training::data(&mut memory, lessons.iter(), settings)?;
     let words = model.saved()?;
     // The saved file is the whole robot: the same training data, with its options, trainer strategies and kinds of task. Lessons from world
     // files have no vocabulary of the core's.
@@ -98,7 +96,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
     let numbers = model.bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
-    let (words, tokens, pairs) = (model.tables().words(), model.tables().tokens(), model.bitext().pairs().len());
+    let (words, tokens, pairs) = (model.words().len(), model.tokens().len(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
