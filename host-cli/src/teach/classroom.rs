@@ -107,7 +107,9 @@ impl Classroom {
         if self.tour.as_ref().and_then(Tour::stop).is_some() {
             return Err(Failure::Input("in the tour the intended task is known".to_owned()));
         }
-        let named = |meaning: &Meaning| task.is_none_or(|task| meaning.name == task || meaning.words == task);
+        // "a & b" and "b & a" are one task.
+        let parts = |text: &str| text.split('&').map(|part| part.trim().to_owned()).collect::<std::collections::BTreeSet<_>>();
+        let named = |meaning: &Meaning| task.is_none_or(|task| parts(&meaning.name) == parts(task) || meaning.words == task);
         let meanings = self.pupil.meanings();
         let Some(first) = meanings.first().map(|meaning| meaning.words.clone()) else {
             return Err(Failure::Input("no session is under way; give a command first".to_owned()));
@@ -125,6 +127,12 @@ impl Classroom {
     /// Hears the rest of the utterance after a session was learned from; `None` if there is no rest.
     pub fn hear_rest(&mut self) -> Result<Option<Reaction>, Failure> {
         self.pupil.hear_rest(Some(format!("said-{}", self.sessions + 1)))
+    }
+
+    /// Whether to ask before these words end the session under way: see [`Lesson::doubts`].
+    pub fn doubts(&mut self, words: &str) -> Result<bool, Failure> {
+        let is_test = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
+        Ok(!is_test && self.pupil.lesson_mut().doubts(words)?)
     }
 
     /// The last command.
@@ -155,12 +163,17 @@ impl Classroom {
     }
 
     /// Ends the session and begins to learn from it. Call [`learn`](Self::learn) until it is done. Returns how many older sessions gave way
-    /// because memory was full.
-    pub fn finish(&mut self) -> Result<usize, Failure> {
+    /// because memory was full; `None` if nothing was taught, so that there is nothing to learn.
+    pub fn finish(&mut self) -> Result<Option<usize>, Failure> {
+        let lesson = self.pupil.lesson();
+        if lesson.is_under_way() && !lesson.has_evidence() {
+            self.pupil.pass_over();
+            return Ok(None);
+        }
         let before = self.pupil.save()?;
         let (record, finished) = self.pupil.finish()?;
         self.learning = Some((record, before));
-        Ok(finished.gave_way.count())
+        Ok(Some(finished.gave_way.count()))
     }
 
     /// Continues to learn. Returns `true` when learning is done. The model is then saved, and the tour continues.

@@ -110,6 +110,8 @@ pub fn intent(key: KeyEvent, focus: Focus, empty: bool) -> Option<Intent> {
     }
     match (focus, key.code) {
         (_, KeyCode::F(1)) => Some(Intent::Explain),
+        // In the middle of a command, it is a letter: "can you go to the red room?".
+        (Focus::Command, KeyCode::Char('?')) if empty => Some(Intent::Explain),
         (Focus::Command, code) => in_command(code),
         (Focus::Keys, code) => as_key(code),
         (Focus::Page, code) => in_page(code),
@@ -132,7 +134,6 @@ fn with_control(code: KeyCode, focus: Focus, empty: bool) -> Option<Intent> {
 
 fn in_command(code: KeyCode) -> Option<Intent> {
     Some(match code {
-        KeyCode::Char('?') => Intent::Explain,
         KeyCode::Char(letter) => Intent::Write(letter),
         KeyCode::Enter => Intent::Say,
         KeyCode::Esc => Intent::ToKeys,
@@ -201,8 +202,9 @@ mod tests {
         assert_eq!(pressed(KeyCode::Char('g'), Focus::Keys, true), Some(Intent::Good));
         assert_eq!(pressed(KeyCode::Right, Focus::Command, true), Some(Intent::Edit(Edit::Right)));
         assert_eq!(pressed(KeyCode::Right, Focus::Keys, true), Some(Intent::Good));
-        // No word has a question mark, and in the tour a command is written already.
-        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Explain));
+        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, true), Some(Intent::Explain));
+        assert_eq!(pressed(KeyCode::Char('?'), Focus::Command, false), Some(Intent::Write('?')));
+        assert_eq!(pressed(KeyCode::F(1), Focus::Command, false), Some(Intent::Explain));
     }
 
     #[test]

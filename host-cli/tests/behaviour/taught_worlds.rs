@@ -260,7 +260,7 @@ fn things_to_be_done_together_are_one_task_in_whatever_order() {
         assert!(checked.contains(&format!("{tasks} tasks")), "{checked}");
         // Its name in the log has another order.
         let meant: Vec<String> = (0..together).rev().map(|at| format!("done(x{at})")).collect();
-        let lesson = format!("command wash them\nintended {}\n{}", meant.join(" & "), "step\nauto\n".repeat(12));
+        let lesson = format!("command clean up\nintended {}\n{}", meant.join(" & "), "step\nauto\n".repeat(12));
         let run = goodbot(&["teach", file, "--lines"], lesson.as_bytes());
         let answers: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
         assert_eq!(answers[1]["tasks"].as_array().expect("tasks").len(), tasks, "{}", answers[1]);

@@ -391,3 +391,41 @@ fn with_routes_a_command_may_mean_a_way() {
     assert!(tasks.iter().any(|task| task["words"] == "go to the green room, through the blue room or the red room"));
     assert!(heard(&[home]).iter().all(|task| !task["words"].as_str().unwrap().contains("through")));
 }
+
+#[test]
+fn a_stray_word_in_a_lesson_keeps_the_lesson_and_the_robot_asks() {
+    // Before its first lesson is over, a robot knows no word for what to do.
+    for stray in ["goood", "hmm", "keep going", "that's right", "go to the blue room"] {
+        let lesson = format!("command go to the red room\nstep\ngood\nsay {stray}\nstep\ngood\nfinish\n");
+        let (run, answers) = teach(&[], &lesson);
+        assert_eq!(run.code, 0, "{stray}: {}", run.output);
+        assert_eq!(types(&answers), ["ready", "heard", "acted", "judged", "said", "acted", "judged", "finished", "bye"], "{stray}");
+        let asks = answers[4]["asks"].as_str().expect("a question");
+        assert!(asks.contains("\"go to the red room\" unlearned") && asks.contains(stray), "{asks}");
+        assert_eq!(answers[7], json!({"type": "finished", "learned": true, "steps": 2, "sessions": 1, "gave_way": 0}), "{stray}");
+    }
+}
+
+#[test]
+fn the_same_words_once_more_begin_another_command_and_without_a_step_at_once() {
+    let (_, answers) = teach(&[], "say go to the red room\nsay go to the blue room\nstep\nsay hmm\nsay hmm\nstate\n");
+    assert_eq!(types(&answers), ["ready", "heard", "heard", "acted", "heard", "heard", "state", "bye"], "an unjudged step is no loss");
+    let twice = "say go to the red room\nstep\ngood\nsay come to the blue room\nsay come to the blue room\n";
+    let (_, answers) = teach(&[], twice);
+    assert_eq!(types(&answers), ["ready", "heard", "acted", "judged", "said", "heard", "bye"]);
+    // Other words or a judgement in between, or a step, and it asks again.
+    let (_, answers) = teach(&[], "say go to the red room\nstep\ngood\nsay hmm\nsay dunno\nsay hmm\nbad\nsay hmm\nstep\nsay hmm\n");
+    let asked_each_time = ["ready", "heard", "acted", "judged", "said", "said", "said", "judged", "said", "acted", "said", "bye"];
+    assert_eq!(types(&answers), asked_each_time);
+}
+
+#[test]
+fn a_session_without_a_step_teaches_nothing_and_says_so() {
+    let folder = TempDir::new().unwrap();
+    let model = folder.path().join("m.goodbot");
+    let (run, answers) = teach(&["--model", model.to_str().unwrap()], "command go to the red room\nfinish\ncommand go\nstep\nfinish\n");
+    assert_eq!(run.code, 0, "{}", run.output);
+    let nothing = json!({"type": "finished", "learned": false, "steps": 0, "sessions": 0, "gave_way": 0});
+    assert_eq!((&answers[2], &answers[5]), (&nothing, &nothing), "a step without a word is left out");
+    assert!(!model.exists());
+}

@@ -168,6 +168,8 @@ pub struct Lesson<D: Place = Home<HomeHeap>> {
     pub voice: Voice,
     /// The last words, if there was nothing to do for them.
     declined: Option<String>,
+    /// The words that would have ended the session under way, if nothing else happened since.
+    doubted: Option<String>,
 }
 
 impl Lesson {
@@ -193,6 +195,7 @@ impl<D: Place> Lesson<D> {
             closed: CLOSED_WORDS,
             voice: Voice::default(),
             declined: None,
+            doubted: None,
         }
     }
 
@@ -304,6 +307,7 @@ impl<D: Place> Lesson<D> {
         self.walk.steps.clear();
         self.walk.answers.clear();
         self.restraint.begin();
+        self.doubted = None;
         self.session = Some(session);
     }
 
@@ -357,6 +361,7 @@ impl<D: Place> Lesson<D> {
     /// # Errors
     /// [`LiveError::StepNotOver`], or the errors of [`Agent::decide_with`].
     pub fn act(&mut self, random: &mut impl Rng) -> Result<&Acted, LiveError> {
+        self.doubted = None;
         self.check_over()?;
         let decision = self.agent.decide_with(&self.walk.home, &self.state, random)?;
         self.perform(decision.action, Some(decision.task))
@@ -398,6 +403,7 @@ impl<D: Place> Lesson<D> {
     pub fn judge(&mut self, feedback: Feedback) -> Result<Evidence, LiveError> {
         let (Some((acted, step)), Some(session)) = (&mut self.acted, &mut self.session) else { return Err(LiveError::NoStep) };
         let evidence = self.agent.feedback(feedback)?;
+        self.doubted = None;
         if acted.judged.replace(feedback).is_none() {
             self.walk.steps.push(*step);
             session.judgements.push(acted.judgements.clone());
@@ -451,6 +457,7 @@ impl<D: Place> Lesson<D> {
     }
 
     fn note_answer(&mut self, answer: SessionAnswer) {
+        self.doubted = None;
         if self.is_under_way() {
             // The answer comes before a step that waits for its feedback.
             let after = self.walk.steps.len();
@@ -516,6 +523,22 @@ impl<D: Place> Lesson<D> {
         self.acted = None;
         self.end_part();
         Ok(self.agent.finish(&self.walk.home)?)
+    }
+
+    /// Whether the session under way has anything to learn from besides its command: a step that is over or judged, or an answer. What the
+    /// robot makes of a command alone it knows already.
+    pub fn has_evidence(&self) -> bool {
+        self.steps() > 0 || self.acted.as_ref().is_some_and(|(acted, _)| acted.judged.is_some()) || !self.walk.answers.is_empty()
+    }
+
+    /// Ends the session, and learns nothing from it. The rest of the utterance is still to come.
+    pub fn pass_over(&mut self) {
+        self.acted = None;
+        self.remember_if_done();
+        if self.session.take().is_some() {
+            self.end_part();
+            self.agent.forget();
+        }
     }
 
     /// Ends the session, and learns nothing from it. The rest of the utterance is dropped.

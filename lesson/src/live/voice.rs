@@ -52,6 +52,39 @@ impl<D: Place> Lesson<D> {
         Ok(is_short && (points || is_turned()?))
     }
 
+    /// Whether to ask before these words, taken for a command, end the session under way: it has something to learn from, and the words,
+    /// such as "hmm", may be no command at all, because none of them is a known word for what to do. The same words once more, before another
+    /// step, are no longer doubted.
+    ///
+    /// # Errors
+    /// An [`AgentError`] if there are too many words, or one is too long.
+    ///
+    /// ```
+    /// # use goodbot::home::{Moves, paper_tasks};
+    /// # use goodbot::{Agent, Capacities, Options, memory::AgentHeap};
+    /// # use goodbot_lesson::{home, live::Lesson};
+    /// # let rooms = home::parse("home", "#########\n#rrr#ggg#\n#r@r+ggg#\n#rrr#ggg#\n#########\n").unwrap();
+    /// # let (place, start) = home::build(&rooms, Moves::Push, home::memory()).unwrap();
+    /// # let agent = Agent::new(AgentHeap::new(&Capacities::SMALL), &paper_tasks().unwrap(), Options::DEFAULT)?;
+    /// # let mut lesson = Lesson::new(agent, place, start);
+    /// # let mut random = rand_pcg::Pcg32::new(1, 1);
+    /// lesson.hear("go to the green room", rooms)?;
+    /// assert!(!lesson.doubts("go to the red room")?, "there is nothing to lose yet");
+    /// while !lesson.plan(10_000)? {}
+    /// lesson.act(&mut random)?;
+    /// lesson.go_on()?;
+    /// assert!(lesson.doubts("hmm")?);
+    /// assert!(!lesson.doubts("hmm")?, "so it was meant");
+    /// # Ok::<(), goodbot_lesson::live::LiveError>(())
+    /// ```
+    pub fn doubts(&mut self, words: &str) -> Result<bool, LiveError> {
+        let is_again = self.doubted.take().is_some_and(|doubted| doubted == words);
+        let is_lesson = self.is_under_way() && self.has_evidence();
+        let doubts = is_lesson && !is_again && !self.agent.is_told_to_act(words, self.closed)?;
+        self.doubted = doubts.then(|| words.to_owned());
+        Ok(doubts)
+    }
+
     /// Counts the words said along with a button.
     ///
     /// # Errors

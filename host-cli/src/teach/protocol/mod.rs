@@ -255,7 +255,15 @@ impl Speaker<'_> {
             });
         }
         let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
-        match self.classroom.pupil.said(words)? {
+        let said = self.classroom.pupil.said(words)?;
+        if matches!(said, Said::Command | Said::Again) && self.classroom.doubts(words)? {
+            let under_way = self.classroom.lesson().command().unwrap_or_default();
+            let asks = format!("Shall I leave \"{under_way}\" unlearned, and begin \"{words}\"?");
+            return Ok(vec![
+                json!({"type": "said", "words": words, "taken_for": "a command", "asks": asks, "do": "say the same once more for yes; or go on: step, good, bad, finish"}),
+            ]);
+        }
+        match said {
             Said::Judgement(feedback) => self.judge(feedback),
             Said::Finish => {
                 let mut answers = self.judge(Feedback::Reward)?;
@@ -424,10 +432,10 @@ impl Speaker<'_> {
 
     fn finish(&mut self) -> Answers {
         let steps = self.classroom.lesson().steps();
-        let learned = self.classroom.lesson().teaches();
+        let teaches = self.classroom.lesson().teaches();
         let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
-        let mut answers = self.over(learned, steps, gave_way);
+        let mut answers = self.over(teaches && gave_way.is_some(), steps, gave_way.unwrap_or(0));
         let rest = self.classroom.lesson().rest().map(str::to_owned);
         if let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) {
             answers.push(self.heard(&rest, &heard)?);

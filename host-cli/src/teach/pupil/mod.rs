@@ -378,6 +378,11 @@ impl Pupil {
         Ok((record, finished))
     }
 
+    /// Ends the session without learning from it, because nothing was taught. The rest of the utterance is still to come.
+    pub fn pass_over(&mut self) {
+        self.lesson.pass_over();
+    }
+
     /// Continues to learn, with a budget of about `budget` table cells. Returns `true` when it is done.
     pub fn learn(&mut self, budget: u32) -> bool {
         self.lesson.agent.learn(budget) == Progress::Done

@@ -162,6 +162,9 @@ fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palett
     }
 }
 
+/// The key of the explanation, also where `?` is a letter.
+const HELP: &str = "F1";
+
 /// The keys that can be pressed now, the most important ones first.
 fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
     match (visit.focus(), visit.phase()) {
@@ -170,7 +173,8 @@ fn keys(visit: &Visit) -> Vec<(&'static str, &'static str)> {
             let mut keys = vec![("enter", "say it")];
             let is_idle = visit.phase() == Phase::Idle;
             keys.extend((is_idle && visit.stop().is_none()).then_some(("tab", "what next")));
-            keys.extend([("?", "explain"), ("esc", "keys"), ("ctrl-c", "leave")]);
+            // In a written command, a question mark is a letter.
+            keys.extend([(if visit.prompt.text().is_empty() { "?" } else { HELP }, "explain"), ("esc", "keys"), ("ctrl-c", "leave")]);
             keys
         }
         (Focus::Keys, Phase::Idle) => {
@@ -198,7 +202,7 @@ fn draw_keys(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette)
     // A space parts a key from its name, and one from the next key.
     let columns = |keys: &[(&str, &str)]| keys.iter().map(|(key, what)| key.chars().count() + what.len() + 2).sum::<usize>();
     while columns(&keys) > usize::from(area.width) + 1
-        && let Some(last) = keys.iter().rposition(|(key, _)| *key != "?")
+        && let Some(last) = keys.iter().rposition(|(key, _)| !matches!(*key, "?" | HELP))
     {
         keys.remove(last);
     }

@@ -196,3 +196,41 @@ fn places_with_coordinates_are_a_plan_with_what_is_there() {
     let lines: Vec<&str> = screen.lines().skip(2).map(|line| line.get(..24).unwrap_or(line).trim_end()).collect();
     assert_eq!(lines[..4], ["[bedroom]", "", "[hall]      [kitchen]", "@vacuum0"], "{screen}");
 }
+
+#[test]
+fn the_robot_waits_while_a_page_hides_what_it_asks() {
+    let mut visit = first_lesson();
+    let now = Duration::from_millis(100);
+    visit.take(Intent::Explain, now);
+    let steps = visit.done().len();
+    let later = now + Duration::from_secs(3_600);
+    visit.tick(later);
+    assert!(visit.next().is_none() && visit.done().len() == steps, "nothing happens behind the page");
+    visit.take(Intent::ToKeys, later);
+    visit.tick(later);
+    assert_eq!(visit.done().len(), steps, "there is time to read what it did");
+    visit.tick(later + Duration::from_secs(60));
+    assert!(visit.phase() == Phase::Planning || visit.done().len() > steps, "and then it goes on");
+}
+
+#[test]
+fn a_stray_word_in_a_lesson_is_asked_about_and_said_twice_it_is_a_command() {
+    let mut visit = visit(&first_home().unwrap(), false);
+    visit.prompt.set("go to the red room");
+    visit.take(Intent::Say, Duration::ZERO);
+    while visit.acted().is_none() {
+        visit.tick(Duration::ZERO);
+    }
+    visit.take(Intent::Good, Duration::ZERO);
+    visit.take(Intent::ToCommand, Duration::ZERO);
+    "keep going?".chars().for_each(|letter| visit.take(Intent::Write(letter), Duration::ZERO));
+    visit.take(Intent::Say, Duration::ZERO);
+    assert!(visit.message.starts_with("It asks: leave \"go to the red room\" unlearned"), "{}", visit.message);
+    assert_eq!(visit.classroom.lesson().command(), Some("go to the red room"));
+    assert_eq!(visit.prompt.text(), "keep going?");
+    assert!(text(&drawn(&visit, 80, 24, Palette::None)).contains("F1 explain"), "a question mark is a letter there");
+    visit.take(Intent::Say, Duration::ZERO);
+    assert_eq!(visit.classroom.lesson().command(), Some("keep going?"));
+    visit.take(Intent::Finish, Duration::ZERO);
+    assert!(visit.message.starts_with("Nothing to learn from"), "{}", visit.message);
+}

@@ -191,8 +191,12 @@ impl Visit {
             Intent::Scroll(lines) => {
                 self.page = self.page.map(|(page, first)| (page, first.saturating_add_signed(lines)));
             }
-            Intent::ToKeys if self.page.is_some() => self.page = None,
-            Intent::ToKeys => self.typing = false,
+            Intent::ToKeys => {
+                if self.page.take().is_none() {
+                    self.typing = false;
+                }
+                self.wait_anew(now);
+            }
             Intent::ToCommand if self.tested.is_some() => self.pass_test()?,
             Intent::ToCommand => {
                 self.typing = true;
@@ -207,10 +211,7 @@ impl Visit {
             Intent::Pace => {
                 self.pace = self.pace.next();
                 self.message = format!("Speed: {}.", self.pace.name());
-                if let (Phase::Waiting(_), Some(acted)) = (self.phase, self.acted()) {
-                    let wait = self.wait(acted);
-                    self.phase = Phase::Waiting(wait.map(|wait| now + wait));
-                }
+                self.wait_anew(now);
             }
             Intent::Undo => self.undo()?,
             Intent::NextLesson | Intent::AnotherHome | Intent::PutBack if in_session || self.phase == Phase::Learning => {
@@ -327,9 +328,16 @@ impl Visit {
         Ok(())
     }
 
-    /// Whether the robot is paused, or the trainer is writing.
+    /// Whether the robot is paused, or the trainer is writing or reading a page that hides what the robot does and asks.
     const fn holds(&self) -> bool {
-        self.paused || self.typing
+        self.paused || self.typing || self.page.is_some()
+    }
+
+    /// Gives the trainer the whole time again to judge the last step. A robot that was held before its step takes it.
+    fn wait_anew(&mut self, now: Duration) {
+        if matches!(self.phase, Phase::Waiting(_)) {
+            self.phase = Phase::Waiting(self.acted().map_or(Some(Duration::ZERO), |acted| self.wait(acted)).map(|wait| now + wait));
+        }
     }
 
     /// Gives feedback to the last step, if it can be judged.
@@ -439,7 +447,14 @@ impl Visit {
     }
 
     fn finish(&mut self) -> Result<(), Failure> {
-        self.gave_way = self.classroom.finish()?;
+        let Some(gave_way) = self.classroom.finish()? else {
+            const NOTHING: &str = "Nothing to learn from: no step was taken.";
+            if !self.go_on_with_the_rest(NOTHING)? {
+                self.idle(NOTHING.to_owned());
+            }
+            return Ok(());
+        };
+        self.gave_way = gave_way;
         (self.phase, self.message) = (Phase::Learning, "It learns …".to_owned());
         Ok(())
     }

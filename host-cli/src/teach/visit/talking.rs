@@ -20,6 +20,12 @@ impl Visit {
             return Ok(());
         }
         let said = self.classroom.pupil.said(&words)?;
+        if matches!(said, Said::Command | Said::Again) && self.classroom.doubts(&words)? {
+            // The words stay written, and the robot waits.
+            let under_way = self.classroom.lesson().command().unwrap_or_default();
+            self.message = format!("It asks: leave \"{under_way}\" unlearned, for these words? Enter once more: yes. Esc: go on with it.");
+            return Ok(());
+        }
         if said == Said::Command {
             return self.command(&words);
         }
@@ -88,15 +94,15 @@ impl Visit {
         Ok(())
     }
 
-    /// Begins the next part of the utterance. Returns `false` if there is none.
-    pub(super) fn go_on_with_the_rest(&mut self) -> Result<bool, Failure> {
+    /// Begins the next part of the utterance, and tells this result of the part before. Returns `false` if there is none.
+    pub(super) fn go_on_with_the_rest(&mut self, result: &str) -> Result<bool, Failure> {
         let rest = self.classroom.lesson().rest().map(str::to_owned);
         let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };
         if heard == Reaction::Command {
             self.begin()?;
-            self.message = format!("Learned. Now: \"{}\".", self.classroom.lesson().command().unwrap_or(&rest));
+            self.message = format!("{result} Now: \"{}\".", self.classroom.lesson().command().unwrap_or(&rest));
         } else {
-            self.idle(format!("Learned. {}", telling::declined(&heard)));
+            self.idle(format!("{result} {}", telling::declined(&heard)));
         }
         Ok(true)
     }

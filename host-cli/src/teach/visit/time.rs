@@ -23,7 +23,7 @@ impl Visit {
         match self.phase {
             Phase::Planning if self.classroom.pupil.lesson_mut().plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
-                if self.go_on_with_the_rest()? {
+                if self.go_on_with_the_rest("Learned.")? {
                     return Ok(());
                 }
                 let learned = counted(self.classroom.pupil.lessons_learned(), "session");
