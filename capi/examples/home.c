@@ -64,7 +64,8 @@ static int teach(goodbot *robot, const char *command, int left, int right) {
         int good = there ? action == GOODBOT_NOOP : far1 < far0 || (far1 == far0 && y1 > y0);
         rests = there && action == GOODBOT_NOOP ? rests + 1 : 0;
         uint32_t evidence;
-        TRY(goodbot_feedback(robot, good ? GOODBOT_REWARD : GOODBOT_PUNISH, &evidence));
+        /* This trainer has one button, for "good bot": not pressing it is told too. */
+        TRY(goodbot_feedback(robot, good ? GOODBOT_REWARD : GOODBOT_NEUTRAL, &evidence));
         if (evidence != GOODBOT_EVIDENCE_USED) return 1;
     }
     TRY(goodbot_finish(robot, NULL));
