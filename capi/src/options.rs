@@ -58,6 +58,9 @@ pub struct GoodbotOptions {
     pub weights: u32,
     /// Weights up to this are not learned; from 0 to less than 1.
     pub least_weight: f32,
+    /// The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0 in a new
+    /// robot: it never takes a command for what holds. 0.08 is that of people's talk.
+    pub done: f32,
 }
 
 /// Reads the robot's options, to be changed and handed to `goodbot_set_options`.
@@ -69,14 +72,14 @@ pub unsafe extern "C" fn goodbot_current_options(robot: *const Goodbot, options:
     // SAFETY: the caller's promise.
     unsafe {
         look(robot, |robot| {
-            let &Options { telling, drift, ending, weights, least_weight, .. } = robot.agent.options();
+            let &Options { telling, drift, ending, weights, least_weight, done, .. } = robot.agent.options();
             let weights = match weights {
                 Weights::Paper => GOODBOT_WEIGHTS_PAPER,
                 Weights::Belief => GOODBOT_WEIGHTS_BELIEF,
                 Weights::Evidence => GOODBOT_WEIGHTS_EVIDENCE,
             };
             let (ends_at_goal, ends_elsewhere) = (ending.at_goal.into(), ending.elsewhere.into());
-            give(options, GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight })
+            give(options, GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight, done })
         })
     }
 }
@@ -91,7 +94,7 @@ pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *cons
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let &GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight } =
+            let &GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight, done } =
                 options.as_ref().ok_or(GoodbotStatus::Null)?;
             let weights = match weights {
                 GOODBOT_WEIGHTS_PAPER => Weights::Paper,
@@ -100,7 +103,7 @@ pub unsafe extern "C" fn goodbot_set_options(robot: *mut Goodbot, options: *cons
                 _ => return Err(GoodbotStatus::Number.into()),
             };
             let ending = Ending { at_goal: ends_at_goal.into(), elsewhere: ends_elsewhere.into() };
-            robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, ..*robot.agent.options() })?;
+            robot.agent.set_options(Options { telling, drift, ending, weights, least_weight, done, ..*robot.agent.options() })?;
             Ok(GoodbotStatus::Ok)
         })
     }

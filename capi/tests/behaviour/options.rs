@@ -2,6 +2,7 @@
 
 use crate::robots;
 
+use goodbot_capi::beliefs::goodbot_task_count;
 use goodbot_capi::memory::goodbot_session_count;
 use goodbot_capi::options::*;
 use goodbot_capi::robot::Goodbot;
@@ -58,6 +59,25 @@ fn the_end_of_a_session_is_evidence_where_the_options_say_so() {
 }
 
 #[test]
+fn a_command_may_be_about_what_holds_already_where_the_options_say_so() {
+    let owned = at_home();
+    let first = options(owned.robot);
+    let tasks = |done: f32| {
+        let given = GoodbotOptions { done, ..first };
+        let mut count = 0;
+        unsafe {
+            assert_eq!(goodbot_set_options(owned.robot, &raw const given), GoodbotStatus::Ok);
+            hear_and_plan(owned.robot, c"go to the green room");
+            assert_eq!(goodbot_task_count(owned.robot, &raw mut count), GoodbotStatus::Ok);
+            assert_eq!(goodbot_forget(owned.robot), GoodbotStatus::Ok);
+        }
+        count
+    };
+    assert_eq!(first.done, 0.0);
+    assert!(tasks(0.08) > tasks(0.0));
+}
+
+#[test]
 fn options_out_of_range_are_refused_and_change_nothing() {
     let owned = at_home();
     let first = options(owned.robot);
@@ -67,6 +87,7 @@ fn options_out_of_range_are_refused_and_change_nothing() {
         GoodbotOptions { ends_at_goal: hazard(1.0), ..first },
         GoodbotOptions { ends_at_goal: GoodbotHazard { praised: 10.0, ..hazard(0.1) }, ..first },
         GoodbotOptions { least_weight: -0.1, ..first },
+        GoodbotOptions { done: 1.0, ..first },
         GoodbotOptions { weights: 3, ..first },
     ] {
         assert_eq!(unsafe { goodbot_set_options(owned.robot, &raw const wrong) }, GoodbotStatus::Number, "{wrong:?}");

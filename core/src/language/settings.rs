@@ -159,6 +159,8 @@ pub enum SettingError {
     LeastWeight(f32),
     /// [`Options::drift`](crate::Options::drift).
     Drift(f32),
+    /// [`Options::done`](crate::Options::done).
+    Done(f32),
     /// [`Options::ending`](crate::Options::ending).
     Ending,
     /// The cost of a question: `Asking::kappa`.
@@ -181,6 +183,7 @@ impl SettingError {
             Self::Rounds(_) => "Settings::rounds",
             Self::LeastWeight(_) => "Options::least_weight",
             Self::Drift(_) => "Options::drift",
+            Self::Done(_) => "Options::done",
             Self::Ending => "Options::ending",
             Self::Kappa(_) => "Asking::kappa",
             Self::Eta(_) => "Asking::eta",
@@ -199,7 +202,9 @@ impl fmt::Display for SettingError {
                 write!(f, "{field} is {}; it must be a number from 0 to 1000000", Decimal(*value))
             }
             Self::Rounds(value) => write!(f, "{field} is {value}; it must be 1000 at most"),
-            Self::LeastWeight(value) => write!(f, "{field} is {}; it must be a number from 0 to less than 1", Decimal(*value)),
+            Self::LeastWeight(value) | Self::Done(value) => {
+                write!(f, "{field} is {}; it must be a number from 0 to less than 1", Decimal(*value))
+            }
             Self::Drift(value) | Self::Sure(value) => write!(f, "{field} is {}; it must be a number from 0 to 1", Decimal(*value)),
             Self::Kappa(value) => write!(f, "{field} is {}; it must be a number above 0, or infinite", Decimal(*value)),
             Self::Patience(value) => write!(f, "{field} is {}; it must be a number of 0 or more", Decimal(*value)),

@@ -37,7 +37,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`hear`](Self::hear), but a command or a word that is too long is told by [`hear_on`](Self::hear_on).
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
-        let is_kept = self.open(domain, state, command, 0.0, true)?;
+        let is_kept = self.open(domain, state, command, self.options.done, true)?;
         self.begin_to_understand()?;
         if is_kept {
             self.progressed = Progressed::Words(Heard::START, command.len() as u32);

@@ -33,6 +33,11 @@ pub struct Options {
     /// one; otherwise take the action whose feedback has the highest expected information. The paper takes any, and so does an agent
     /// without the feature `asking`.
     pub telling: bool,
+    /// The share of each kind of task that goes to tasks that hold already: from 0 (the paper: a command is about something to do) to less
+    /// than 1. The robot rests for such a task, where with 0 it takes another one. [`Options::SELDOM_DONE`] is that of people's talk. A
+    /// restored model keeps the robot's own, except that the paper's language model has 0. If the session has no room for these tasks,
+    /// they are left out.
+    pub done: f32,
 }
 
 impl Options {
@@ -44,7 +49,11 @@ impl Options {
         drift: 0.0,
         ending: Ending::NO_EVIDENCE,
         telling: false,
+        done: 0.0,
     };
+
+    /// The share of tasks that hold already in people's commands.
+    pub const SELDOM_DONE: f32 = 0.08;
 
     /// The options to use except for comparison with the paper: the paper's, with the language model that understands people best,
     /// [`Settings::DEFAULT`], fewer small weights, and actions chosen for clear feedback.
@@ -77,6 +86,7 @@ impl Options {
         let sound = |sound: bool, error| if sound { Ok(()) } else { Err(error) };
         sound((0.0..1.0).contains(&self.least_weight), SettingError::LeastWeight(self.least_weight))?;
         sound((0.0..=1.0).contains(&self.drift), SettingError::Drift(self.drift))?;
+        sound((0.0..1.0).contains(&self.done), SettingError::Done(self.done))?;
         sound(!cfg!(feature = "learning") || self.ending.is_sound(), SettingError::Ending)
     }
 }

@@ -9,8 +9,9 @@ use crate::feedback::BeliefRef;
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
 use crate::planning::Progress;
-use crate::session::Agent;
+
 use crate::session::phase::Progressed;
+use crate::session::{Agent, Options};
 #[cfg(feature = "alloc")]
 use alloc::{vec, vec::Vec};
 
@@ -228,7 +229,8 @@ impl<M: AgentMemory> Agent<M> {
     fn begin_restoring(&mut self, restoring: &mut Restoring<'_>) -> Result<(), RestoreError> {
         let contents = Contents::of(&restoring.checking)?;
         self.end_session();
-        self.options = contents.options;
+        let done = if contents.options.language.model == crate::language::Model::Roles { self.options.done } else { 0.0 };
+        self.options = Options { done, ..contents.options };
         self.belief_mut().take_over(contents.believed());
         self.workspace_to_training();
         restoring.mark = restoring.checking.mark();

@@ -149,7 +149,8 @@ impl OptionsRecord {
             layer: false,
         };
         let ending = Ending { at_goal: hazard(self.ends_at_goal, self.at_goal), elsewhere: hazard(self.ends_elsewhere, self.elsewhere) };
-        Options { language, weights, least_weight, drift, ending, telling }
+        // Not in the file: a restored robot keeps its own.
+        Options { language, weights, least_weight, drift, ending, telling, done: 0.0 }
     }
 
     /// Whether every number is in its range.

@@ -2,10 +2,11 @@
 
 use super::conversation::Before;
 use super::wording::Wording;
+use crate::session::Options;
 use crate::task::TaskSet;
 
 /// The share of each kind of task that goes to tasks that are done already.
-pub(super) const DONE: f32 = 0.08;
+pub(super) const DONE: f32 = Options::SELDOM_DONE;
 
 /// How some words are read.
 #[derive(Clone, Copy)]

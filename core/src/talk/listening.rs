@@ -150,8 +150,9 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Listened, AgentError> {
         let read = first_words(utterance);
         let unread = Some(read.len()).filter(|&end| end < utterance.len());
-        self.open(domain, state, read, DONE, false)?;
-        if self.options.language.model.in_use() != Model::Roles || self.language().tables().words() == 0 {
+        let is_of_roles = self.options.language.model.in_use() == Model::Roles;
+        self.open(domain, state, read, if is_of_roles { DONE } else { self.options.done }, false)?;
+        if !is_of_roles || self.language().tables().words() == 0 {
             self.begin_to_understand()?;
             while self.hear_on(domain, PART)? == Progress::Working {
                 take_pause(pause).inspect_err(|_| self.leave())?;

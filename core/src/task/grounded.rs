@@ -101,7 +101,7 @@ pub fn ground_with_done<D: Domain + ?Sized>(
     tasks: &mut [GroundedTask],
     done: f32,
 ) -> Result<usize, CapacityError> {
-    if !cfg!(feature = "talk") || done == 0.0 {
+    if done == 0.0 {
         return ground(domain, lifted, state, tasks);
     }
     let found = ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {

@@ -5,7 +5,7 @@ use goodbot::feedback::Feedback;
 use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves, paper_tasks};
 use goodbot::language::{Meaning, Synonyms};
 use goodbot::memory::{AgentHeap, AgentMemory, HomeMemory};
-use goodbot::oomdp::{Domain, apply};
+use goodbot::oomdp::{Action, Domain, apply};
 use goodbot::planning::Judgement;
 use goodbot::planning::Progress;
 use goodbot::session::Phase;
@@ -131,6 +131,49 @@ fn probabilities_sum_to_one_and_what_was_taught_is_understood() {
         assert!((all.iter().map(|(_, share)| share).sum::<f32>() - 1.0).abs() < 1e-5, "{command}");
         assert_eq!(best(&all), wanted, "{command}: {all:?}");
     }
+}
+
+#[test]
+fn a_robot_that_expects_done_tasks_rests_where_it_is_told_to_be_and_leaves_things_where_they_belong() {
+    let first_action = |done: f32, command: &str| {
+        let mut agent = taught();
+        agent.set_options(Options { done, ..Options::DEFAULT }).unwrap();
+        let mut memory = HeapMemory::new(&Capacities::SMALL);
+        let (home, state) = home(&mut memory.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+        agent.hear(&home, &state, command).unwrap();
+        agent.plan_fully(&home, &state).unwrap();
+        (agent.tasks().len(), agent.decide(&home, &state).unwrap().action == Action::NOOP)
+    };
+    for command in ["go to the green room", "take the yellow bag to the green room"] {
+        assert_eq!(first_action(0.0, command), (4, false), "{command}: the paper's robot takes the next best task");
+        assert_eq!(first_action(Options::SELDOM_DONE, command), (6, true), "{command}");
+    }
+    for command in ["go to the red room", "take the yellow bag to the blue room"] {
+        assert_eq!(first_action(Options::SELDOM_DONE, command), (6, false), "{command}: this is still to do");
+    }
+}
+
+#[test]
+fn a_robot_without_words_does_something_in_every_home_although_it_expects_done_tasks() {
+    let mut agent = Agent::new(
+        AgentHeap::new(&Capacities::STANDARD),
+        &paper_tasks().unwrap(),
+        Options { done: Options::SELDOM_DONE, ..Options::DEFAULT },
+    )
+    .unwrap();
+    let mut memory = HeapMemory::new(&Capacities::STANDARD);
+    let mut builder = HomeBuilder::new(&mut memory.home);
+    for room in 0..10 {
+        builder.room(&format!("room{room}"), Area::new(room * 3, 0, room * 3 + 3, 4), "red").unwrap();
+        if room > 0 {
+            builder.door(&format!("door{room}"), Area::new(room * 3, 2, room * 3, 2)).unwrap();
+        }
+    }
+    builder.agent("agent0", Cell::new(1, 1)).unwrap();
+    let (home, state) = builder.build(Moves::Push).unwrap();
+    agent.hear(&home, &state, "zork").unwrap();
+    agent.plan_fully(&home, &state).unwrap();
+    assert_ne!(agent.decide(&home, &state).unwrap().action, Action::NOOP);
 }
 
 #[test]

@@ -23,6 +23,7 @@ fn an_agent_names_the_option_that_is_none_to_learn_with() {
         let error = refused(Options { least_weight: wrong, ..Options::PAPER }).unwrap();
         assert_eq!(error.to_string(), format!("Options::least_weight is {wrong}; it must be a number from 0 to less than 1"));
     }
+    assert_eq!(refused(Options { done: 1.0, ..Options::PAPER }), Some(AgentError::Setting(SettingError::Done(1.0))));
     assert_eq!(refused(Options { least_weight: 1.0, ..Options::PAPER }), Some(AgentError::Setting(SettingError::LeastWeight(1.0))));
     assert_eq!((refused(Options::PAPER), refused(Options::DEFAULT)), (None, None));
 }
