@@ -9,6 +9,7 @@ use crate::kinds::{Kinds, are_same, kinds_of_tasks};
 use crate::mind::{Mind, Part, words_read};
 use crate::options::{as_dict, capacities_of, options};
 use crate::place::in_place;
+use crate::random::{Drawn, Random};
 use crate::robot;
 use crate::world::World;
 use goodbot::asking::{Answer, Asking, Subject};
@@ -22,7 +23,7 @@ use goodbot::snapshot::Contents;
 use goodbot::symbols::Symbol;
 use goodbot::talk::{ClosedWords, Conversation, Said, Verdict};
 use goodbot::task::TaskSet;
-use goodbot::{AgentError, Options};
+use goodbot::{AgentError, Capacities, Options};
 use goodbot_console::claim::Claim;
 use goodbot_console::output::Kind;
 use goodbot_console::restored::{room_for, room_for_tasks};
@@ -98,6 +99,8 @@ fn strategies_of(numbers: &[StrategyNumbers]) -> PyResult<Vec<(Strategy, f32)>> 
 /// balanced one. `capacities` are the sizes of the tables: `tiny`, `small`, `standard`, or a dict of sizes that differ from `standard`.
 /// `seed` decides between equally good choices.
 ///
+/// An agent can be copied and pickled, with all that it has learned and its random numbers, but without a session under way.
+///
 /// One thread at a time: a second one is refused with `InUseError`. Long calls let other threads run, and stop on ctrl-C.
 ///
 /// >>> home = goodbot.Home.from_map('''
@@ -148,19 +151,25 @@ impl Agent {
         })
     }
 
-    fn restored(py: Python<'_>, bytes: &[u8], kinds: Kinds, seed: u64) -> PyResult<Self> {
+    /// A mind from a model; with the sizes of its tables, or with room for what is in the model.
+    fn restored(py: Python<'_>, bytes: &[u8], kinds: Kinds, sizes: Option<(Capacities, usize)>, random: Random) -> PyResult<Mind> {
         let read = catch_unwind(AssertUnwindSafe(|| -> PyResult<Mind> {
             let contents = Contents::read(bytes).map_err(|refused| error::restore(py, refused))?;
-            let mut mind = Mind::new(&room_for(&contents), room_for_tasks(&contents), kinds, contents.options, seed)
-                .map_err(|refused| error::agent(py, refused))?;
+            let (capacities, room) = sizes.unwrap_or_else(|| (room_for(&contents), room_for_tasks(&contents)));
+            let made = Mind::new(&capacities, room, kinds, contents.options, 0);
+            let mut mind = made.map_err(|refused| error::agent(py, refused))?;
+            mind.random = random;
             mind.core.restore(bytes).map_err(|refused| error::restore(py, refused))?;
             mind.learn(py)?;
             Ok(mind)
         }));
         read.unwrap_or_else(|_| Err(InternalError::new_err("goodbot itself failed on this model; report it")))
-            .map(|mind| Self(Mutex::new(mind)))
     }
 }
+
+/// For pickle: the function that makes an agent again, and its arguments.
+type Reduced<'py> = (Bound<'py, PyAny>, Copied<'py>);
+type Copied<'py> = (Bound<'py, PyBytes>, Option<Vec<String>>, Option<Py<PyAny>>, Bound<'py, PyDict>, usize, Drawn, bool);
 
 /// The kinds of tasks of an agent, in the vocabulary of a robot, or of homes where none is given.
 fn tasks_of(py: Python<'_>, tasks: Option<Vec<String>>, domain: Option<&Bound<'_, PyAny>>) -> PyResult<Kinds> {
@@ -207,11 +216,13 @@ impl Agent {
         capacities: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let kinds = tasks_of(py, tasks.map(|tasks| tasks.0), domain)?;
+        let given = tasks.map(|tasks| tasks.0);
+        let kinds = tasks_of(py, given.clone(), domain)?;
         let capacities = capacities_of(capacities)?;
         let tasks = capacities.sessions.saturating_mul(capacities.tasks).min(MOST_OF_A_FIELD);
         let made = Mind::new(&capacities, tasks, kinds, options(learner, weights)?, seed);
         let mut mind = made.map_err(|refused| error::agent(py, refused))?;
+        mind.made_with = (given, domain.map(|domain| domain.clone().unbind()));
         if let Some(strategies) = strategies {
             mind.set_strategies(py, &strategies_of(&strategies.0)?)?;
         }
@@ -226,8 +237,9 @@ impl Agent {
     #[pyo3(signature = (path, tasks=None, *, domain=None, seed=0))]
     fn load(py: Python<'_>, path: PathBuf, tasks: Option<Items<String>>, domain: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
         let mut bytes = Vec::new();
-        std::fs::File::open(&path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
-        Self::from_bytes(py, &bytes, tasks, domain, seed)
+        let read = std::fs::File::open(&path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+        read.map_err(|error| error::file(&path, &error))?;
+        Self::from_bytes(py, &bytes, tasks, domain, seed).map_err(|error| error::in_file(py, &path, error))
     }
 
     /// As `load`, from the bytes of a model file.
@@ -240,8 +252,92 @@ impl Agent {
         domain: Option<&Bound<'_, PyAny>>,
         seed: u64,
     ) -> PyResult<Self> {
-        let kinds = kinds_of_model(py, model, tasks.map(|tasks| tasks.0), domain)?;
-        Self::restored(py, model, kinds, seed)
+        let given = tasks.map(|tasks| tasks.0);
+        let kinds = kinds_of_model(py, model, given.clone(), domain)?;
+        let mut mind = Self::restored(py, model, kinds, None, Random::new(seed))?;
+        mind.made_with = (given, domain.map(|domain| domain.clone().unbind()));
+        Ok(Self(Mutex::new(mind)))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let py = slf.py();
+        slf.get().with(|mind| {
+            let (tasks, domain) = &mind.made_with;
+            let domain = domain.as_ref().map(|domain| domain.clone_ref(py));
+            let model = PyBytes::new(py, &mind.saved()?);
+            let sizes = as_dict(py, &mind.core.capacities())?;
+            let arguments = (model, tasks.clone(), domain, sizes, mind.room, mind.random.drawn(), mind.waiting);
+            Ok((slf.get_type().getattr("_restored")?, arguments))
+        })
+    }
+
+    #[staticmethod]
+    #[expect(clippy::too_many_arguments, reason = "all that a copy needs")]
+    fn _restored(
+        py: Python<'_>,
+        model: &[u8],
+        tasks: Option<Items<String>>,
+        domain: Option<Bound<'_, PyAny>>,
+        sizes: &Bound<'_, PyAny>,
+        room: usize,
+        drawn: Drawn,
+        waiting: bool,
+    ) -> PyResult<Self> {
+        let given = tasks.map(|tasks| tasks.0);
+        let kinds = kinds_of_model(py, model, given.clone(), domain.as_ref())?;
+        let sizes = (capacities_of(Some(sizes))?, room.min(MOST_OF_A_FIELD));
+        let mut mind = Self::restored(py, model, kinds, Some(sizes), Random::after(drawn))?;
+        mind.made_with = (given, domain.map(Bound::unbind));
+        mind.waiting = waiting;
+        Ok(Self(Mutex::new(mind)))
+    }
+
+    /// Learns what a command means from its label, without any action: `tasks` is the task that was meant, by name or position, or a list
+    /// of tasks of which each will do. Returns how many older sessions were forgotten because memory was full.
+    ///
+    /// With `learn=False` the training is left to `learn`, so that many labels cost one training; memory must have room for them.
+    ///
+    /// Raises as `hear` does, `ValueError` if there is no such task, and `CapacityError`.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent = goodbot.Agent()
+    /// >>> agent.told(home, home.start, "off to the crimson one", "agentInRoom(agent0,room2)")
+    /// 0
+    /// >>> agent.hear(home, home.start, "crimson")
+    /// >>> agent.most_likely
+    /// 'agentInRoom(agent0,room2)'
+    #[pyo3(signature = (domain, state, command, tasks, *, learn=true))]
+    fn told(
+        &self,
+        domain: &Bound<'_, PyAny>,
+        state: &Bound<'_, PyAny>,
+        command: &str,
+        tasks: &Bound<'_, PyAny>,
+        learn: bool,
+    ) -> PyResult<usize> {
+        let py = domain.py();
+        self.with(|mind| {
+            mind.forget_robot();
+            let place = mind.place(domain, state)?;
+            mind.hear(py, &place, command)?;
+            // An answer that is never wrong: no other task is possible any more.
+            let told =
+                mind.tasks(tasks).and_then(|tasks| mind.core.answered(tasks, true, 0.0, 1).map_err(|refused| error::agent(py, refused)));
+            let kept = match told {
+                Err(refused) => Err(refused),
+                Ok(Evidence::Impossible) => Err(value("the words of this command make these tasks impossible")),
+                Ok(_) if learn => return mind.finish(py, &place).and_then(|gave_way| mind.learn(py).map(|()| gave_way)),
+                Ok(_) => {
+                    let kept = in_place!(&place, |domain, _state| mind.core.finish_for_later(domain));
+                    mind.waiting |= kept.is_ok();
+                    mind.settled(py, &place, kept)
+                }
+            };
+            if kept.is_err() {
+                mind.core.forget();
+            }
+            kept.map(|()| 0)
+        })
     }
 
     /// Writes a model file, whole or not at all. An existing file that is no model is replaced only with `force=True`.
@@ -564,9 +660,12 @@ impl Agent {
     /// Goes on learning, to the end or with about `budget` table cells of work. Returns whether it is done.
     #[pyo3(signature = (budget=None))]
     fn learn(&self, py: Python<'_>, budget: Option<u32>) -> PyResult<bool> {
-        self.with(|mind| match budget {
-            None => mind.learn(py).map(|()| true),
-            Some(budget) => Ok(py.detach(|| mind.core.learn(budget)) == Progress::Done),
+        self.with(|mind| {
+            mind.begin_waiting();
+            match budget {
+                None => mind.learn(py).map(|()| true),
+                Some(budget) => Ok(py.detach(|| mind.core.learn(budget)) == Progress::Done),
+            }
         })
     }
 

@@ -6,9 +6,10 @@ use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot_course::CourseError;
 use goodbot_formats::FormatError as Misformed;
 use pyo3::create_exception;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::fmt::Display;
+use std::path::Path;
 
 create_exception!(
     goodbot,
@@ -35,6 +36,25 @@ create_exception!(goodbot, InternalError, PyRuntimeError, "goodbot itself is at 
 /// A `ValueError` with this text.
 pub fn value(text: impl Display) -> PyErr {
     PyValueError::new_err(text.to_string())
+}
+
+/// The exception for a file that cannot be read: it names the file, as that of Python's own `open` does.
+pub fn file(path: &Path, error: &std::io::Error) -> PyErr {
+    let (text, name) = (error.to_string(), path.display().to_string());
+    match error.raw_os_error() {
+        Some(number) => PyOSError::new_err((number, text.split(" (os error").next().unwrap_or_default().to_owned(), name)),
+        None => value(format!("{name}: {text}")),
+    }
+}
+
+/// The same exception, with the file's name before its text.
+pub fn in_file(py: Python<'_>, path: &Path, error: PyErr) -> PyErr {
+    let value = error.value(py);
+    if let Ok((first,)) = value.getattr("args").and_then(|args| args.extract::<(String,)>()) {
+        // Setting the arguments of an exception fails only if memory runs out.
+        let _ = value.setattr("args", (format!("{}: {first}", path.display()),));
+    }
+    error
 }
 
 /// The exception for a full table.

@@ -33,6 +33,29 @@ pub struct State {
     pub at: HomeState,
 }
 
+/// For pickle: the function that makes a state again, and its arguments.
+type ReducedState<'py> = (Bound<'py, PyAny>, (u64, Vec<u16>));
+
+#[pymethods]
+impl State {
+    fn __repr__(&self) -> String {
+        let mut cells = self.at.to_numbers();
+        let agent = cells.next().unwrap_or(0);
+        let blocks = cells.take_while(|&cell| cell != u16::MAX).map(|cell| cell.to_string()).collect::<Vec<_>>().join(", ");
+        format!("<goodbot.State: agent in cell {agent}, blocks in [{blocks}]; Home.cells(state) names them>")
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<ReducedState<'py>> {
+        let Self { mark, at } = slf.get();
+        Ok((slf.get_type().getattr("_restored")?, (*mark, at.to_numbers().collect())))
+    }
+
+    #[staticmethod]
+    fn _restored(mark: u64, cells: Vec<u16>) -> Self {
+        Self { mark, at: HomeState::of_numbers(cells) }
+    }
+}
+
 /// A home of rooms, doors and blocks, with one agent: an object-oriented MDP (the paper, section 4). It does not change; states do.
 ///
 /// >>> home = goodbot.Home.from_map('''
@@ -46,12 +69,26 @@ pub struct State {
 /// #rr#gg#
 /// #r@+gg#
 /// #######
-#[pyclass(frozen, module = "goodbot")]
+///
+/// Homes with the same cells, objects and start are equal.
+#[pyclass(frozen, eq, hash, module = "goodbot")]
 #[derive(Debug)]
 pub struct Home {
     pub rooms: Rooms,
     pub start: HomeState,
     mark: u64,
+}
+
+impl PartialEq for Home {
+    fn eq(&self, other: &Self) -> bool {
+        self.mark == other.mark
+    }
+}
+
+impl Hash for Home {
+    fn hash<H: Hasher>(&self, hasher: &mut H) {
+        self.mark.hash(hasher);
+    }
 }
 
 const fn moves(pull: bool) -> Moves {
@@ -355,7 +392,16 @@ impl Home {
 
     fn __repr__(&self) -> String {
         let used = self.rooms.usage();
-        format!("<goodbot.Home: {} objects, {} cells>", used.get(Capacity::Objects), used.get(Capacity::Cells))
+        let names = |class| {
+            let objects = self.rooms.objects();
+            objects
+                .iter()
+                .filter(|(_, object)| object.class == class)
+                .map(|(id, _)| objects.value(id, COLOR).to_owned())
+                .collect::<Vec<_>>()
+        };
+        let (cells, blocks) = (used.get(Capacity::Cells), self.rooms.blocks().len());
+        format!("<goodbot.Home: {} rooms and {blocks} blocks on {cells} cells>", names(ROOM).join(", "))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {

@@ -10,6 +10,7 @@
 //! - `log`: recorded sessions;
 //! - `worlds`: many homes at once, for reinforcement learning;
 //! - `command`: the command line;
+//! - `random`: random numbers that go on in a copy;
 //! - `options`, `items`, `arrays`, `error`: settings by name, lists, numpy arrays, and exceptions.
 //!
 //! What Python may call is listed with its types in `python/package/goodbot/_native.pyi`.
@@ -30,6 +31,7 @@ mod mind;
 mod names;
 mod options;
 mod place;
+mod random;
 mod robot;
 mod trainer;
 mod vocabulary;

@@ -28,8 +28,18 @@ use pyo3::types::{PyDict, PyString};
 /// >>> len(session.teach(agent)), agent.sessions
 /// (2, 1)
 #[pyclass(frozen, eq, module = "goodbot")]
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Session(pub RecordedSession);
+
+/// Sessions are equal if a log says the same of them, on whichever lines.
+impl PartialEq for Session {
+    fn eq(&self, other: &Self) -> bool {
+        matches!((self.0.to_lines(), other.0.to_lines()), (Ok(one), Ok(two)) if one == two)
+    }
+}
+
+/// For pickle: the function that makes a session again, and its lines.
+type Reduced<'py> = (Bound<'py, PyAny>, (Vec<String>,));
 
 fn kind_of(name: &str) -> PyResult<Kind> {
     match name {
@@ -257,6 +267,16 @@ impl Session {
             let names = mind.names(py).take(shape[1]).collect();
             Ok((names, array(py, beliefs.into_iter().flatten(), &shape)?))
         })
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        Ok((slf.get_type().getattr("_restored")?, (slf.get().lines(slf.py())?,)))
+    }
+
+    #[staticmethod]
+    fn _restored(py: Python<'_>, lines: Vec<String>) -> PyResult<Self> {
+        let mut sessions = parse_log(py, lines.join("\n").as_bytes(), None)?;
+        sessions.pop().filter(|_| sessions.is_empty()).ok_or_else(|| value("these lines are not one session"))
     }
 
     fn __repr__(&self) -> String {

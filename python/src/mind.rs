@@ -5,6 +5,7 @@ use crate::home as home_of;
 use crate::kinds::Kinds;
 use crate::names::task_name;
 use crate::place::{Place, in_place};
+use crate::random::Random;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;
@@ -12,6 +13,7 @@ use goodbot::home::Home;
 use goodbot::memory::{AgentHeap, HomeMemory};
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
+use goodbot::task::TaskSet;
 use goodbot::{Agent as Core, AgentError, Capacities, Options};
 use goodbot_lesson::checked::CheckedSession;
 use goodbot_lesson::first_words::{Long, read};
@@ -20,7 +22,6 @@ use goodbot_lesson::voice::Voice;
 use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
-use rand_pcg::Pcg32;
 use std::collections::HashMap;
 use std::ffi::CString;
 use std::sync::Arc;
@@ -41,7 +42,13 @@ pub struct Mind {
     pub core: Core<AgentHeap>,
     /// The texts of its kinds of tasks, if its file keeps them.
     pub kinds: Option<Vec<String>>,
-    pub random: Pcg32,
+    pub random: Random,
+    /// How many possible tasks it keeps, of all sessions together.
+    pub room: usize,
+    /// The kinds of tasks and the domain that it was made with; a copy is made with the same.
+    pub made_with: (Option<Vec<String>>, Option<Py<PyAny>>),
+    /// Whether sessions wait for training.
+    pub waiting: bool,
     pub robot: Option<Arc<Robot>>,
     pub names: Vec<Py<PyString>>,
     pub command: String,
@@ -68,9 +75,19 @@ impl Mind {
         let memory = AgentHeap::new(capacities);
         let memory = if options.language.layer { memory.with_layer(tasks) } else { memory };
         let core = Core::new(memory, &kinds.lifted, options)?;
-        let random = goodbot_course::generator(seed);
-        let kinds = kinds.texts;
-        Ok(Self { core, kinds, random, robot: None, names: Vec::new(), command: String::new(), voice: Voice::default(), broken: false })
+        Ok(Self {
+            core,
+            kinds: kinds.texts,
+            random: Random::new(seed),
+            room: tasks,
+            made_with: (None, None),
+            waiting: false,
+            robot: None,
+            names: Vec::new(),
+            command: String::new(),
+            voice: Voice::default(),
+            broken: false,
+        })
     }
 
     /// The bytes of a model file, with its kinds of tasks.
@@ -150,6 +167,7 @@ impl Mind {
         let begun = in_place!(place, |domain, _state| self.core.begin_finishing(domain));
         self.settled(py, place, begun)?;
         let gave_way = self.go_on(py, Part::Finish, place, None)?.unwrap_or(0);
+        self.waiting = false;
         Ok(gave_way)
     }
 
@@ -198,7 +216,8 @@ impl Mind {
         let strange = prior.keys().find(|name| self.position(py, name).is_none());
         if let Some(name) = strange {
             self.core.leave();
-            return Err(value(format!("the prior names {name}, which is no task here")));
+            let known = self.known_tasks(py);
+            return Err(value(format!("the prior names {name}, which is no task here; there are {known}")));
         }
         Ok(())
     }
@@ -224,7 +243,31 @@ impl Mind {
             return if position < count { Ok(position) } else { Err(value(format!("there is no task {position}; there are {count}"))) };
         }
         let name: &str = task.extract()?;
-        self.position(task.py(), name).ok_or_else(|| value(format!("{name} is no task of this session")))
+        self.position(task.py(), name)
+            .ok_or_else(|| value(format!("{name} is no task of this session; there are {}", self.known_tasks(task.py()))))
+    }
+
+    /// The tasks that Python gives as one, by name or position, or as several.
+    pub fn tasks(&self, tasks: &Bound<'_, PyAny>) -> PyResult<TaskSet> {
+        if tasks.is_instance_of::<PyString>() || tasks.extract::<usize>().is_ok() {
+            return Ok(TaskSet::of(self.task(tasks)?));
+        }
+        tasks.try_iter()?.map(|task| self.task(&task?)).collect()
+    }
+
+    /// The names of the tasks, or of the first of many.
+    fn known_tasks(&self, py: Python<'_>) -> String {
+        const MOST: usize = 12;
+        let names: Vec<String> = self.names(py).take(MOST).map(|name| name.to_string()).collect();
+        let more = self.count().saturating_sub(MOST);
+        if more == 0 { names.join(", ") } else { format!("{}, and {more} more", names.join(", ")) }
+    }
+
+    /// Begins the training that sessions wait for.
+    pub fn begin_waiting(&mut self) {
+        if std::mem::take(&mut self.waiting) {
+            self.core.begin_learning();
+        }
     }
 
     /// The name of a task.

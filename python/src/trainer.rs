@@ -5,14 +5,14 @@ use crate::error::{self, value};
 use crate::log::{Session, header};
 use crate::mind::Mind;
 use crate::place::Place;
+use crate::random::{Drawn, Random};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
-use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn, generator};
+use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
 use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rand_pcg::Pcg32;
 use std::sync::{Mutex, PoisonError};
 
 /// A trainer by its name, or by mu+, mu- and epsilon.
@@ -41,7 +41,7 @@ pub fn trainer_of(kind: &Bound<'_, PyAny>) -> PyResult<CourseTrainer> {
 #[derive(Debug)]
 pub struct Trainer {
     trainer: CourseTrainer,
-    random: Mutex<Pcg32>,
+    random: Mutex<Random>,
 }
 
 /// The result of a lesson.
@@ -122,7 +122,7 @@ impl Trainer {
         mind: &mut Mind,
         domain: &D,
         mut lesson: Course<D::State>,
-        random: &mut Pcg32,
+        random: &mut Random,
         place: impl Fn(D::State) -> Place,
     ) -> PyResult<(LessonReport, Place, Vec<Step>)> {
         let mut steps = Vec::new();
@@ -185,13 +185,16 @@ impl Trainer {
     }
 }
 
+/// For pickle: the function that makes a trainer again, and its arguments.
+type Reduced<'py> = (Bound<'py, PyAny>, ((f32, f32, f32), bool, bool, Drawn));
+
 #[pymethods]
 impl Trainer {
     #[new]
     #[pyo3(signature = (kind=None, *, seed=0))]
     fn new(kind: Option<&Bound<'_, PyAny>>, seed: u64) -> PyResult<Self> {
         let trainer = kind.map_or(Ok(CourseTrainer::BALANCED), trainer_of)?;
-        Ok(Self { trainer, random: Mutex::new(generator(seed)) })
+        Ok(Self { trainer, random: Mutex::new(Random::new(seed)) })
     }
 
     /// mu+, mu- and epsilon.
@@ -241,6 +244,19 @@ impl Trainer {
             let place = mind.place(domain, state)?;
             self.teach_in(domain.py(), mind, &place, command, intended, learn)
         })
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let trainer = slf.get();
+        let drawn = trainer.random.lock().unwrap_or_else(PoisonError::into_inner).drawn();
+        Ok((slf.get_type().getattr("_restored")?, (trainer.strategy(), trainer.rewards(), trainer.punishes(), drawn)))
+    }
+
+    #[staticmethod]
+    fn _restored(strategy: (f32, f32, f32), rewards: bool, punishes: bool, drawn: Drawn) -> PyResult<Self> {
+        let strategy = Strategy::new(strategy.0, strategy.1, strategy.2).map_err(value)?;
+        let trainer = CourseTrainer { rewards, punishes, ..CourseTrainer::of(strategy) };
+        Ok(Self { trainer, random: Mutex::new(Random::after(drawn)) })
     }
 
     fn __repr__(&self) -> String {

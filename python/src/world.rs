@@ -1,6 +1,6 @@
 //! A world with a robot of any kind, from a file or a dict.
 
-use crate::error::{format as misformed, value};
+use crate::error::{file as unread, format as misformed, in_file, value};
 use crate::items::Items;
 use crate::names::{action_of, task_name};
 use goodbot::Capacities;
@@ -11,6 +11,7 @@ use goodbot_formats::world::WorldFile;
 use goodbot_lesson::world::robot::{self, Tables};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use std::hash::{Hash, Hasher};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -28,9 +29,26 @@ use std::sync::Arc;
 /// >>> agent.hear(world, world.start, "left")
 /// >>> agent.most_likely, world.plan("on(a)")
 /// ('on(a)', ['light(a)'])
-#[pyclass(frozen, module = "goodbot")]
+///
+/// Worlds of the same description are equal.
+#[pyclass(frozen, eq, hash, module = "goodbot")]
 #[derive(Debug)]
 pub struct World(pub Arc<Tables>);
+
+impl PartialEq for World {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.file() == other.0.file()
+    }
+}
+
+impl Hash for World {
+    fn hash<H: Hasher>(&self, hasher: &mut H) {
+        self.0.file().name.hash(hasher);
+    }
+}
+
+/// For pickle: the function that makes a world again, and its JSON.
+type Reduced<'py> = (Bound<'py, PyAny>, (String,));
 
 impl World {
     fn parsed(py: Python<'_>, text: &str) -> PyResult<Self> {
@@ -74,7 +92,8 @@ impl World {
     /// Raises `FormatError`, `ValueError` and `OSError`.
     #[staticmethod]
     fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        Self::parsed(py, &std::fs::read_to_string(path)?)
+        let text = std::fs::read_to_string(&path).map_err(|error| unread(&path, &error))?;
+        Self::parsed(py, &text).map_err(|error| in_file(py, &path, error))
     }
 
     /// Its name.
@@ -170,7 +189,13 @@ impl World {
         self.0.file().to_json_line().map_err(|error| misformed(py, &error))
     }
 
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        Ok((slf.get_type().getattr("from_json")?, (slf.get().to_json(slf.py())?,)))
+    }
+
     fn __repr__(&self) -> String {
-        format!("World({:?}, {} objects)", self.0.file().name, self.0.file().objects.len())
+        let file = self.0.file();
+        let actions = self.0.lend(|robot| robot.actions().len());
+        format!("<goodbot.World: {}, {} objects, {actions} actions>", file.name, file.objects.len())
     }
 }

@@ -41,6 +41,21 @@ pub struct HomeState {
     pub(super) blocks: [CellId; BLOCKS],
 }
 
+impl HomeState {
+    /// The numbers of its cells: that of the agent, then those of the blocks. So a shell can write a state down.
+    pub fn to_numbers(&self) -> impl Iterator<Item = u16> + '_ {
+        core::iter::once(&self.agent).chain(&self.blocks).map(|cell| cell.0)
+    }
+
+    /// The state with these [numbers](Self::to_numbers), for the same home. A block without a number is nowhere.
+    pub fn of_numbers(numbers: impl IntoIterator<Item = u16>) -> Self {
+        let mut numbers = numbers.into_iter();
+        let mut state = Self { agent: CellId(numbers.next().unwrap_or(0)), blocks: [CellId::NONE; BLOCKS] };
+        state.blocks.iter_mut().zip(numbers).for_each(|(block, number)| *block = CellId(number));
+        state
+    }
+}
+
 /// A home: its rooms and doors, and the effects of its actions.
 #[derive(Debug)]
 pub struct Home<M> {
