@@ -4,8 +4,8 @@ import { noRobot as en } from '../languages/en.json';
 import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
-import { expanded } from './expand.js';
-import { fromLetters } from './letters.js';
+import { fromBase64 } from './base64.js';
+import { expanded } from './deflate.js';
 
 async function begin() {
   // The robot of the first paint is seen meanwhile. A message also arrives in a hidden page, which gets no frames.
@@ -16,7 +16,7 @@ async function begin() {
   });
   const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
-  const whole = expanded(fromLetters(String(packed.textContent)), sizes.reduce((sum, size) => sum + size));
+  const whole = await expanded(fromBase64(String(packed.textContent)));
   let at = 0;
   const [module, languages, body, style, script] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);

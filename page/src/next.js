@@ -7,7 +7,6 @@ import { $, isDrawn, render, state } from './state.js';
 import { enterHome } from './stops.js';
 import { logOf } from './store.js';
 import { leaveSession, startSession } from './training.js';
-import { isTricked } from './trick.js';
 import { sceneOf, sessionsWord, spaced, taskWords, unspaced } from './words.js';
 
 /** @typedef {{ command: string, home: string | null }} Lesson a command, and the home to teach it in; null is the robot's current home */
@@ -50,7 +49,7 @@ function next() {
 let lesson = null;
 
 export function renderNext() {
-  const hidden = state.mode !== 'play' || Boolean(state.session) || state.phase !== 'none' || state.sessions === 0 || isTricked();
+  const hidden = state.mode !== 'play' || Boolean(state.session) || state.phase !== 'none' || state.sessions === 0;
   $('next-card').hidden = hidden;
   if (hidden) return;
   if (isDrawn('next', state.robot.id, state.robot.changed, state.sessions, $('wanted').value)) return;

@@ -7,7 +7,6 @@ import { recordOf } from './logs.js';
 import { $, inParts, isDrawn, make, render, state, tell } from './state.js';
 import { patch } from './store.js';
 import { isShown } from './tabs.js';
-import { isTricked } from './trick.js';
 import { askedIn, likeliest, sceneOf, spaced, taskWords, understands } from './words.js';
 
 /** @typedef {{ home: object, command: string, meant: string }} OwnTest */
@@ -54,7 +53,6 @@ function offer() {
 }
 
 export function renderOwnTests() {
-  $('own-tests').hidden = isTricked();
   $('test-it').disabled = $('run-tests').disabled = !idle();
   if (!isShown('challenges')) return;
   if (idle()) offer();

@@ -17,7 +17,6 @@ import { $, all, make, state } from './state.js';
 import { renderTabs } from './tabs.js';
 import { feedbackWord, renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
-import { renderTrick } from './trick.js';
 import { acted } from './words.js';
 
 // The animation of the time that the robot still waits.
@@ -41,7 +40,6 @@ export function renderPage() {
   renderNext();
   renderOwnTests();
   renderSecret();
-  renderTrick();
   renderRoster();
   renderSettings();
   const [head, rest] = speech();

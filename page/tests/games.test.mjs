@@ -1,8 +1,8 @@
-// The two games: tricking the robot, and a secret language.
+// The game of a secret language.
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, launch, linkOf, open, openIn, opened, play, sessions } from './browser.mjs';
+import { address, close, launch, linkOf, open, openIn, opened } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -14,51 +14,6 @@ async function axeClean(page, where) {
   const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
   assert.deepEqual(violations.flatMap(violation => violation.nodes.map(node => where + ': ' + violation.id + ' at ' + node.target)), []);
 }
-
-const choices = page => page.locator('#trick-choices button');
-const many = (page, count) => page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button').length === wanted && document.body.dataset.phase === 'none', count);
-
-// Presses a choice, and waits until new choices replace the old ones.
-const pick = async (page, choice, count) => {
-  await page.evaluate(() => document.querySelectorAll('#trick-choices button').forEach(button => button.setAttribute('data-old', '')));
-  await choice.click();
-  await page.waitForFunction(wanted => document.querySelectorAll('#trick-choices button:not([data-old])').length === wanted
-    && document.body.dataset.phase === 'none', count);
-};
-
-test('a badly taught robot is tricked, one lesson repairs that, and another does not, whichever side the adjectives stand', async () => {
-  const page = await open(browser, { bypassCSP: true, viewport: { width: 360, height: 740 } });
-  await page.selectOption('#speed', 'once');
-  await play(page, 'A');
-  const own = await sessions(page);
-  for (const code of ['en', 'fr']) {
-    await page.selectOption('#language', code);
-    await page.click('#tab-challenges');
-    await choices(page).click();
-    for (const level of [1, 2, 3]) {
-      await page.locator('#trick-say', { hasText: new RegExp('^\\D*' + level + '\\D+3') }).waitFor();
-      await many(page, 1);
-      await pick(page, choices(page), 3);
-      if (code === 'en') {
-        assert.ok(await choices(page).last().evaluate(choice => choice.getBoundingClientRect().bottom <= innerHeight), 'the question comes into view');
-        if (level === 1) await axeClean(page, 'trick');
-        await page.locator('#wanted').dispatchEvent('input');
-        assert.equal(await page.isVisible('#next-card'), false, 'the next lesson would be the answer');
-        const before = await sessions(page);
-        await pick(page, choices(page).first(), 3);
-        assert.equal(await sessions(page), before + 1, 'one lesson more');
-        await pick(page, choices(page).last(), 3);
-        assert.equal(await sessions(page), before + 1, 'in place of the one that did not help');
-      }
-      await pick(page, choices(page).nth(1), 1);
-      if (level < 3) await choices(page).click();
-    }
-    await choices(page).click();
-    await page.locator('#guest').waitFor({ state: 'hidden' });
-    assert.equal(await sessions(page), own, 'one’s own robot is as it was');
-  }
-  await close(page);
-});
 
 test('a secret language is passed on by a link and found out from what the robot does', async () => {
   const page = await open(browser, { locale: 'de' });

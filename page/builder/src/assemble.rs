@@ -4,7 +4,6 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 
-use crate::letters::letters;
 use crate::pack::packed;
 
 /// The page, and two of its parts.
@@ -30,7 +29,7 @@ fn read(folder: &Path, name: &str) -> Result<String> {
 pub fn assemble(folder: &Path, parts: &[(&str, &[u8])], script: &str) -> Result<Page> {
     let script = escaped(script);
     let whole: Vec<u8> = parts.iter().flat_map(|(_, part)| *part).copied().collect();
-    let packed = letters(&packed(&whole)?);
+    let packed = packed(&whole)?;
     let mut html = read(folder, "index.html")?;
     let sizes = parts.iter().map(|(_, part)| part.len().to_string()).collect::<Vec<_>>().join(" ");
     for (mark, text) in [("/*SIZES*/", &sizes), ("/*SCRIPT*/", &script), ("<!--PACKED-->", &packed)] {

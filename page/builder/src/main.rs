@@ -7,8 +7,6 @@
 mod assemble;
 mod budget;
 mod languages;
-mod letters;
-mod order;
 mod pack;
 mod scripts;
 
@@ -35,7 +33,7 @@ fn main() -> Result<()> {
     let mut body = assemble::body(&source)?;
     let texts = languages::read(&source.join("languages"))?.number(&mut scripts.others, &mut body)?;
     let wasm = scripts::packable(&source, &wasm, node)?;
-    let module = order::neighbours(&std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?)?;
+    let module = std::fs::read(&wasm).with_context(|| format!("{} cannot be read", wasm.display()))?;
     // In the order in which page/src/begin.js takes them. They pack best so.
     let parts: [(&str, &[u8]); 5] = [
         ("the module", &module),
