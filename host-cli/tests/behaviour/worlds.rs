@@ -434,7 +434,7 @@ fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
     let world = world.to_str().expect("UTF-8");
     let checked = goodbot(&["check", world], b"");
     assert!(
-        checked.output.contains("a world of 4 objects and 11 tasks, with a robot of 10 actions and 22 states, no fault"),
+        checked.output.contains("a world of 4 objects and 11 tasks, with a robot of 8 actions and 22 states, no fault"),
         "{}{}",
         checked.output,
         checked.messages
