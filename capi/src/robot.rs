@@ -198,7 +198,7 @@ unsafe fn entered(handle: *const Goodbot) -> Result<*mut Robot, GoodbotStatus> {
         return Err(GoodbotStatus::BadHandle);
     }
     // SAFETY: the caller's promise; the mark is a plain number, which no reference to the robot covers.
-    let mark = unsafe { &*(&raw const (*handle).mark) };
+    let mark = unsafe { &(*handle).mark };
     match mark.load(Ordering::Acquire) {
         found if found == marked(AT_REST, handle) => {}
         found if found == marked(IN_A_CALL, handle) => return Err(GoodbotStatus::Busy),
@@ -215,7 +215,7 @@ unsafe fn entered(handle: *const Goodbot) -> Result<*mut Robot, GoodbotStatus> {
 /// `handle` is one that [`entered`] took.
 unsafe fn left(handle: *const Goodbot) {
     // SAFETY: the caller's promise.
-    unsafe { &*(&raw const (*handle).mark) }.store(marked(AT_REST, handle), Ordering::Release);
+    unsafe { (*handle).mark.store(marked(AT_REST, handle), Ordering::Release) };
 }
 
 /// # Safety

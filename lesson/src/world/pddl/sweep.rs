@@ -227,8 +227,8 @@ impl Facts {
 /// The object of each parameter.
 type Binding<'p> = BTreeMap<&'p str, usize>;
 
-fn value(named: &Named<'_>, term: &String, binding: &Binding<'_>) -> Option<usize> {
-    binding.get(term.as_str()).copied().or_else(|| named.object(term))
+fn value(named: &Named<'_>, term: &str, binding: &Binding<'_>) -> Option<usize> {
+    binding.get(term).copied().or_else(|| named.object(term))
 }
 
 fn fact(named: &Named<'_>, atom: &Atom, binding: &Binding<'_>) -> Option<Fact> {

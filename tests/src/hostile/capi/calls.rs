@@ -90,8 +90,8 @@ pub unsafe fn settings(robot: *mut Goodbot, choices: &mut Bytes<'_>) {
                     let (ends_at_goal, ends_elsewhere) = (hazard(), hazard());
                     let drift = number(choices);
                     let (weights, least_weight) = (choices.below(4) as u32, number(choices));
-                    let telling = choices.below(2) == 0;
-                    let wanted = GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight };
+                    let (telling, done) = (choices.below(2) == 0, number(choices));
+                    let wanted = GoodbotOptions { telling, drift, ends_at_goal, ends_elsewhere, weights, least_weight, done };
                     let expected = if goodbot_set_options(robot, &raw const wanted) == GoodbotStatus::Ok { wanted } else { current };
                     assert_eq!(goodbot_current_options(robot, options.as_mut_ptr()), GoodbotStatus::Ok);
                     assert_eq!(options.assume_init().drift, expected.drift);
