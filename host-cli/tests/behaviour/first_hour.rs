@@ -63,7 +63,7 @@ fn a_name_of_a_file_does_not_move_the_terminal() {
     {
         let run = goodbot(arguments, b"");
         assert!(!run.messages.contains('\u{1b}') && !run.output.contains('\u{1b}'), "{arguments:?}: {}{}", run.output, run.messages);
-        assert!(run.messages.contains(r"red\u{1b}[31m"), "{arguments:?}: {}", run.messages);
+        assert!(run.messages.contains(r"red\u001b[31m"), "{arguments:?}: {}", run.messages);
     }
     let run = goodbot(&["paper", "--trainer", "\u{1b}[31m"], b"");
     assert!(run.code == 2 && !run.messages.contains('\u{1b}'), "{}", run.messages);
