@@ -18,6 +18,7 @@ use crate::table::TableOptions;
 use crate::teach::TeachOptions;
 use crate::unlearn::UnlearnArgs;
 use clap::{Parser, Subcommand, ValueEnum};
+use goodbot_lab::acts::ActsOptions;
 use goodbot_lab::evaluate::EvaluateOptions;
 use goodbot_lab::fit_trainers::FitOptions;
 use goodbot_lab::questions::QuestionsOptions;
@@ -90,6 +91,8 @@ pub enum Command {
     Ways(WaysOptions),
     /// Fit trainer strategies to the words of real trainers
     FitTrainers(FitOptions),
+    /// Train the model that decides whether a robot acts on what was said
+    Acts(ActsOptions),
     Check(CheckArgs),
     /// Print the memory that a robot needs for homes and lessons, as source for a controller
     Size(SizeOptions),

@@ -32,7 +32,7 @@ use clap::{CommandFactory, FromArgMatches};
 use cli::{Cli, Color, Command};
 use goodbot_console::outcome::Failure;
 use goodbot_console::{messages, outcome, printed};
-use goodbot_lab::{evaluate, fit_trainers, questions, study, ways};
+use goodbot_lab::{acts, evaluate, fit_trainers, questions, study, ways};
 use std::ffi::OsString;
 use std::io::Write;
 
@@ -63,6 +63,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Ask(options) => ask::run(&options),
         Command::Inspect(options) => inspect::run(&options),
         Command::Questions(options) => questions::run(&options),
+        Command::Acts(options) => acts::run(&options),
         Command::Ways(options) => ways::run(&options),
         Command::FitTrainers(options) => fit_trainers::run(&options),
         Command::Replay(args) => replay::run(&args),

@@ -6,6 +6,7 @@
 //! | [`study`] | compares robots that learn from reward and punishment, with many kinds of trainers |
 //! | [`fit_trainers`] | fits the trainers to expect to the feedback of real ones |
 //! | [`questions`] | simulates sessions with questions and without |
+//! | [`acts`] | trains the model that decides whether a robot acts on what was said |
 //! | [`ways`] | simulates how the robot learns commands with a way |
 //!
 //! They share [`recorded`] for real trainers' sessions, [`mean`] and [`calibration`] for figures, and [`canvas`] for pictures.
@@ -16,6 +17,7 @@
 #![deny(missing_docs)]
 #![deny(clippy::print_stdout, clippy::print_stderr)]
 
+pub mod acts;
 pub mod calibration;
 pub mod canvas;
 pub mod evaluate;

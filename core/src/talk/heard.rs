@@ -23,6 +23,8 @@ const TURNS: f32 = 0.01;
 pub(super) struct Heard {
     pub said: Said,
     pub classes: Classes,
+    /// All its classes in the table, also those of words that commands have.
+    pub of_table: Classes,
     /// Its probability if no task is meant.
     pub without_task: f32,
     /// Its number of occurrences in lessons.
@@ -86,6 +88,7 @@ impl Heard {
         Self {
             said: Said { symbol, chatter },
             classes,
+            of_table,
             without_task: factor * share(common, if is_polite { NEW / 2.0 } else { NEW }),
             count,
             factor,

@@ -6,6 +6,7 @@ use super::heard::Heard;
 use super::readings::{all, may_turn, negated};
 use super::several::{Parting, SEVERAL};
 use super::syntax::{is_past, new_names};
+use super::verdict::Doubts;
 use super::words::{Words, learned};
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -85,8 +86,12 @@ pub(super) struct Judged<'w> {
     pub probability: f32,
     /// The probability that one of the session's tasks is meant; of a plain command before they are known.
     pub command: f32,
-    /// Whether only the probability could speak against the tasks.
-    pub is_clear: bool,
+    /// Whether they are forbidden.
+    pub is_negated: bool,
+    /// Whether the robot acts on it.
+    pub is_accepted: bool,
+    /// What speaks against the tasks.
+    pub doubts: Doubts,
     /// The piece of the utterance where the rest begins.
     pub rest: Option<usize>,
 }
@@ -94,7 +99,18 @@ pub(super) struct Judged<'w> {
 impl<'w> Judged<'w> {
     /// A hypothesis about words without its tasks. `command` is the probability of a plain command.
     pub const fn likely(hypothesis: Hypothesis, words: Words<'w>, probability: f32, command: f32) -> Self {
-        Self { hypothesis, words, task: 0, tasks: TaskSet::EMPTY, probability, command, is_clear: false, rest: None }
+        Self {
+            hypothesis,
+            words,
+            task: 0,
+            tasks: TaskSet::EMPTY,
+            probability,
+            command,
+            is_negated: false,
+            is_accepted: false,
+            doubts: Doubts::NONE,
+            rest: None,
+        }
     }
 }
 
@@ -109,30 +125,29 @@ impl Weighed {
         }
     }
 
-    /// The first of the likeliest among some hypotheses.
-    fn best(&self, is_one: &dyn Fn(Hypothesis) -> bool) -> Option<(Hypothesis, Scaled)> {
-        let mut best = None;
-        for &(hypothesis, weight) in self.0.iter().filter(|(hypothesis, _)| is_one(*hypothesis)) {
-            if weight.exceeds(best.map_or(Scaled::ZERO, |(_, most)| most)) {
-                best = Some((hypothesis, weight));
-            }
-        }
-        best
-    }
-
-    /// The likeliest hypothesis about words; after an earlier task if `is_known`.
-    fn likeliest<'w>(&self, words: Words<'w>, is_known: bool) -> Judged<'w> {
+    /// Each hypothesis with its probability, and the probability of a plain command.
+    fn shares(self) -> (Shares, f32) {
         let whole = total(self.0.iter().map(|(_, weight)| *weight));
-        let (mut hypothesis, most) = self.best(&|_| true).unwrap_or((Hypothesis::Command, Scaled::ZERO));
-        // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on
-        // it.
-        if hypothesis == Hypothesis::Nothing && words.iter().all(|word| !word.is_open()) {
-            let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !is_known);
-            hypothesis = self.best(&is_talk).map_or(hypothesis, |(talk, _)| talk);
-        }
-        let command = self.0.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |(_, weight)| weight.over(whole));
-        Judged::likely(hypothesis, words, most.over(whole), command)
+        let shares: Shares = self.0.iter().map(|&(hypothesis, weight)| (hypothesis, weight.over(whole))).collect();
+        let command = shares.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |&(_, share)| share);
+        (shares, command)
     }
+}
+
+/// The hypotheses about some words, each with its probability.
+pub(super) type Shares = Vec<(Hypothesis, f32), 16>;
+
+/// The likeliest hypothesis about words; after an earlier task if `is_known`.
+pub(super) fn likeliest(shares: &Shares, words: Words<'_>, is_known: bool) -> (Hypothesis, f32) {
+    let best = |is_one: &dyn Fn(Hypothesis) -> bool| {
+        let of_one = shares.iter().filter(|(hypothesis, _)| is_one(*hypothesis));
+        of_one.fold(None, |best: Option<(Hypothesis, f32)>, &it| if it.1 > best.map_or(0.0, |(_, most)| most) { Some(it) } else { best })
+    };
+    let (hypothesis, most) = best(&|_| true).unwrap_or((Hypothesis::Command, 0.0));
+    // If all words are in closed classes, the utterance is talk, and the likeliest class says more than "nothing". No task depends on it.
+    let is_talk = |it| matches!(it, Hypothesis::Talk(class) if class != Class::Again || !is_known);
+    let all_closed = hypothesis == Hypothesis::Nothing && words.iter().all(|word| !word.is_open());
+    (if all_closed { best(&is_talk).map_or(hypothesis, |(talk, _)| talk) } else { hypothesis }, most)
 }
 
 /// The probability of words without a task; `of` is that of each word, at its position.
@@ -160,16 +175,16 @@ fn add_talk(weighed: &mut Weighed, words: Words<'_>, context: Context<'_>) {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// The likeliest hypothesis.
+    /// The hypotheses about words with their probabilities, and the probability of a plain command.
     #[inline(never)]
-    pub(super) fn hypotheses<'w, D: Domain + ?Sized>(
+    pub(super) fn hypotheses<D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
+        words: Words<'_>,
         explained: &Explained,
         context: Context<'_>,
         parting: Option<Parting<'_>>,
-    ) -> Result<Judged<'w>, AgentError> {
+    ) -> Result<(Shares, f32), AgentError> {
         let (wording, mut weighed) = (context.wording, Weighed(Vec::new()));
         // As probable as the command, and listed before it: waiting does no harm.
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {
@@ -204,6 +219,6 @@ impl<M: AgentMemory> Agent<M> {
         if let Some(parting) = parting {
             weighed.add(Hypothesis::Several, parting.weight);
         }
-        Ok(weighed.likeliest(words, context.is_known()))
+        Ok(weighed.shares())
     }
 }

@@ -1,5 +1,6 @@
 //! Listening: the verdict on an utterance, and the session that it begins.
 
+use super::acceptance::{ACTS_FROM, Sorts};
 use super::context::{Context, DONE, Earlier, View};
 use super::explained::Explained;
 use super::heard::Utterance;
@@ -7,7 +8,7 @@ use super::hypothesis::{Hypothesis, Judged};
 use super::mended::mend;
 use super::reworded::REWORDINGS;
 use super::verdict::Verdict;
-use super::wording::{Pause, Wording, take_pause};
+use super::wording::{Observe, Pause, Wording, take_pause};
 use super::words::Words;
 use crate::language::Model;
 use crate::language::tokenizer::{first_words, start_of_piece};
@@ -45,7 +46,7 @@ pub struct Listened {
     pub probability: f32,
     /// The probability that one of the session's tasks is meant.
     pub command: f32,
-    /// The least probability to be sure of tasks; for several commands, of all together.
+    /// The least probability to act on, [`ACTS_FROM`](super::ACTS_FROM); for several commands, of all together.
     pub sure: f32,
     /// The byte where the rest of the utterance begins, if it has several commands. The session is about the first. Pass the rest to
     /// [`Agent::listen_on`], in the state that the first leads to.
@@ -95,6 +96,22 @@ impl<M: AgentMemory> Agent<M> {
         is_rest: bool,
         pause: &dyn Fn() -> bool,
     ) -> Result<Listened, AgentError> {
+        self.listen_and_show(domain, state, utterance, words, is_rest, (pause, &|_| ()))
+    }
+
+    /// As [`listen_in_parts`](Self::listen_in_parts), and shows each reading that is weighed to `observe`, before one is chosen.
+    ///
+    /// # Errors
+    /// As [`listen_in_parts`](Self::listen_in_parts).
+    pub fn listen_and_show<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        state: &D::State,
+        utterance: &str,
+        words: ClosedWords<'_>,
+        is_rest: bool,
+        pause: (Pause<'_>, Observe<'_>),
+    ) -> Result<Listened, AgentError> {
         let mut conversation = self.conversation.here(domain);
         // Words of the rest may refer to the previous part.
         let part = self.most_likely().filter(|_| is_rest).map(|task| self.task(task));
@@ -136,7 +153,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
         let earlier = Earlier { is_rest: true, kind, before: conversation.before() };
-        self.listen_to(domain, state, rest, words, earlier, &|| true)
+        self.listen_to(domain, state, rest, words, earlier, (&|| true, &|_| ()))
     }
 
     fn listen_to<D: Domain + ?Sized>(
@@ -146,7 +163,7 @@ impl<M: AgentMemory> Agent<M> {
         utterance: &str,
         words: ClosedWords<'_>,
         earlier: Earlier<'_>,
-        pause: Pause<'_>,
+        pause: (Pause<'_>, Observe<'_>),
     ) -> Result<Listened, AgentError> {
         let read = first_words(utterance);
         let unread = Some(read.len()).filter(|&end| end < utterance.len());
@@ -155,13 +172,13 @@ impl<M: AgentMemory> Agent<M> {
         if !is_of_roles || self.language().tables().words() == 0 {
             self.begin_to_understand()?;
             while self.hear_on(domain, PART)? == Progress::Working {
-                take_pause(pause).inspect_err(|_| self.leave())?;
+                take_pause(pause.0).inspect_err(|_| self.leave())?;
             }
             let task = self.most_likely().unwrap_or(0);
             let (hypothesis, probability) = (Hypothesis::Command, self.belief().probability(task));
             let tasks = TaskSet::of(task);
-            let (verdict, command, sure) = (Verdict::Unsure, 1.0, 1.0);
-            return Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure, rest: None, unread });
+            let (verdict, command) = (Verdict::Unsure, 1.0);
+            return Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: ACTS_FROM, rest: None, unread });
         }
         let result = self.listen_here(domain, read, words, earlier, unread, pause);
         if result.is_err() {
@@ -177,7 +194,7 @@ impl<M: AgentMemory> Agent<M> {
         closed: ClosedWords<'_>,
         earlier: Earlier<'_>,
         unread: Option<usize>,
-        pause: Pause<'_>,
+        pause: (Pause<'_>, Observe<'_>),
     ) -> Result<Listened, AgentError> {
         self.begin_to_understand()?;
         self.take_up(domain)?;
@@ -188,6 +205,7 @@ impl<M: AgentMemory> Agent<M> {
         self.hear_words(utterance, closed, &mut words)?;
         let wording = Wording::of(language, closed, (domain.world().schema.attributes.len() << 1) as u8, pause);
         let has_slips = mend(language, closed, utterance, &words, &mut mended)?;
+        let sorts = &Sorts::of(&words, &mended);
         // The first of several commands may be polite for all: "could you ... and then ...?"
         let is_asked = !earlier.is_rest && utterance.chars().fold(false, ends_with_question_mark);
         let (mut words, mut explained) = (Words::new(&words, is_asked), Explained::NEW);
@@ -207,10 +225,10 @@ impl<M: AgentMemory> Agent<M> {
                 self.try_wording(domain, &mut words, other, TURNED, context, &mut explained)?;
             }
         }
-        let judged = self.judge(domain, words, &mut explained, context)?;
+        let judged = self.judge(domain, (words, sorts), &mut explained, context)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
-        let verdict = if judged.probability >= wording.sure && judged.is_clear && (unread.is_none() || judged.rest.is_some()) {
+        let verdict = if judged.is_accepted && (unread.is_none() || judged.rest.is_some()) {
             if is_done { Verdict::Done } else { Verdict::Sure }
         } else {
             match judged.hypothesis {
@@ -222,7 +240,7 @@ impl<M: AgentMemory> Agent<M> {
         let Judged { hypothesis, task, probability, command, .. } = judged;
         let tasks = if is_done { judged.tasks } else { judged.tasks.without(done) };
         let rest = judged.rest.and_then(|rest| start_of_piece(utterance, rest));
-        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: wording.sure, rest, unread })
+        Ok(Listened { verdict, hypothesis, task, tasks, probability, command, sure: ACTS_FROM, rest, unread })
     }
 
     /// Takes another wording of the words if it is more probable. Leaves the explanation of the taken words in `explained`.

@@ -15,13 +15,15 @@
 //! - `told`: places told by a thing, and things told by their place;
 //! - `explained`: how well the tasks here explain the words; `absent`: tasks about things that are not here;
 //! - `readings`: negated commands, and all things of a kind; `several`: several commands;
-//! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them; `objects`: the things and places of tasks;
+//! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them; `acceptance`: the probability of each, as
+//!   trained; `objects`: the things and places of tasks;
 //! - `listening`: the calls, and the session that they begin;
 //! - `correction`: words to a robot on its way.
 //!
 //! [`voice`](crate::voice) has the classes of words, and the effect of words that are no command.
 
 mod absent;
+pub(crate) mod acceptance;
 mod context;
 mod conversation;
 mod correction;
@@ -47,8 +49,9 @@ mod wording;
 mod words;
 
 pub use crate::voice::{Class, Classes, ClosedWords, ClosedWordsError, Said, Stage, for_each_open_word};
+pub use acceptance::{ACTS_FROM, CLUES, Clues, clue_name};
 pub use conversation::{Conversation, Fact};
 pub use correction::Corrected;
 pub use hypothesis::Hypothesis;
 pub use listening::Listened;
-pub use verdict::Verdict;
+pub use verdict::{Reading, Verdict};

@@ -1,23 +1,115 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
+use super::acceptance::{ACTS_FROM, Clues, Sorts, asks, clear_from, probability};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
-use super::hypothesis::{Hypothesis, Judged};
+use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
-use super::several::has_more;
+use super::several::{Parting, has_more};
 use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_past, is_question, new_names, tells};
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
-use crate::probability::Scaled;
+use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
 use crate::voice::classes::Class;
 
-/// A done task of the same kind makes the verdict unsure if it explains the words at least a fifth as well.
+/// Readings with a smaller share are not weighed.
+const NEGLIGIBLE: f32 = 1e-4;
+
+/// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
+const WORTH_ASKING: f32 = 0.4;
+
+/// A done task of the same kind speaks against a task if it explains the words at least a fifth as well.
 const RIVAL: f32 = 5.0;
+
+/// What speaks against the tasks of a reading, one bit each: clues for the [acceptance](super::acceptance).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Doubts(u16);
+
+impl Doubts {
+    /// No doubts.
+    pub const NONE: Self = Self(0);
+    /// The names of all doubts.
+    const NAMES: [&'static str; 16] = [
+        "a thing outside the task",
+        "a new name",
+        "a new verb",
+        "a question",
+        "a report",
+        "a condition",
+        "the past",
+        "a choice",
+        "a connective",
+        "a task that is done",
+        "other cues",
+        "no act",
+        "not possible",
+        "not fitting",
+        "no tasks",
+        "another order",
+    ];
+    /// How many there are.
+    pub const COUNT: usize = Self::NAMES.len();
+
+    /// These doubts, in order.
+    fn of(doubts: &[(Doubt, bool)]) -> Self {
+        Self(doubts.iter().fold(0, |all, &(doubt, holds)| all | u16::from(holds) << doubt as u16))
+    }
+
+    /// These and another doubt, if it holds.
+    fn and(self, doubt: Doubt, holds: bool) -> Self {
+        Self(self.0 | Self::of(&[(doubt, holds)]).0)
+    }
+
+    /// Whether the doubt at a position holds.
+    pub const fn has(self, position: usize) -> bool {
+        self.0 >> (position & 15) & 1 == 1
+    }
+
+    /// The name of the doubt at a position.
+    pub fn name(position: usize) -> &'static str {
+        Self::NAMES.get(position).copied().unwrap_or("")
+    }
+}
+
+/// A doubt, by its position in [`Doubts`].
+#[derive(Clone, Copy)]
+enum Doubt {
+    Foreign,
+    NewName,
+    NewVerb,
+    Question,
+    Report,
+    Condition,
+    Past,
+    Choice,
+    Connective,
+    Rival,
+    Cues,
+    NoAct,
+    Impossible,
+    Unfitting,
+    NoTasks,
+    Order,
+}
+
+/// A reading of an utterance, as a robot weighs it.
+pub struct Reading<'r> {
+    /// What it is.
+    pub hypothesis: Hypothesis,
+    /// Its tasks, by their positions in the session; of several commands, those of the first.
+    pub tasks: TaskSet,
+    /// Whether it forbids them.
+    pub is_negated: bool,
+    /// The probability that it is what was meant.
+    pub probability: f32,
+    /// Why.
+    pub clues: &'r Clues,
+}
 
 /// The verdict on an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -34,19 +126,21 @@ pub enum Verdict {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Decides on words, and on the tasks that they mean. Leaves the explanation of the words in `explained`.
+    /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. Leaves the explanation of its words in
+    /// `explained`.
     #[inline(never)]
     pub(super) fn judge<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
+        (words, sorts): (Words<'w>, &Sorts),
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
         if let Some((first, last)) = reversed(words) {
             if !context.earlier.is_rest {
-                let part = self.judge_part(domain, first, explained, context)?;
+                self.explain_all(domain, first, View::PLAIN, context, explained)?;
+                let part = self.judge_parted(domain, (first, sorts), explained, context, None)?;
                 return Ok(Judged { hypothesis: Hypothesis::Several, rest: begin, ..part });
             }
             // The rest is the whole utterance again, with "before": by that time, the command to do first is done.
@@ -54,34 +148,104 @@ impl<M: AgentMemory> Agent<M> {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
         }
         let parting = self.part(domain, words, context)?;
-        let likeliest = self.hypotheses(domain, words, explained, context, parting)?;
-        let (Hypothesis::Several, Some(parting)) = (likeliest.hypothesis, parting) else {
-            return self.judge_one(domain, likeliest, explained, context);
-        };
-        let part = self.judge_part(domain, parting.first, explained, context)?;
-        // "Go there, but take the bag first" is in another order.
-        let is_clear = part.is_clear && !words.from(parting.begin.saturating_sub(1)).has(Class::But);
-        Ok(Judged {
-            hypothesis: Hypothesis::Several,
-            probability: likeliest.probability * part.probability,
-            command: likeliest.probability * part.command,
-            is_clear,
-            rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
-            ..part
-        })
+        self.judge_parted(domain, (words, sorts), explained, context, parting)
     }
 
-    /// Decides on the first of several commands.
-    fn judge_part<'w, D: Domain + ?Sized>(
+    /// Decides among the hypotheses. `explained` has the words as a command.
+    fn judge_parted<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        words: Words<'w>,
+        (words, sorts): (Words<'w>, &Sorts),
         explained: &mut Explained,
         context: Context<'_>,
+        parting: Option<Parting<'w>>,
     ) -> Result<Judged<'w>, AgentError> {
-        self.explain_all(domain, words, View::PLAIN, context, explained)?;
-        let likeliest = self.hypotheses(domain, words, explained, context, None)?;
-        self.judge_one(domain, likeliest, explained, context)
+        let (weighed, command) = self.hypotheses(domain, words, explained, context, parting)?;
+        let (likeliest, most) = likeliest(&weighed, words, context.is_known());
+        // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
+        if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
+            let (judged, _) = self.read(domain, Judged::likely(likeliest, words, most, command), explained, context, parting)?;
+            let is_accepted = judged.hypothesis == Hypothesis::Again && most >= clear_from(self.language().bitext().sessions());
+            return Ok(Judged { is_accepted, ..judged });
+        }
+        let mut best: Option<(Hypothesis, f32, f32, bool)> = None;
+        for &(hypothesis, share) in weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE) {
+            let reading = Judged::likely(hypothesis, words, share, command);
+            let (judged, first) = self.read(domain, reading, explained, context, parting)?;
+            if judged.tasks.is_empty() {
+                continue;
+            }
+            let others = weighed.iter().filter(|&&(other, _)| other != hypothesis);
+            let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
+            let done = self.done(domain);
+            let clues = Clues {
+                sorts: *sorts,
+                hypothesis,
+                first,
+                share,
+                of_tasks: judged.probability / share,
+                rival,
+                tasks: judged.tasks.iter().count(),
+                is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
+                is_asked: words.is_asked,
+                lessons: self.language().bitext().sessions(),
+                doubts: judged.doubts,
+            };
+            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
+            let is_reference = explained.points_back && clues.is_clear();
+            let probability = probability(&clues).max(if is_reference { share * clues.of_tasks } else { 0.0 });
+            (context.wording.observe)(&Reading {
+                hypothesis,
+                tasks: judged.tasks,
+                is_negated: judged.is_negated,
+                probability,
+                clues: &clues,
+            });
+            if best.is_none_or(|(_, _, most, _)| probability > most) {
+                let is_possible = !judged.doubts.has(Doubt::Impossible as usize);
+                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > ACTS_FROM)));
+            }
+        }
+        // A reading that is improbable says less than the likeliest hypothesis.
+        let (hypothesis, share, probability, is_accepted) =
+            best.filter(|&(_, _, probability, _)| probability > WORTH_ASKING || asks(likeliest)).unwrap_or((likeliest, most, 0.0, false));
+        let (judged, _) = self.read(domain, Judged::likely(hypothesis, words, share, command), explained, context, parting)?;
+        if judged.is_negated {
+            self.negate(explained);
+            self.plan_for(domain, self.task_count)?;
+        }
+        let of_tasks = explained.weights.get(judged.task).map_or(0.0, |weight| weight.over(total(explained.weights.iter().copied())));
+        Ok(Judged { probability, is_accepted, command: if of_tasks > 0.0 { (probability / of_tasks).min(1.0) } else { command }, ..judged })
+    }
+
+    /// The tasks of words under a hypothesis, and what the first of several commands is. Leaves the explanation in `explained`.
+    fn read<'w, D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        reading: Judged<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+        parting: Option<Parting<'w>>,
+    ) -> Result<(Judged<'w>, Option<Hypothesis>), AgentError> {
+        let Judged { hypothesis, words, probability, .. } = reading;
+        let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
+            self.explain_all(domain, words, View::PLAIN, context, explained)?;
+            return Ok((self.judge_one(domain, reading, explained, context)?, None));
+        };
+        self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
+        let (weighed, command) = self.hypotheses(domain, parting.first, explained, context, None)?;
+        let (first, share) = likeliest(&weighed, parting.first, context.is_known());
+        let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
+        // "Go there, but take the bag first" is in another order.
+        let has_but = words.from(parting.begin.saturating_sub(1)).has(Class::But);
+        let several = Judged {
+            hypothesis,
+            probability: probability * part.probability,
+            doubts: part.doubts.and(Doubt::Order, has_but),
+            rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
+            ..part
+        };
+        Ok((several, Some(part.hypothesis)))
     }
 
     /// The tasks of words that are not several commands, under their likeliest hypothesis.
@@ -100,7 +264,7 @@ impl<M: AgentMemory> Agent<M> {
             explained.keep_only(task);
             // No word of the utterance is learned for it.
             let again = Judged::likely(Hypothesis::Again, Words::NONE, probability, probability);
-            return Ok(Judged { task, tasks: TaskSet::of(task), is_clear: true, ..again });
+            return Ok(Judged { task, tasks: TaskSet::of(task), ..again });
         }
         let judged = match hypothesis {
             Hypothesis::Negated => self.judge_negated(domain, likeliest, explained, context)?,
@@ -127,10 +291,6 @@ impl<M: AgentMemory> Agent<M> {
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
         let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
-        if !holds {
-            self.negate(explained);
-            self.plan_for(domain, self.task_count)?;
-        }
         // "The red chair must not end up in the blue room", "I don't want you in the red room".
         let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
         let has_act = explained.acts || context.earlier.is_rest;
@@ -146,7 +306,14 @@ impl<M: AgentMemory> Agent<M> {
             tasks,
             probability: probability * of_tasks,
             command: probability,
-            is_clear: rest.is_clear && is_told && is_possible && explained.fitting.contains(task) && !tells(words),
+            is_negated: !holds,
+            doubts: Doubts::of(&[
+                (Doubt::Cues, !rest.is_clear),
+                (Doubt::NoAct, !is_told),
+                (Doubt::Impossible, !is_possible),
+                (Doubt::Unfitting, !explained.fitting.contains(task)),
+                (Doubt::Report, tells(words)),
+            ]),
             ..likeliest
         }))
     }
@@ -181,7 +348,12 @@ impl<M: AgentMemory> Agent<M> {
             tasks,
             probability: probability * of_place,
             command: probability,
-            is_clear: rest.is_clear && !tasks.is_empty() && !tells(words) && !has_condition(words),
+            doubts: Doubts::of(&[
+                (Doubt::Cues, !rest.is_clear),
+                (Doubt::NoTasks, tasks.is_empty()),
+                (Doubt::Report, tells(words)),
+                (Doubt::Condition, has_condition(words)),
+            ]),
             ..likeliest
         }))
     }
@@ -193,22 +365,24 @@ impl<M: AgentMemory> Agent<M> {
         let (is_whole, is_own) = (explained.whole.contains(task), explained.own.contains(task));
         // "This or that" leaves the choice to the robot.
         let is_choice = words.any(&|word| word.is(Class::Or) && !word.is_of_lessons());
-        // A word that names nothing known may be the name of something else.
-        let is_named = is_own && (is_whole || !has_new_name(words));
         // "Paint the red room" is about no known task. A named thing with a place is enough: "haul that red chair to the red room".
         let is_of_thing = self.is_only_one(domain, explained, task);
         // "Switch on the lamp in the red room" has a new verb and a new name.
         let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
-        let is_told = !is_question(words) && !tells(words) && !has_condition(words) && !is_past(words);
-        let is_one = !is_choice && !has_more(words) && !self.has_rival(domain, explained, task);
-        Judged {
-            words: explained.naming(words),
-            task,
-            tasks: TaskSet::of(task),
-            probability: command * of_command,
-            is_clear: is_named && has_verb && is_told && is_one,
-            ..likeliest
-        }
+        let doubts = Doubts::of(&[
+            (Doubt::Foreign, !is_own),
+            // A word that names nothing known may be the name of something else.
+            (Doubt::NewName, !is_whole && has_new_name(words)),
+            (Doubt::NewVerb, !has_verb),
+            (Doubt::Question, is_question(words)),
+            (Doubt::Report, tells(words)),
+            (Doubt::Condition, has_condition(words)),
+            (Doubt::Past, is_past(words)),
+            (Doubt::Choice, is_choice),
+            (Doubt::Connective, has_more(words)),
+            (Doubt::Rival, self.has_rival(domain, explained, task)),
+        ]);
+        Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
     }
 
     /// Negates all tasks. The session is then about states to avoid.

@@ -1,20 +1,21 @@
 //! How commands are worded in the lessons.
 
 use super::heard::count;
+use super::verdict::Reading;
 use crate::language::LanguageRef;
 use crate::language::roles::talk::{Coverage, Senses};
 use crate::session::AgentError;
 use crate::symbols::Symbol;
 use crate::voice::classes::{Class, ClosedWords};
 
-/// The extra certainty required after few lessons, times their number.
-const SURE_OF_FEW: f32 = 2.4;
-
 /// The least probability of a new word in a command.
 const OF_OTHERS: f32 = 0.02;
 
 /// The caller's work between two parts; `false` stops the listening.
 pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
+
+/// Is shown each reading of an utterance.
+pub(super) type Observe<'o> = &'o dyn Fn(&Reading<'_>);
 
 /// Lets the caller do its work.
 pub(super) fn take_pause(pause: Pause<'_>) -> Result<(), AgentError> {
@@ -30,14 +31,14 @@ pub(super) struct Wording<'c> {
     pub new: f32,
     /// The probability that a command ends after a word: 1 / (1 + the mean number of words).
     pub end: f32,
-    /// The least probability of the most likely task to be sure of it.
-    pub sure: f32,
+    /// Is shown each reading that is weighed.
+    pub observe: Observe<'c>,
     /// The sort of derived facts in descriptions.
     pub facts: u8,
 }
 
 impl<'c> Wording<'c> {
-    pub fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8, pause: Pause<'c>) -> Self {
+    pub fn of(language: LanguageRef<'_>, closed: ClosedWords<'c>, facts: u8, (pause, observe): (Pause<'c>, Observe<'c>)) -> Self {
         let (bitext, words) = (language.bitext(), language.tables().words());
         let is_plain = |word| is_plain(language, closed, word);
         let coverage = Coverage::of(&mut Senses::new(language.tables(), bitext, &is_plain, facts));
@@ -54,8 +55,7 @@ impl<'c> Wording<'c> {
             // The Good-Turing estimate; at first every word is new. The floor allows for people who use other words than the lessons.
             new: ((once + 2.0) / (all + 2.0)).max(OF_OTHERS),
             end: 1.0 / (1.0 + all / sessions),
-            // 0.7 after 24 lessons, 0.62 after 120.
-            sure: (0.6 + SURE_OF_FEW / sessions).min(0.95),
+            observe,
             facts,
         }
     }

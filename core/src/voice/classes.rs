@@ -168,6 +168,12 @@ impl Classes {
     /// No class.
     pub const NONE: Self = Self(0);
 
+    /// One bit for each class, in their order.
+    #[cfg(feature = "talk")]
+    pub(crate) const fn bits(self) -> u32 {
+        self.0
+    }
+
     /// Whether the word is in a class.
     pub const fn contains(self, class: Class) -> bool {
         self.0 & (1 << class as u32) != 0

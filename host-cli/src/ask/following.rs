@@ -73,7 +73,7 @@ pub fn follow(
     }
     let verdict = if verdicts.iter().all(|verdict| *verdict == Verdict::Done) {
         Verdict::Done
-    } else if verdicts.iter().all(|verdict| matches!(verdict, Verdict::Sure | Verdict::Done)) && probability >= first.sure {
+    } else if verdicts.iter().all(|verdict| matches!(verdict, Verdict::Sure | Verdict::Done)) {
         Verdict::Sure
     } else {
         Verdict::Unsure

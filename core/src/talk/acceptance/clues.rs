@@ -1,0 +1,250 @@
+//! The features of a reading: what it is, how probable the words make it, what speaks against it, and the classes of the words.
+
+use super::super::heard::Heard;
+use super::super::hypothesis::Hypothesis;
+use super::super::verdict::Doubts;
+use crate::voice::classes::Class;
+
+/// The sorts of words: 32 closed classes of new words, the same of words that lessons had, then the sorts below.
+const CLASSES: usize = Class::ALL.len();
+const NAME: usize = 2 * CLASSES;
+const ACT: usize = NAME + 1;
+const MENDED: usize = NAME + 2;
+const NEW: usize = NAME + 3;
+const KNOWN: usize = NAME + 4;
+const SORTS: usize = NAME + 5;
+
+/// The places of a word: before the first name, between names, after the last name, first of all, last of all.
+const PLACES: usize = 5;
+
+/// Features that have a number for a value.
+const NUMBERS: usize = 5;
+/// The first of each group of features.
+const DONE: usize = NUMBERS;
+const ASKED: usize = DONE + 1;
+const CLEAR: usize = DONE + 2;
+const TOP: usize = DONE + 3;
+const TASKS: usize = TOP + 1 + RIVALS;
+const DOUBTS: usize = TASKS + 4;
+const NEW_WORDS: usize = DOUBTS + Doubts::COUNT;
+const LENGTH: usize = NEW_WORDS + 5;
+const NAMES: usize = LENGTH + 7;
+const WORDS: usize = NAMES + 6;
+/// What the likeliest reading is, and what the first of several commands is.
+const RIVALS: usize = 7;
+const KIND: usize = WORDS + PLACES * SORTS;
+const FIRST: usize = KIND + 1;
+
+/// The number of features, each of which counts for all readings, and again for each [kind](Kind) of reading.
+const FEATURES: usize = FIRST + RIVALS;
+/// The number of clues.
+pub const CLUES: usize = FEATURES * (KINDS + 1);
+
+/// The kinds of readings with weights of their own: a command, a prohibition, several, all.
+const KINDS: usize = 4;
+
+/// The kind of a reading that asks for something, from 1.
+const fn kind(hypothesis: Hypothesis) -> Option<usize> {
+    match hypothesis {
+        Hypothesis::Command => Some(1),
+        Hypothesis::Negated => Some(2),
+        Hypothesis::Several => Some(3),
+        Hypothesis::All => Some(4),
+        _ => None,
+    }
+}
+
+/// Whether a hypothesis asks for something.
+pub(in super::super) const fn asks(hypothesis: Hypothesis) -> bool {
+    kind(hypothesis).is_some()
+}
+
+/// The place of a hypothesis among [`RIVALS`].
+const fn rival(hypothesis: Hypothesis) -> usize {
+    match (kind(hypothesis), hypothesis) {
+        (Some(kind), _) => kind.saturating_sub(1),
+        (_, Hypothesis::Nothing) => 4,
+        (_, Hypothesis::Absent | Hypothesis::About | Hypothesis::Reversed) => 5,
+        _ => 6,
+    }
+}
+
+/// The log odds of a probability, from -2 to 2.
+fn odds(probability: f32) -> f32 {
+    let (for_it, against) = (probability.max(1e-6), (1.0 - probability).max(1e-6));
+    libm::logf(for_it / against).clamp(-8.0, 8.0) / 4.0
+}
+
+/// From this probability on, a reading without doubts is clear: 0.7 after 24 lessons, 0.62 after 120.
+pub(in super::super) fn clear_from(lessons: usize) -> f32 {
+    (0.6 + 2.4 / lessons.max(1) as f32).min(0.95)
+}
+
+/// The sorts of the words at each place, one bit each.
+#[derive(Clone, Copy)]
+pub(in super::super) struct Sorts {
+    places: [u128; PLACES],
+    new: usize,
+    names: usize,
+    words: usize,
+}
+
+impl Sorts {
+    /// Of an utterance: the words as they were said, and as they were mended.
+    pub fn of(said: &[Heard], mended: &[Heard]) -> Self {
+        let words = || said.iter().zip(mended);
+        let is_name = |(_, word): (&Heard, &Heard)| word.is_name;
+        let first = words().position(is_name).unwrap_or(usize::MAX);
+        let last = words().enumerate().filter(|&(_, pair)| is_name(pair)).map(|(at, _)| at).next_back();
+        let (mut places, mut new, end) = ([0_u128; PLACES], 0_usize, words().count().saturating_sub(1));
+        for (at, (said, mended)) in words().enumerate() {
+            let sorts = sorts(said, mended);
+            new = new.saturating_add((sorts >> NEW & 1) as usize);
+            let place = if at < first {
+                0
+            } else if last.is_none_or(|last| at <= last) {
+                1
+            } else {
+                2
+            };
+            for (slot, _) in
+                places.iter_mut().zip([place == 0, place == 1, place == 2, at == 0, at == end]).filter(|(_, is_there)| *is_there)
+            {
+                *slot |= sorts;
+            }
+        }
+        Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1) }
+    }
+}
+
+/// The sorts of a word.
+fn sorts(said: &Heard, mended: &Heard) -> u128 {
+    let classes = u128::from(mended.of_table.bits());
+    let is_mended = mended.is_mended;
+    let mut sorts = if mended.is_of_lessons() { classes << CLASSES } else { classes };
+    let mut add = |sort: usize, holds: bool| sorts |= u128::from(holds) << sort;
+    add(NAME, mended.is_name);
+    add(ACT, mended.acts());
+    add(MENDED, is_mended);
+    add(NEW, said.is_new && !is_mended);
+    let is_marked = mended.is_name || mended.is_of_task || mended.is_plural || is_mended || said.is_new;
+    add(KNOWN, classes == 0 && !is_marked && mended.is_of_lessons());
+    sorts
+}
+
+/// The clues to whether a reading is meant.
+#[derive(Clone, Copy)]
+pub struct Clues {
+    pub(in super::super) sorts: Sorts,
+    pub(in super::super) hypothesis: Hypothesis,
+    /// Of several commands, what the first is.
+    pub(in super::super) first: Option<Hypothesis>,
+    /// The probability of the hypothesis, and of its tasks if it holds.
+    pub(in super::super) share: f32,
+    pub(in super::super) of_tasks: f32,
+    /// The most probable other hypothesis.
+    pub(in super::super) rival: (Hypothesis, f32),
+    pub(in super::super) tasks: usize,
+    pub(in super::super) is_done: bool,
+    pub(in super::super) is_asked: bool,
+    pub(in super::super) lessons: usize,
+    pub(in super::super) doubts: Doubts,
+}
+
+impl Clues {
+    /// Whether nothing speaks against the reading, and the words make it probable.
+    pub(in super::super) fn is_clear(&self) -> bool {
+        self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
+    }
+
+    /// Passes each clue that holds, by its number below [`CLUES`], with its value.
+    pub fn for_each(&self, take: &mut dyn FnMut(u16, f32)) {
+        let kind = kind(self.hypothesis).unwrap_or(0);
+        let mut add = |feature: usize, value: f32| {
+            take(feature as u16, value);
+            take((kind * FEATURES + feature) as u16, value);
+        };
+        let (other, share) = self.rival;
+        let is_top = self.share >= share;
+        add(KIND, 1.0);
+        add(0, odds(self.share));
+        add(1, odds(self.of_tasks));
+        add(2, odds(self.share * self.of_tasks));
+        if is_top {
+            add(3, odds(self.share / (self.share + share)));
+        }
+        add(4, libm::logf(1.0 + self.lessons as f32) / 5.0);
+        let mut mark = |feature: usize, holds: bool| {
+            if holds {
+                add(feature, 1.0);
+            }
+        };
+        mark(DONE, self.is_done);
+        mark(ASKED, self.is_asked);
+        mark(CLEAR, self.is_clear());
+        mark(TOP, is_top);
+        mark(TOP + 1 + rival(other), !is_top);
+        mark(TASKS + self.tasks.min(3), true);
+        for doubt in 0..Doubts::COUNT {
+            mark(DOUBTS + doubt, self.doubts.has(doubt));
+        }
+        mark(NEW_WORDS + self.sorts.new.min(4), true);
+        mark(LENGTH + (self.sorts.words / 3).min(6), true);
+        mark(NAMES + self.sorts.names.min(5), true);
+        if let Some(first) = self.first {
+            mark(FIRST + rival(first), true);
+        }
+        for (place, &sorts) in self.sorts.places.iter().enumerate() {
+            for sort in 0..SORTS {
+                mark(WORDS + place * SORTS + sort, sorts >> sort & 1 == 1);
+            }
+        }
+    }
+}
+
+/// The name of a clue, in words: the kind of reading for which it counts, the place of a word, what is there, and whether lessons had it.
+pub fn clue_name(clue: u16) -> [&'static str; 4] {
+    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all"];
+    const OTHERS: [&str; RIVALS] = ["command", "prohibition", "several", "all", "nothing", "absent", "talk"];
+    const WHERE: [&str; PLACES] = ["before names", "between names", "after names", "first", "last"];
+    const FEW: [&str; 7] = ["0", "1", "2", "3", "4", "5", "6"];
+    const SINGLE: [&str; TOP + 1] = [
+        "odds of the hypothesis",
+        "odds of the tasks",
+        "odds of both",
+        "odds against the next",
+        "log of lessons",
+        "done",
+        "asked",
+        "clear",
+        "likeliest",
+    ];
+    let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
+    let name = |names: &[&'static str], at: usize| names.get(at).copied().unwrap_or("");
+    let class = |at: usize| Class::ALL.get(at).map_or("", |class| class.name());
+    let [place, what] = match feature {
+        _ if feature <= TOP => ["", name(&SINGLE, feature)],
+        _ if feature < TASKS => ["likelier is", name(&OTHERS, feature - TOP - 1)],
+        _ if feature < DOUBTS => ["tasks", name(&FEW, feature - TASKS)],
+        _ if feature < NEW_WORDS => ["doubt", Doubts::name(feature - DOUBTS)],
+        _ if feature < LENGTH => ["new words", name(&FEW, feature - NEW_WORDS)],
+        _ if feature < NAMES => ["thirds of words", name(&FEW, feature - LENGTH)],
+        _ if feature < WORDS => ["names", name(&FEW, feature - NAMES)],
+        _ if feature < KIND => {
+            let (place, sort) = ((feature - WORDS) / SORTS, (feature - WORDS) % SORTS);
+            let sort = match sort {
+                NAME => "a name",
+                ACT => "an act",
+                MENDED => "a slip",
+                NEW => "a new word",
+                KNOWN => "a known word",
+                _ => class(sort % CLASSES),
+            };
+            [name(&WHERE, place), sort]
+        }
+        KIND => ["", "always"],
+        _ => ["the first is", name(&OTHERS, feature - FIRST)],
+    };
+    let is_of_lessons = (WORDS..KIND).contains(&feature) && (CLASSES..NAME).contains(&((feature - WORDS) % SORTS));
+    [name(&READINGS, reading), place, what, if is_of_lessons { "of the lessons" } else { "" }]
+}

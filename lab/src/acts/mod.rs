@@ -1,0 +1,209 @@
+//! `goodbot acts`: trains the [acceptance](goodbot::talk::ACTS_FROM), the model that decides whether a robot acts on what was said.
+//!
+//! - [`sets`]: sentences with their meanings;
+//! - [`readings`]: a robot's readings of them, and which are right;
+//! - [`fit`]: the weights that fit best.
+
+pub mod fit;
+pub mod readings;
+pub mod sets;
+
+use clap::{Args, ValueHint};
+use fit::{Example, Fitted};
+use goodbot::talk::{ACTS_FROM, CLUES, clue_name};
+use goodbot_console::messages::bar;
+use goodbot_console::outcome::Failure;
+use goodbot_console::output;
+use readings::Said;
+use serde_json::json;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// The weights in a file are whole numbers up to this.
+const MOST: f64 = 127.0;
+
+/// The options of `goodbot acts`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+SETS has a line for each set of sentences, with five columns parted by tabs: its author, its language, a model that `goodbot learn` wrote, a home,
+and a file of sentences. A sentence's line has its kind, its words, and its meaning: `none`, or tasks joined by ` then ` (in this order) or ` and `
+(in any order); ` or ` parts meanings of which each is right. Words before ` ||| ` were said and followed before.
+
+A robot with the model reads each sentence in the home. The weights are fitted to tell its right readings from the others. The table is of weights
+fitted without the sentences of their author: \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
+share of all sentences on which it would act wrongly.
+
+Example:
+  goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.rs")]
+pub struct ActsOptions {
+    /// A list of sets of sentences
+    #[arg(value_name = "SETS", value_hint = ValueHint::FilePath)]
+    sets: PathBuf,
+    /// Write the weights, as a part of the library
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    weights: Option<PathBuf>,
+    /// Print the weights, the largest first
+    #[arg(long)]
+    explain: bool,
+    /// The price of a weight: larger prices leave fewer weights
+    #[arg(long, value_name = "PRICE", default_value = "2")]
+    price: f64,
+    /// Print lines of JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// The figures of some sentences.
+#[derive(Clone, Copy, Debug, Default)]
+struct Figures {
+    sentences: usize,
+    meant: usize,
+    helpful: usize,
+    harmful: usize,
+    /// Of the sentences that the robot acts on: the sum of its probabilities, and how many it understood.
+    said: f64,
+    acted: usize,
+    right: usize,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// [`Failure`].
+pub fn run(options: &ActsOptions) -> Result<(), Failure> {
+    let sets = sets::read(&options.sets)?;
+    let progress = bar(sets.len(), "reading sentences");
+    let mut said: Vec<Said> = Vec::new();
+    for set in &sets {
+        said.extend(readings::of(set)?);
+        progress.inc(1);
+    }
+    progress.finish_and_clear();
+    let mut out = output::text(&[])?;
+    let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).collect();
+    authors.sort_unstable();
+    authors.dedup();
+    let mut all = Figures::default();
+    if authors.len() > 1 {
+        let progress = bar(authors.len(), "leaving out one author at a time");
+        for author in &authors {
+            let fitted = fit::fit(&examples(&said, &|it| it.author != *author), CLUES, options.price);
+            progress.inc(1);
+            let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
+            languages.sort_unstable();
+            languages.dedup();
+            for language in languages {
+                let figures = figures(said.iter().filter(|it| it.author == *author && it.language == language), &fitted);
+                tell(&mut out, options.json, author, language, &figures)?;
+                all = all.and(&figures);
+            }
+        }
+        progress.finish_and_clear();
+        tell(&mut out, options.json, "all", "left out", &all)?;
+    }
+    let fitted = fit::fit(&examples(&said, &|_| true), CLUES, options.price);
+    let (scale, weights) = packed(&fitted);
+    tell(&mut out, options.json, "all", "fitted", &figures(said.iter(), &fitted))?;
+    if options.explain {
+        let mut largest = weights.clone();
+        largest.sort_by_key(|&(clue, weight)| (-i32::from(weight).abs(), clue));
+        for (clue, weight) in largest {
+            let [reading, place, what, of_lessons] = clue_name(clue);
+            writeln!(out, "{:6.2}  {reading:12} {place:14} {what} {of_lessons}", f64::from(weight) * scale)?;
+        }
+    }
+    if let Some(file) = &options.weights {
+        std::fs::write(file, text(scale, fitted.bias, &weights)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+        writeln!(out, "{} weights in {}", weights.len(), file.display())?;
+    }
+    Ok(out.flush()?)
+}
+
+fn examples<'s>(said: &'s [Said], is_in: &dyn Fn(&Said) -> bool) -> Vec<Example<'s>> {
+    said.iter()
+        .filter(|it| is_in(it))
+        .flat_map(|it| &it.readings)
+        .map(|reading| Example { clues: &reading.clues, holds: reading.is_right })
+        .collect()
+}
+
+impl Figures {
+    fn and(self, other: &Self) -> Self {
+        Self {
+            sentences: self.sentences + other.sentences,
+            meant: self.meant + other.meant,
+            helpful: self.helpful + other.helpful,
+            harmful: self.harmful + other.harmful,
+            said: self.said + other.said,
+            acted: self.acted + other.acted,
+            right: self.right + other.right,
+        }
+    }
+}
+
+/// The figures of sentences, by these weights.
+fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted) -> Figures {
+    let mut figures = Figures::default();
+    for sentence in said {
+        figures.sentences += 1;
+        figures.meant += usize::from(sentence.is_meant);
+        let weighed = sentence.readings.iter().map(|reading| (fitted.probability(&reading.clues), reading));
+        let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+        if probability > f64::from(ACTS_FROM) {
+            figures.acted += 1;
+            figures.right += usize::from(best.is_right);
+            figures.said += probability;
+            figures.helpful += usize::from(sentence.is_meant && best.is_right);
+            figures.harmful += usize::from(!best.is_right && !best.is_done);
+        }
+    }
+    figures
+}
+
+fn tell(out: &mut impl Write, json: bool, author: &str, language: &str, figures: &Figures) -> Result<(), Failure> {
+    let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
+    let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
+    let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));
+    if json {
+        let line = json!({
+            "author": author, "language": language, "sentences": figures.sentences, "meant": figures.meant, "helpful": helpful,
+            "harmful": harmful, "acted": figures.acted, "mean_probability": said, "right": right,
+        });
+        writeln!(out, "{line}")?;
+    } else {
+        writeln!(
+            out,
+            "{author:10} {language:9} {:6} sentences  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
+            figures.sentences,
+            100.0 * helpful,
+            100.0 * harmful,
+            figures.acted,
+            said,
+            right
+        )?;
+    }
+    Ok(())
+}
+
+/// The weights as whole numbers, by clue, and the value of 1.
+fn packed(fitted: &Fitted) -> (f64, Vec<(u16, i8)>) {
+    let most = fitted.weights.iter().fold(0.0_f64, |most, weight| most.max(weight.abs()));
+    let scale = if most > 0.0 { most / MOST } else { 1.0 };
+    let rounded = fitted.weights.iter().map(|weight| (weight / scale).round() as i8);
+    (scale, rounded.enumerate().filter(|&(_, weight)| weight != 0).map(|(clue, weight)| (clue as u16, weight)).collect())
+}
+
+/// The weights as a file of the library.
+fn text(scale: f64, bias: f64, weights: &[(u16, i8)]) -> String {
+    let mut text = format!(
+        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The value of a weight of 1.\npub const SCALE: f32 = {scale:.7};\n/// The weight of every \
+         reading.\npub const BIAS: f32 = {bias:.7};\n/// Clues and their weights, by clue.\n#[rustfmt::skip]\npub const WEIGHTS: [(u16, i8); {}] = [\n",
+        weights.len()
+    );
+    for row in weights.chunks(12) {
+        let row: Vec<String> = row.iter().map(|(clue, weight)| format!("({clue}, {weight})")).collect();
+        text.push_str(&format!("    {},\n", row.join(", ")));
+    }
+    text.push_str("];\n");
+    text
+}

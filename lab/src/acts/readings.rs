@@ -1,0 +1,143 @@
+//! A robot's readings of sentences, and which of them are right.
+
+use super::sets::{Meaning, Sentence, Set};
+use goodbot::home::{Home, HomeState, Moves, paper_tasks};
+use goodbot::memory::{AgentHeap, HomeHeap};
+use goodbot::oomdp::Domain;
+use goodbot::talk::{Hypothesis, Reading};
+use goodbot::task::{GroundedTask, TaskSet};
+use goodbot::{Agent, AgentError};
+use goodbot_console::load::input::{self, InputFile};
+use goodbot_console::outcome::Failure;
+use goodbot_console::restored;
+use goodbot_lesson::closed_words::CLOSED_WORDS;
+use goodbot_lesson::home;
+use goodbot_lesson::name::task_name;
+use std::cell::RefCell;
+
+/// A sentence as a robot reads it.
+#[derive(Clone, Debug)]
+pub struct Said {
+    /// Who wrote it.
+    pub author: String,
+    /// Its language.
+    pub language: String,
+    /// Whether something is to be done.
+    pub is_meant: bool,
+    /// Its readings.
+    pub readings: Vec<Read>,
+}
+
+/// A reading.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// Its clues, with their values.
+    pub clues: Vec<(u16, f32)>,
+    /// Whether it is what was meant.
+    pub is_right: bool,
+    /// Whether it asks for what is so already.
+    pub is_done: bool,
+}
+
+/// A reading before it is compared with the meaning.
+struct Weighed {
+    clues: Vec<(u16, f32)>,
+    hypothesis: Hypothesis,
+    tasks: TaskSet,
+    is_negated: bool,
+}
+
+/// Reads the sentences of a set.
+///
+/// # Errors
+/// The faults of its files.
+pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
+    let flaw = |message: String| Failure::Input(format!("{}: {message}", set.home.display()));
+    let environment = input::home(&InputFile::from(set.home.clone().into_os_string()))?;
+    let lifted = paper_tasks().map_err(|error| flaw(error.to_string()))?;
+    let mut memory = home::memory();
+    let (home, start) = home::build(&environment, Moves::Push, &mut memory).map_err(|fault| flaw(fault.message(&environment)))?;
+    let mut agent = restored::agent_beside(&set.model, &lifted, &Default::default())?;
+    let mut said = Vec::new();
+    for sentence in &set.sentences {
+        let readings = readings(&mut agent, &home, &start, sentence).map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
+        let (author, language) = (set.author.clone(), set.language.clone());
+        said.push(Said { author, language, is_meant: !sentence.meanings.is_empty(), readings });
+    }
+    Ok(said)
+}
+
+fn readings(
+    agent: &mut Agent<AgentHeap>,
+    home: &Home<&mut HomeHeap>,
+    start: &HomeState,
+    sentence: &Sentence,
+) -> Result<Vec<Read>, AgentError> {
+    agent.resume(goodbot::talk::Conversation::NEW);
+    let mut state = *start;
+    if let Some(before) = &sentence.before {
+        let listened = agent.listen(home, &state, before, CLOSED_WORDS)?;
+        if let Some(task) = agent.tasks().get(listened.task).copied() {
+            agent.remember(home, &state, &task);
+            state = followed(agent, home, &state, &task);
+        }
+    }
+    let weighed = RefCell::new(Vec::new());
+    let observe = |reading: &Reading<'_>| {
+        let mut clues = Vec::new();
+        reading.clues.for_each(&mut |clue, value| clues.push((clue, value)));
+        let &Reading { hypothesis, tasks, is_negated, .. } = reading;
+        weighed.borrow_mut().push(Weighed { clues, hypothesis, tasks, is_negated });
+    };
+    let _ = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
+    let read = |weighed: Weighed| {
+        let holds =
+            |task: &GroundedTask| kind(agent, task).is_some_and(|kind| task.propositions(kind).all(|part| home.holds(&part, &state)));
+        let tasks: Vec<GroundedTask> = weighed.tasks.iter().filter_map(|task| agent.tasks().get(task).copied()).collect();
+        // What is so already need not be done.
+        let is_so = |task: &&GroundedTask| holds(task) != weighed.is_negated;
+        let is_done = tasks.iter().all(|task| is_so(&task));
+        let asked: Vec<String> =
+            tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
+        let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
+        Read { clues: weighed.clues, is_right, is_done }
+    };
+    Ok(weighed.into_inner().into_iter().map(read).collect())
+}
+
+fn kind<'a>(agent: &'a Agent<AgentHeap>, task: &GroundedTask) -> Option<&'a goodbot::task::LiftedTask> {
+    agent.lifted().get(usize::from(task.lifted))
+}
+
+/// The name of a task, with a mark if it is forbidden. A session about a prohibition has the marked tasks.
+fn name(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, task: &GroundedTask, is_negated: bool) -> String {
+    let name = kind(agent, task).and_then(|kind| task_name(home, kind, task).ok()).map(|name| name.to_string()).unwrap_or_default();
+    format!("{}{}", if is_negated { "!" } else { "" }, name.trim_start_matches('!'))
+}
+
+/// Whether tasks are a meaning; of several commands, the first of one.
+fn is_meant(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning) -> bool {
+    if tasks.is_empty() {
+        return false;
+    }
+    if hypothesis == Hypothesis::Several {
+        let begins =
+            if meaning.is_ordered { meaning.tasks.starts_with(tasks) } else { tasks.iter().all(|task| meaning.tasks.contains(task)) };
+        return meaning.tasks.len() > tasks.len() && begins;
+    }
+    let sorted = |tasks: &[String]| {
+        let mut tasks = tasks.to_vec();
+        tasks.sort_unstable();
+        tasks
+    };
+    sorted(tasks) == sorted(&meaning.tasks)
+}
+
+/// The state in which a task is done, if there is one.
+fn followed(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, state: &HomeState, task: &GroundedTask) -> HomeState {
+    let Some(kind) = kind(agent, task) else { return *state };
+    let things =
+        task.bindings.iter().take(kind.variables().len()).filter(|&&object| object == home.agent() || home.blocks().contains(&object));
+    let mut states = things.flat_map(|&thing| home.places().iter().filter_map(move |place| home.placed(state, &[(thing, place.cell())])));
+    states.find(|state| task.propositions(kind).all(|part| home.holds(&part, state))).unwrap_or(*state)
+}
