@@ -362,7 +362,7 @@ fn judge(cases: &[(&str, &str, &str)], answers: &[Value]) {
         asked += usize::from(acts(verdict));
         right += usize::from(acts(verdict) && is_right);
         wrong += usize::from(acts(said) && !is_right);
-        if acts(verdict) && !is_right || acts(said) && !is_right {
+        if (acts(verdict) || acts(said)) && !is_right {
             told.push_str(&format!("{words}: {said} {meant} instead of {verdict} {task}\n"));
         }
     }
