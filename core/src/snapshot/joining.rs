@@ -8,11 +8,11 @@ use super::record::{CommandRecord, PairRecord, SessionRecord, marker};
 use super::section::Index;
 use super::starter::is_beside;
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
-use crate::language::Pair;
-use crate::language::{LanguageMut, LanguageRef};
+use crate::language::{LanguageMut, LanguageRef, Model, Pair};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
+use crate::task::role::is_marker;
 use heapless::Vec;
 
 impl<M: AgentMemory> Agent<M> {
@@ -55,6 +55,14 @@ impl LanguageRef<'_> {
             Ok(())
         } else {
             Err(RestoreError::OtherForms)
+        }
+    }
+
+    /// Sorts the values of each group by the symbols of this model, as this robot describes its tasks; a file has other symbols.
+    pub(super) fn put_in_order(self, description: &mut [Symbol]) {
+        if self.settings().model == Model::Roles {
+            // The proposition comes before the groups.
+            description.get_mut(1..).unwrap_or_default().split_mut(|&symbol| is_marker(symbol)).for_each(<[Symbol]>::sort_unstable);
         }
     }
 }
@@ -128,9 +136,17 @@ impl LanguageMut<'_> {
         let words = session.words.iter().map(|&word| language.word_like(texts.words.get(usize::from(word)).unwrap_or(""), 0));
         let mut own_pairs = bitext.pairs_of(own).iter();
         let same_command = |command: u16, own: u16| {
-            let command = texts.commands.get(usize::from(command)).unwrap_or_default();
-            let tokens = command.iter().map(|&token| (marker(token), texts.tokens.get(usize::from(token)).unwrap_or("")));
-            bitext.command(own).iter().map(|&token| (marker(token.0), language.tokens().text(token))).eq(tokens)
+            let (record, own) = (texts.commands.get(usize::from(command)).unwrap_or_default(), bitext.command(own));
+            if record.len() != own.len() {
+                return false;
+            }
+            let symbol =
+                |&token: &u16| marker(token).or_else(|| language.tokens().find(texts.tokens.get(usize::from(token)).unwrap_or("")));
+            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = record.iter().map_while(symbol).collect();
+            let mut own: Vec<Symbol, TOKENS_PER_COMMAND> = own.iter().copied().take(TOKENS_PER_COMMAND).collect();
+            language.put_in_order(&mut command);
+            language.put_in_order(&mut own);
+            command == own
         };
         let same_pair =
             |pair: &PairRecord, own: &Pair| pair.weight.to_bits() == own.weight.to_bits() && same_command(pair.command, own.command);
@@ -168,6 +184,7 @@ impl LanguageMut<'_> {
             };
             let _ = command.push(symbol);
         }
+        self.read().put_in_order(&mut command);
         Ok(command)
     }
 }

@@ -57,6 +57,7 @@ impl<'a> Possible<'a> {
             for token in &mut description {
                 *token = self.symbol_here(language, *token)?;
             }
+            language.read().put_in_order(&mut description);
             added.push((description, pair.weight));
         }
         language.add_possible(added.iter().map(|(description, prior)| (description.as_slice(), *prior)))
