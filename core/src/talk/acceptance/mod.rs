@@ -18,7 +18,7 @@ pub use weights::{BIAS, SCALE, WEIGHTS};
 /// The cost of a wrong act, if that of a question is 1.
 const COST: f32 = 5.0;
 
-/// The robot acts on a reading that is more probable than this: then acting costs less than asking, (1 - P) [`COST`] < 1.
+/// The robot acts on a reading that is more probable than this: then acting costs less than asking, (1 - P) `COST` < 1.
 pub const ACTS_FROM: f32 = 1.0 - 1.0 / COST;
 
 /// The probability that a reading with these clues is what was meant: a number from 0 to 1.
