@@ -87,7 +87,7 @@ pub struct Agent<M> {
     pub(crate) task_count: usize,
     pub(super) candidates: CandidateCount,
     pub(crate) belief: BeliefCount,
-    planner: Planner,
+    pub(super) planner: Planner,
     pub(crate) sentence: Sentence,
     pub(crate) progressed: Progressed,
     pub(super) gave_way: GaveWay,

@@ -151,7 +151,11 @@ impl<M: AgentMemory> Agent<M> {
         let is_kept = kept.is_some();
         self.sentence.clear();
         match kept {
-            Some(kept) => kept.iter_mut().zip(command.bytes()).for_each(|(slot, byte)| *slot = byte),
+            Some(kept) => {
+                kept.iter_mut().zip(command.bytes()).for_each(|(slot, byte)| *slot = byte);
+                // The last plan left its marks there.
+                self.planner.release_marks();
+            }
             None => language.hear_into(command, &mut self.sentence)?,
         }
         if if is_kept { !has_pieces(command) } else { self.sentence.is_empty() } {

@@ -470,6 +470,26 @@ fn a_new_word_is_compared_with_few_known_words_at_a_time_and_means_the_same() {
 }
 
 #[test]
+fn plans_are_the_same_whatever_was_said_since_the_last_one() {
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    let plans_after = |commands: &[String]| {
+        let mut agent = new();
+        for command in commands {
+            agent.hear(&home, &state, command).unwrap();
+            assert_eq!(agent.plan(&home, &state, u32::MAX).unwrap(), Progress::Done);
+        }
+        let plan = agent.planned();
+        (0..agent.tasks().len()).map(|task| (plan.optimal(task), plan.distance(task))).collect::<Vec<_>>()
+    };
+    let once = plans_after(&["go".to_owned()]);
+    // A command is kept in the memory of plans while it is heard.
+    for words in [1, 20, 60] {
+        assert_eq!(plans_after(&["go".to_owned(), "abcdefg ".repeat(words)]), once, "{words} words");
+    }
+}
+
+#[test]
 fn a_command_that_is_too_long_is_told_while_it_is_heard_in_parts() {
     let mut homes = HeapMemory::new(&Capacities::SMALL);
     let (home, state) = home(&mut homes.home, ["green", "blue", "red"], None, [0, 1, 2]);
