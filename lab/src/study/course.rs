@@ -8,8 +8,8 @@ use goodbot_course::layout::{BlockPlan, solvable::is_solvable};
 use goodbot_course::{CourseError, HomeName, Homes, Intention, LESSONS, Layout, TESTS, generator};
 use rand_pcg::Pcg32;
 
-/// Every home fits into a controller's memory.
-pub const CAPACITIES: Capacities = Capacities::SMALL;
+/// A controller's memory, but with room for every state of its largest home: all agents are compared by exact plans.
+pub const CAPACITIES: Capacities = Capacities { states: 64 * 64 * 64, ..Capacities::SMALL };
 
 /// A command with its intended task, in a home.
 #[derive(Clone, Debug, PartialEq)]
