@@ -12,6 +12,7 @@ use crate::language::{LanguageMut, LanguageRef, Model, Pair};
 use crate::memory::AgentMemory;
 use crate::session::Agent;
 use crate::symbols::Symbol;
+use crate::task::constraint::sort;
 use crate::task::role::is_marker;
 use heapless::Vec;
 
@@ -62,7 +63,8 @@ impl LanguageRef<'_> {
     pub(super) fn put_in_order(self, description: &mut [Symbol]) {
         if self.settings().model == Model::Roles {
             // The proposition comes before the groups.
-            description.get_mut(1..).unwrap_or_default().split_mut(|&symbol| is_marker(symbol)).for_each(<[Symbol]>::sort_unstable);
+            let groups = description.get_mut(1..).unwrap_or_default().split_mut(|&symbol| is_marker(symbol));
+            groups.for_each(|values| sort(values, |&value| value));
         }
     }
 }

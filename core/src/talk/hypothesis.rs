@@ -130,7 +130,9 @@ impl Weighed {
         let whole = total(self.0.iter().map(|(_, weight)| *weight));
         let mut shares = Shares::new();
         // Not collected: that could panic, for all that the compiler knows.
-        self.0.iter().for_each(|&(hypothesis, weight)| drop(shares.push((hypothesis, weight.over(whole)))));
+        self.0.iter().for_each(|&(hypothesis, weight)| {
+            shares.push((hypothesis, weight.over(whole))).ok();
+        });
         let command = shares.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |&(_, share)| share);
         (shares, command)
     }

@@ -45,11 +45,11 @@ pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &Grounde
     Ok(facts)
 }
 
-/// Sorts facts by insertion: they are few, and the library's sort can panic and is larger than the rest of this module.
-pub(super) fn sort<K: Ord>(facts: &mut Facts, key: impl Fn(&Fact) -> K) {
-    for unsorted in 1..facts.len() {
+/// Sorts a few entries by insertion: the library's sort can panic and is larger than the rest of this module.
+pub(crate) fn sort<T, K: Ord>(entries: &mut [T], key: impl Fn(&T) -> K) {
+    for unsorted in 1..entries.len() {
         for earlier in (0..unsorted).rev() {
-            let Some([before, after]) = facts.get_mut(earlier..=earlier + 1) else { break };
+            let Some([before, after]) = entries.get_mut(earlier..=earlier + 1) else { break };
             if key(before) <= key(after) {
                 break;
             }
