@@ -144,8 +144,7 @@ impl LanguageMut<'_> {
             }
             let symbol =
                 |&token: &u16| marker(token).or_else(|| language.tokens().find(texts.tokens.get(usize::from(token)).unwrap_or("")));
-            let mut command: Vec<Symbol, TOKENS_PER_COMMAND> = record.iter().map_while(symbol).collect();
-            let mut own: Vec<Symbol, TOKENS_PER_COMMAND> = own.iter().copied().take(TOKENS_PER_COMMAND).collect();
+            let (mut command, mut own) = (listed(record.iter().map_while(symbol)), listed(own.iter().copied()));
             language.put_in_order(&mut command);
             language.put_in_order(&mut own);
             command == own
@@ -189,6 +188,15 @@ impl LanguageMut<'_> {
         self.read().put_in_order(&mut command);
         Ok(command)
     }
+}
+
+/// The symbols of a machine command. Collecting them could panic, for all that the compiler knows.
+fn listed(symbols: impl Iterator<Item = Symbol>) -> Vec<Symbol, TOKENS_PER_COMMAND> {
+    let mut list = Vec::new();
+    for symbol in symbols.take(TOKENS_PER_COMMAND) {
+        let _ = list.push(symbol);
+    }
+    list
 }
 
 /// The words, machine tokens and machine commands of a file.
