@@ -132,6 +132,7 @@ test('the class view fits on the screen, whatever its size', async () => {
   await page.evaluate(() => document.querySelector('[data-mode=play]').click());
   await page.fill('#command', 'go there');
   await page.keyboard.press('Enter');
+  await page.getByText('Go on without an answer').click();
   await page.getByText('Good or Bad?').waitFor();
   await still(page);
   const { finish, plan } = (await seen(page, ['finish', 'plan'])).boxes;

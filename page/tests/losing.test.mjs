@@ -115,9 +115,9 @@ test('a home that is too large is refused in plain words, `null` is no drawing, 
   const room = (at, size = 4) => ({ class: 'room', name: 'room' + at, left: size * at, bottom: 0, right: size * at + size, top: size, color: 'red' });
   const agent = { class: 'agent', name: 'agent0', x: 1, y: 1 };
   const home = (...objects) => JSON.stringify({ version: 1, objects });
-  await refuse(home(...Array.from({ length: 40 }, (_, at) => room(at)), agent), /too many objects.*at most \d+/);
+  await refuse(home(...Array.from({ length: 100 }, (_, at) => room(at, 2)), agent), /too many objects.*at most \d+/);
   await refuse(home(room(0, 60), agent), /floor is too large: it has at most \d+ cells/);
-  const blocks = Array.from({ length: 12 }, (_, at) => ({ class: 'block', name: 'block' + at, x: 1 + at % 7, y: 3 + Math.floor(at / 7), color: 'red', shape: 'bag' }));
+  const blocks = Array.from({ length: 30 }, (_, at) => ({ class: 'block', name: 'block' + at, x: 1 + at % 7, y: 2 + Math.floor(at / 7), color: 'red', shape: 'bag' }));
   await refuse(home(room(0, 8), ...blocks, agent), /too many things: there are at most \d+/);
   for (const text of ['null', '[1, 2]', '"home"', '7']) await refuse(text, /no home: something in it/);
   await refuse('[]', /“Show as JSON” shows how it is written \(line 1: is a list; write an object\)/);
