@@ -37,10 +37,11 @@ impl<D: Place> Lesson<D> {
     /// Whether words would change something said before: "no, the other one", "put it back", "forget it". A command has more words of its
     /// own.
     fn changes_what_was_before(&self, words: &str, said: Said) -> Result<bool, AgentError> {
-        let (mut is_no, mut points, mut open) = (false, false, 0_usize);
+        let (mut is_no, mut points, mut acts, mut open) = (false, false, false, 0_usize);
         for_each_piece(words, |piece| {
             let classes = self.closed.of(piece);
             is_no |= open == 0 && classes.contains(Class::No);
+            acts |= classes.contains(Class::Act);
             points |= classes.forgets() || classes.contains_any(&[Class::Back, Class::Other]);
             // A Chinese sign counts as half a word.
             open = open.saturating_add(if classes == Classes::NONE { piece.chars().take(2).count() } else { 0 });
@@ -48,7 +49,7 @@ impl<D: Place> Lesson<D> {
         })?;
         let is_short = open <= if is_no { 4 } else { 2 };
         // "No" alone is feedback, and "no, go to the red room" is a command.
-        let is_turned = || Ok::<_, AgentError>(is_no && said == Said::Command && !self.agent.is_told_to_act(words, self.closed)?);
+        let is_turned = || Ok::<_, AgentError>(is_no && !acts && said == Said::Command && !self.agent.is_told_to_act(words, self.closed)?);
         Ok(is_short && (points || is_turned()?))
     }
 
