@@ -65,7 +65,7 @@ def test_the_command_line_and_this_package_read_each_others_models(root: Path, t
     agent.save(mine)
     home = goodbot.Home.from_json((root / "docs/examples/home.json").read_text())
     command = "take the yellow bag to the blue room"
-    agent.hear(home, home.start, command)
+    agent.listen(home, home.start, command)
     for model in (theirs, mine):
         ask = [cli, "ask", "--with", str(model), "--environment", str(root / "docs/examples/home.json"), "--json", command]
         answer = json.loads(subprocess.run(ask, check=True, capture_output=True, text=True).stdout.splitlines()[0])
