@@ -10,7 +10,7 @@ use crate::process::{shell, target_dir};
 pub struct Options {
     /// Only this target.
     target: Option<String>,
-    /// How long each target runs: all nine take 18 minutes.
+    /// How long each target runs: all eleven take 22 minutes.
     #[arg(long, default_value_t = 120)]
     seconds: u32,
 }

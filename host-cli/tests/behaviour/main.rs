@@ -13,12 +13,15 @@ mod evaluate;
 mod examples;
 mod first_hour;
 mod flat;
+#[cfg(unix)]
+mod fuzz_smoke;
 mod help;
 #[cfg(unix)]
 mod hostile_texts;
 #[cfg(unix)]
 mod hostile_worlds;
 mod kept_kinds;
+mod kills;
 mod language;
 mod long_commands;
 mod merge;

@@ -8,9 +8,12 @@ mod budgets;
 mod bytes;
 mod calls;
 mod capi;
+mod commands;
 mod environment;
+mod made;
 mod model;
 mod session;
+mod tables;
 mod tokenizer;
 
 pub use belief::belief;
@@ -19,9 +22,12 @@ pub use budgets::budgets;
 pub use bytes::Bytes;
 pub use calls::calls;
 pub use capi::capi;
+pub use commands::{COMMANDS, PICTURES, Place, Program, Run, TRIES, assert_harmless, commands};
 pub use environment::environment;
+pub use made::{corpus, made};
 pub use model::{model, sign};
 pub use session::session;
+pub use tables::{Harmless, named, read_by_c, table, tables, world};
 pub use tokenizer::tokenizer;
 
 use goodbot::Agent;
@@ -42,6 +48,12 @@ pub const TARGETS: [Target; 9] = [
     ("belief", belief),
     ("bounds", bounds),
 ];
+
+/// A fuzz target that needs the command line, which this crate does not depend on.
+pub type TargetWithProgram = (&'static str, fn(&[u8], &Program<'_>));
+
+/// All fuzz targets that need the command line.
+pub const TARGETS_WITH_PROGRAM: [TargetWithProgram; 2] = [("commands", commands), ("tables", tables)];
 
 /// Asserts that every belief and parameter of an agent is a probability, and that the posterior sums to 1.
 fn assert_sound(agent: &Agent<impl AgentMemory>) {

@@ -3,15 +3,7 @@
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-/// The result of a run.
-pub struct Run {
-    /// The exit code. A program that panicked or was killed has a code other than 0, 1 and 2.
-    pub code: i32,
-    /// Standard output.
-    pub output: String,
-    /// Standard error.
-    pub messages: String,
-}
+pub use goodbot_tests::hostile::Run;
 
 /// Runs the program with `input` as its standard input.
 pub fn goodbot(arguments: &[&str], input: &[u8]) -> Run {
