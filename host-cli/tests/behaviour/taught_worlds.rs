@@ -3,8 +3,8 @@
 use crate::program::goodbot;
 use crate::robot::{Robot, is_right};
 use goodbot::snapshot::Contents;
-use serde_json::Value;
-use std::collections::BTreeMap;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A command, and its task.
@@ -92,7 +92,7 @@ fn taught(folder: &Path, course: &Course) -> (PathBuf, Vec<Value>) {
     (model, answers)
 }
 
-fn json(run: &crate::program::Run) -> Vec<Value> {
+fn lines_of(run: &crate::program::Run) -> Vec<Value> {
     assert_eq!(run.code, 0, "{}", run.messages);
     run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
 }
@@ -105,7 +105,7 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
         let (log, world) = (model.with_extension("jsonl"), world_file(course.world));
         let [model, log] = [&model, &log].map(|path| path.to_str().expect("UTF-8"));
         let (command, meant) = course.asked;
-        let asked = json(&goodbot(&["ask", "--with", model, "--environment", &world, "--json", command], b""));
+        let asked = lines_of(&goodbot(&["ask", "--with", model, "--environment", &world, "--json", command], b""));
         assert_eq!(asked[0]["task"].as_str(), Some(meant), "{}: {}", course.world, asked[0]);
         let checked = goodbot(&["check", log], b"");
         let count = course.lessons.len();
@@ -119,22 +119,22 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
         let anew = folder.path().join("anew.goodbot");
         let anew = anew.to_str().expect("UTF-8");
         assert_eq!(goodbot(&["learn", log, "--out", anew], b"").code, 0);
-        let evaluated = json(&goodbot(&["evaluate", "--with", anew, "--test", log, "--json"], b""));
+        let evaluated = lines_of(&goodbot(&["evaluate", "--with", anew, "--test", log, "--json"], b""));
         assert_eq!(evaluated.last().expect("a summary")["right"].as_u64(), Some(count as u64), "{}", course.world);
         // What it learned is shown, compared, merged, and left out again; the model stays one for this world.
-        assert_eq!(json(&goodbot(&["inspect", model, "--sessions", "--json"], b"")).len(), count);
+        assert_eq!(lines_of(&goodbot(&["inspect", model, "--sessions", "--json"], b"")).len(), count);
         let [less, both] = ["less.goodbot", "both.goodbot"].map(|name| folder.path().join(name).to_str().expect("UTF-8").to_owned());
         assert_eq!(goodbot(&["unlearn", model, "1", "--out", &less], b"").code, 0);
-        let gone = json(&goodbot(&["diff", model, &less, "--json"], b""));
+        let gone = lines_of(&goodbot(&["diff", model, &less, "--json"], b""));
         assert_eq!(gone.iter().filter(|line| line["type"] == "session gone").count(), 1, "{gone:?}");
         assert_eq!(goodbot(&["merge", &less, model, "--out", &both], b"").code, 0);
         let vocabulary = |file: &str| Contents::read(&std::fs::read(file).expect("a model")).expect("a model").vocabulary;
         assert_eq!([&less, &both].map(|file| vocabulary(file)), [vocabulary(model); 2], "{}", course.world);
         for file in [&less, &both] {
-            let asked = json(&goodbot(&["ask", "--with", file, "--environment", &world, "--json", command], b""));
+            let asked = lines_of(&goodbot(&["ask", "--with", file, "--environment", &world, "--json", command], b""));
             assert!(asked[0]["verdict"].is_string(), "{}", course.world);
         }
-        let first = json(&goodbot(&["inspect", &less, "--sessions", "--json"], b""));
+        let first = lines_of(&goodbot(&["inspect", &less, "--sessions", "--json"], b""));
         assert_eq!(first.len(), count - 1);
     }
 }
@@ -189,7 +189,7 @@ fn a_replay_believes_to_the_bit_what_the_live_session_believed() {
         let (model, answers) = taught(folder.path(), course);
         let log = model.with_extension("jsonl");
         let log = log.to_str().expect("UTF-8");
-        let replayed = json(&goodbot(&["replay", "--json", "--every-session", "--believes", "population", log], b""));
+        let replayed = lines_of(&goodbot(&["replay", "--json", "--every-session", "--believes", "population", log], b""));
         let replayed: Vec<Value> = replayed.into_iter().filter(|line| line["type"] != "summary").collect();
         let live = answers.iter().map(|answer| {
             let tasks = answer["tasks"].as_array().expect("tasks").iter();
@@ -319,7 +319,7 @@ fn what_was_learned_in_a_home_is_understood_in_another_world_with_the_same_words
     let world = world.to_str().expect("UTF-8");
     teach(&[file.to_str().expect("UTF-8"), "--model", model], &lessons);
     for (words, lamp) in [("the blue one", "lampOn(lamp1)"), ("the green one", "lampOn(lamp3)")] {
-        let asked = json(&goodbot(&["ask", "--with", model, "--environment", world, "--json", words], b""));
+        let asked = lines_of(&goodbot(&["ask", "--with", model, "--environment", world, "--json", words], b""));
         assert_eq!(asked[0]["task"].as_str(), Some(lamp), "{words}: {}", asked[0]);
     }
     // It continues to learn there, with its learned words.
@@ -369,4 +369,36 @@ fn a_robot_of_a_world_listens_after_twenty_lessons_and_its_log_says_so() {
             run.messages
         );
     }
+}
+
+#[test]
+fn a_task_whose_variables_are_interchangeable_is_one_task_that_can_be_believed_in() {
+    let jobs = ["sweep", "mop", "dust", "iron", "cook"];
+    let objects: Vec<Value> = jobs.iter().map(|job| json!({"name": job, "class": "job"})).collect();
+    let actions: Vec<Value> =
+        jobs.iter().map(|job| json!({"name": format!("do-{job}"), "conditions": [], "effects": [format!("done({job})")]})).collect();
+    let world = json!({
+        "type": "world", "name": "chores", "classes": ["job"], "attributes": {}, "propositions": {"done": ["job"]},
+        "objects": objects, "facts": [], "actions": actions, "task_kinds": ["done(?a) & done(?b)"]
+    });
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("chores.json");
+    std::fs::write(&file, world.to_string()).expect("a file");
+    let checked = goodbot(&["check", file.to_str().expect("UTF-8")], b"");
+    assert!(checked.output.contains("10 tasks"), "{}{}", checked.output, checked.messages);
+    let mut robot = Robot::new(&[file.to_str().expect("UTF-8"), "--seed", "1"]);
+    robot.one("command sweep and mop");
+    let (mut done, mut belief) = (BTreeSet::new(), Value::Null);
+    while done.len() < 2 {
+        let step = robot.one("step");
+        let action = step["action"].as_str().expect("an action").to_owned();
+        let right = ["do-sweep", "do-mop"].contains(&action.as_str());
+        belief = robot.one(if right { "good" } else { "bad" });
+        if right {
+            done.insert(action);
+        }
+    }
+    let first = &belief["tasks"][0];
+    assert_eq!(first["task"], "done(sweep) & done(mop)", "{belief}");
+    assert!(first["probability"].as_f64().is_some_and(|probability| probability > 0.9), "{belief}");
 }
