@@ -24,6 +24,7 @@ mod long_commands;
 mod merge;
 mod microbit;
 mod models_apart;
+mod moving_picture;
 mod nothing_lost;
 mod one_door;
 mod one_lesson;
