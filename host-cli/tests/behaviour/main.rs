@@ -44,4 +44,5 @@ mod teach_screen;
 mod trainers_and_questions;
 mod two_teachers;
 mod ways;
+mod what_people_say;
 mod worlds;

@@ -11,8 +11,8 @@ use crate::program::goodbot;
 
 const DOCS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs");
 /// Pixels of a cell, and the upper left corner of a home.
-const CELL: f64 = 30.0;
-const CORNER: (f64, f64) = (24.0, 24.0);
+const CELL: f64 = 26.0;
+const CORNER: (f64, f64) = (24.0, 42.0);
 /// The left edge of the words, and of the bars with their longest length.
 const WORDS_AT: f64 = 330.0;
 const BARS_AT: f64 = 520.0;
@@ -148,8 +148,10 @@ fn run() -> (Vec<Home>, Vec<Moment>) {
     let answer: Value = serde_json::from_str(&answer.output).expect("one line of JSON");
     assert_eq!(answer["verdict"], "sure");
     let meanings = answer["meanings"].as_array().expect("meanings");
-    let names =
-        meanings.iter().map(|meaning| meaning["words"].as_str().expect("words").replace("the yellow", "the").replace(" room", "")).collect();
+    let names = meanings
+        .iter()
+        .map(|meaning| meaning["words"].as_str().expect("words").replace("the yellow", "the").replace("to the", "to").replace(" room", ""))
+        .collect();
     let environment = serde_json::from_str(&fs::read_to_string(home).expect("a home")).expect("JSON");
     let second = Home::of(&environment, names);
     now = Moment {
@@ -160,7 +162,7 @@ fn run() -> (Vec<Home>, Vec<Moment>) {
         belief: meanings.iter().map(|meaning| meaning["probability"].as_f64().expect("a probability")).collect(),
         command: command.into(),
         word: "",
-        remark: "No lesson had this command, and none was here. It understands.".into(),
+        remark: "No lesson had this command, but it understands.".into(),
     };
     moments.push(now.clone());
     for action in answer["plan"].as_array().expect("a plan") {
@@ -205,7 +207,11 @@ impl Picture {
             .map(|moment| (self.starts[moment], format!("opacity:{}", u8::from(is_there[moment]))))
             .collect();
         let last = u8::from(*is_there.last().expect("a moment"));
-        if frames.len() == 1 { format!(r#"opacity="{last}""#) } else { format!(r#"class="{}" opacity="{last}""#, self.track(&frames, "step-end")) }
+        if frames.len() == 1 {
+            format!(r#"opacity="{last}""#)
+        } else {
+            format!(r#"class="{}" opacity="{last}""#, self.track(&frames, "step-end"))
+        }
     }
 
     /// The attributes of an element with a transformation in each moment, into which it glides.
@@ -286,15 +292,15 @@ fn draw(homes: &[Home], moments: &[Moment]) -> String {
         };
         let moved = picture.moved(&places(|moment| moment.block));
         let shape = if block["shape"] == "chair" {
-            r#"<path d="M8 5h4v10h11v10h-4v-6h-7v6h-4z"/>"#
+            r#"<path d="M6 3h4v10h11v10h-4v-6h-7v6h-4z"/>"#
         } else {
-            r#"<path d="M6 12h18l-2 13h-14zM11 12a4 5 0 0 1 8 0h-2a2 3 0 0 0-4 0z"/>"#
+            r#"<path d="M4 10h18l-2 13h-14zM9 10a4 5 0 0 1 8 0h-2a2 3 0 0 0-4 0z"/>"#
         };
         writeln!(picture.body, r#"<g {moved} fill="{}">{shape}</g>"#, ink(&block["color"])).expect("a text");
         let moved = picture.moved(&places(|moment| moment.robot));
         writeln!(
             picture.body,
-            r##"<g {moved}><rect x="5" y="7" width="20" height="18" rx="5" fill="#222"/><circle cx="11" cy="15" r="2.6" fill="#fff"/><circle cx="19" cy="15" r="2.6" fill="#fff"/><path d="M15 7V3" stroke="#222" stroke-width="2"/></g>"##
+            r##"<g {moved}><rect x="3" y="5" width="20" height="18" rx="5" fill="#222"/><circle cx="9" cy="13" r="2.6" fill="#fff"/><circle cx="17" cy="13" r="2.6" fill="#fff"/><path d="M13 5V1" stroke="#222" stroke-width="2"/></g>"##
         )
         .expect("a text");
         for (row, task) in home.tasks.iter().enumerate() {
@@ -335,8 +341,11 @@ fn draw(homes: &[Home], moments: &[Moment]) -> String {
     let between: Vec<bool> = begun.iter().map(|is_home| !is_home).collect();
     let others = &moments.iter().find(|moment| moment.home.is_none()).expect("a moment between").command;
     let seen = picture.seen(&between);
-    write!(picture.body, r##"<g {seen} text-anchor="middle" fill="#222"><text x="400" y="110" fill="#777">three more lessons like this</text>"##)
-        .expect("a text");
+    write!(
+        picture.body,
+        r##"<g {seen} text-anchor="middle" fill="#222"><text x="400" y="110" fill="#777">three more lessons like this</text>"##
+    )
+    .expect("a text");
     for (row, other) in others.lines().enumerate() {
         write!(picture.body, r#"<text x="400" y="{}" font-size="20">“{other}”</text>"#, 150 + 32 * row).expect("a text");
     }
