@@ -33,6 +33,8 @@ mod parameters;
 mod replay;
 mod robot;
 mod size;
+#[cfg(unix)]
+mod snippets;
 mod starter;
 mod study;
 mod table;
