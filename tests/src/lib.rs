@@ -14,6 +14,11 @@ pub mod sweep;
 pub mod turning_robot;
 pub mod without_grid;
 
+/// The README's lesson.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+pub struct Readme;
+
 /// The recipes for Rust.
 #[cfg(doctest)]
 #[doc = include_str!("../../docs/cookbook.md")]

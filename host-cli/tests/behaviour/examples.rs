@@ -1,8 +1,7 @@
-//! The examples of the README, with the files of `docs/examples`.
+//! The examples of the documents, with the files of `docs/examples`.
 
 use crate::program;
 
-use goodbot_formats::posterior::PosteriorLine;
 use program::goodbot;
 use std::path::Path;
 
@@ -15,17 +14,6 @@ fn example(name: &str) -> String {
 fn the_examples_have_no_fault() {
     let run = goodbot(&["check", &example("home.json"), &example("sessions.jsonl")], b"");
     assert_eq!(run.code, 0, "{}", run.messages);
-}
-
-#[test]
-fn the_robot_believes_what_the_readme_draws_after_three_steps() {
-    let run = goodbot(&["replay", "--json", &example("sessions.jsonl")], b"");
-    let line = run.output.lines().nth(3).expect("a belief after three steps");
-    let belief = PosteriorLine::parse(line, 4).expect("a belief");
-    for (task, drawn) in [("blockInRoom(block0,room1)", 0.99), ("agentInRoom(agent0,room1)", 0.01), ("blockInRoom(block0,room2)", 0.0)] {
-        let (_, probability) = belief.tasks.iter().find(|(name, _)| name.to_string() == task).expect("the task");
-        assert!((*probability - drawn).abs() < 0.006, "{task}: {probability}");
-    }
 }
 
 /// The rows of docs/how-it-works.md: the probability of four tasks after each word.
