@@ -83,7 +83,7 @@ fn ten_times_as_many_tasks_take_about_ten_times_as_long_to_hear_and_to_learn_amo
     }
 }
 
-/// The table of docs/performance.md.
+/// The table of docs/appendix/performance.md.
 #[test]
 #[ignore = "a measurement"]
 fn the_cost_of_up_to_ten_thousand_tasks() {

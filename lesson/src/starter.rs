@@ -205,7 +205,7 @@ mod tests {
 
     #[test]
     fn the_model_card_tells_how_many_sessions_each_starter_has() {
-        let card = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/model-card.md")).unwrap();
+        let card = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/appendix/model-card.md")).unwrap();
         let both = LiftedTask::parse("agentInRoom(?a,?r1) & blockInRoom(?o,?r2)", &SCHEMA).unwrap();
         let [paper, all] = [vec![], vec![both]].map(|more| [&paper_tasks().unwrap()[..], &more].concat());
         let counts = |lifted: &[LiftedTask]| LANGUAGES.map(|language| sentences(language, lifted).len());

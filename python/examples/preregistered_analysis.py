@@ -1,4 +1,4 @@
-"""The analysis of a study with people, written before the data: see docs/preregistration.md.
+"""The analysis of a study with people, written before the data: see docs/appendix/preregistration.md.
 
     python preregistered_analysis.py --simulate 40 data      simulated people, to try the analysis
     python preregistered_analysis.py data                    the analysis

@@ -1,4 +1,4 @@
-//! The crates that the project depends on. docs/dependencies.md must give the reason for each.
+//! The crates that the project depends on. docs/appendix/dependencies.md must give the reason for each.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,13 +38,13 @@ mod tests {
 
     #[test]
     fn each_direct_dependency_has_its_reason_and_no_reason_is_left_over() {
-        let document = std::fs::read_to_string(root().join("docs/dependencies.md")).unwrap();
+        let document = std::fs::read_to_string(root().join("docs/appendix/dependencies.md")).unwrap();
         let row = |line: &str| line.strip_prefix("| `")?.split_once('`').map(|(name, _)| name.to_owned());
         let explained: BTreeSet<String> = document.lines().filter_map(row).collect();
         let direct = direct().unwrap();
         let unexplained: Vec<_> = direct.iter().filter(|(name, _)| !explained.contains(*name)).collect();
-        assert!(unexplained.is_empty(), "say in docs/dependencies.md why they are there: {unexplained:?}");
+        assert!(unexplained.is_empty(), "say in docs/appendix/dependencies.md why they are there: {unexplained:?}");
         let left: Vec<_> = explained.iter().filter(|name| !direct.contains_key(*name)).collect();
-        assert!(left.is_empty(), "no crate depends on them, so take them out of docs/dependencies.md: {left:?}");
+        assert!(left.is_empty(), "no crate depends on them, so take them out of docs/appendix/dependencies.md: {left:?}");
     }
 }

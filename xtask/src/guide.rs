@@ -75,9 +75,10 @@ pub fn follow() -> Result<()> {
     let folder = sh.create_temp_dir()?;
     let folder = folder.path();
 
-    let in_c = Part::of(&page, "\n## In C\n", "\n### A robot of your own\n", folder)?;
+    // On this machine, and below on the emulated board.
+    let in_c = Part::of(&page, "\n## In C\n", "\n## In Rust\n", folder)?;
     unpacked_c(&sh, None, &folder.join("goodbot"))?;
-    in_c.write(&sh, "c", "robot.c")?;
+    in_c.write(&sh, "c", "trolley.c")?;
     in_c.try_out(&sh, "gcc")?;
 
     let recipe = Part { text: &sh.read_file(COOKBOOK)?, folder: folder.to_owned() };
@@ -88,15 +89,11 @@ pub fn follow() -> Result<()> {
     let said = cmd!(sh, "{built}").read()?;
     ensure!(said == "1 session came back", "{COOKBOOK} keeps no session in flash: {said}");
 
-    // On this machine, and on the emulated board.
-    let own_robot = Part::of(&page, "\n### A robot of your own\n", "\n## In Rust\n", folder)?;
-    own_robot.write(&sh, "c", "trolley.c")?;
-    own_robot.try_out(&sh, "gcc")?;
     unpacked_c(&sh, Some(CORTEX_M4F), &folder.join("board"))?;
     let (arm_gcc, qemu, path) = (ARM_GCC.path()?, QEMU.path()?, std::env::var_os("PATH").unwrap_or_default());
     let found = [&arm_gcc, &qemu].into_iter().filter_map(|program| program.parent()).map(Path::to_owned);
     sh.set_var("PATH", std::env::join_paths(found.chain(std::env::split_paths(&path)))?);
-    own_robot.try_out(&sh, "arm-none-eabi-gcc")?;
+    in_c.try_out(&sh, "arm-none-eabi-gcc")?;
 
     let mut in_rust = Part::of(&page, "\n## In Rust\n", "\n## What is promised\n", &sh.create_dir(folder.join("rust"))?)?;
     in_rust.run(&sh, "cargo new")?;

@@ -2,7 +2,7 @@
 //!
 //! [`Agent::save`](crate::Agent::save) writes all that the robot has learned. [`Agent::restore`](crate::Agent::restore) reads it back and
 //! begins training on it: the restored robot then has the same parameters, to the last bit, as one that was never switched off. The file
-//! holds the training data instead of the parameters, so learning continues as if it had never stopped. `docs/format.md` describes every
+//! holds the training data instead of the parameters, so learning continues as if it had never stopped. `docs/files.md` describes every
 //! byte.
 //!
 //! - `checking`: checks a file record by record;

@@ -1,5 +1,5 @@
 //! A robot on a BBC micro:bit, of either version. Its home is on the lights; button B is good, A is bad, both are the end of a lesson, and a
-//! long press chooses the next command. `docs/microbit.md` tells what people see.
+//! long press chooses the next command. `docs/robot.md` tells what people see.
 //!
 //! It is the code of V1, a Cortex-M0 with 16 KiB of RAM, which a Cortex-M4 as of V2 runs too.
 //!

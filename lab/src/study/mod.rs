@@ -76,7 +76,7 @@ use summary::Column;
 const EXAMPLES: &str = "\
 An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
 model does. goodbot, people, asking and paper are goodbot as it is used; they run only where they are named. Those whose \
-language is a program of yours run with --program; docs/study.md says what it reads and answers. The courses free \
+language is a program of yours run with --program; docs/appendix/study.md says what it reads and answers. The courses free \
 and told are taught by balanced, population, mute, contrary and shuffled only.
 
 Every agent meets the same homes and the same trainers: the same seed gives the same lines, whatever the number \

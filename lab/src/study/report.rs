@@ -55,11 +55,12 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     }
     let mut text = format!(
         "# Comparison with other agents\n\n\
-         This page compares goodbot with other learners, for researchers. An *inference* finds the task that a command means, and a \
-         *language* learns words from it. Up to {} kinds of trainers teach every pair of both, in {} courses. Each number covers {} seeds \
-         ({first} to {last}); each seed has its own homes and trainers, the same for all agents.{fewer} Intervals are 95 %.\n\n\
+         Do people's words teach goodbot more than they teach other learners? An agent here has two parts: an *inference* finds the task \
+         that a command means, and a *language* learns words from it. So `tamer+roles` is TAMER with goodbot's role model. Up to {} kinds \
+         of simulated trainers teach every pair, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of its \
+         95 % interval; a seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
          `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work; `--merge` joins their parts to the same bytes.\n\n",
+         share the work, and `--merge` joins their parts to the same bytes.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
@@ -69,8 +70,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &format!(
         "## Limitations\n\
          - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
-         with four commands only. A simulated trainer never tires or changes its mind. For a study with people see [the \
-         page](page.md#a-study-in-a-class).\n\
+         with four commands only. A simulated trainer never tires or changes its mind. The trainer page has [what a study with people \
+         needs](../teach.md).\n\
          - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
          language's probabilities, and have goodbot's exact planner.\n\
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
@@ -83,8 +84,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     for course in &plan.courses {
         text += &format!("| `{}` | {} |\n", course.name(), course.is());
     }
-    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room. So the \
-             same nine tasks are possible each time.\n\n\
+    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room, so that \
+             the same nine tasks are possible each time.\n\n\
              | agent | description | settings |\n|---|---|---|\n";
     for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
         text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
@@ -102,7 +103,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     );
     text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
              each of the `tasks`; it alone is answered, by one list of log likelihoods. `learn` also has `beliefs`. \
-             [gru.py](../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
+             [gru.py](../../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
     let mut told: Vec<&str> = Vec::new();
     for agent in &plan.agents {
         let Learns::Factors(inference, _) = agent.learns else { continue };

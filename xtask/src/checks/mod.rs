@@ -26,7 +26,7 @@ impl Step {
             Self::Workflows => (|_| work::workflows(), "mend the lines of .github/workflows that are named"),
             Self::Trust => (
                 |_| work::trust(),
-                "deny.toml says what is allowed, docs/dependencies.md why; `cargo xtask api` writes the interface again",
+                "deny.toml says what is allowed, docs/appendix/dependencies.md why; `cargo xtask api` writes the interface again",
             ),
             Self::Clippy => {
                 (|_| work::clippy(), "mend the code that clippy names; where clippy is wrong, write `#[expect(…, reason = \"…\")]`")

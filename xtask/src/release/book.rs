@@ -1,6 +1,6 @@
 //! The documents as web pages, by mdBook.
 
-use std::path::Path;
+use std::path::{Component, Path};
 
 use anyhow::Result;
 use xshell::{Shell, cmd};
@@ -24,12 +24,13 @@ pub fn make(sh: &Shell, texts: &Texts, to: &Path) -> Result<()> {
     for file in files(sh, &docs)? {
         let place = copy.join(file.strip_prefix(&docs)?);
         if file.extension().is_some_and(|end| end == "md") {
-            sh.write_file(place, within(&sh.read_file(&file)?))?;
+            let folder = file.strip_prefix(&docs)?.parent().unwrap_or(Path::new(""));
+            sh.write_file(place, within(&sh.read_file(&file)?, folder))?;
         } else {
             sh.write_file(place, sh.read_binary_file(&file)?)?;
         }
     }
-    sh.write_file(copy.join("README.md"), within(&sh.read_file("README.md")?.replace("](docs/", "](")))?;
+    sh.write_file(copy.join("README.md"), within(&sh.read_file("README.md")?.replace("](docs/", "]("), Path::new("")))?;
     if let Err(error) = picture(sh, texts, &above.path().join("npm"), &copy.join(PICTURE)) {
         let missing = error.downcast::<Missing>()?;
         eprintln!("remark: the belief in the guide does not move, for lack of {missing}");
@@ -51,16 +52,14 @@ fn picture(sh: &Shell, texts: &Texts, folder: &Path, to: &Path) -> Result<()> {
     Ok(cmd!(sh, "{esbuild} wasm/guide/belief.mjs {options...} --alias:goodbot={folder}/index.js --outfile={to}").run()?)
 }
 
-/// A document whose links lead to pages of the book alone: of another link the text stays.
-fn within(document: &str) -> String {
+/// A document of this folder of the book, whose links lead to files of the book alone: of another link the text stays.
+fn within(document: &str, folder: &Path) -> String {
     let mut kept = String::new();
     let mut rest = document;
     while let Some((before, after)) = rest.split_once("](") {
         let (target, behind) = after.split_once(')').unwrap_or((after, ""));
         let is_file = !target.contains("://") && !target.starts_with('#');
-        let path = target.split('#').next().unwrap_or_default();
-        let leaves =
-            is_file && (path.starts_with("../") || !(path.contains('.') && root().join(DOCS).join(path).exists()) && path != "README.md");
+        let leaves = is_file && !is_in_book(folder, target.split('#').next().unwrap_or_default());
         match before.rfind('[').filter(|_| leaves && !before.ends_with(']')) {
             Some(bracket) => kept += &[&before[..bracket], &before[bracket + 1..]].concat(),
             None => kept += &[before, "](", target, ")"].concat(),
@@ -68,6 +67,19 @@ fn within(document: &str) -> String {
         rest = behind;
     }
     kept + rest
+}
+
+/// Whether a link's path, from a folder of the book, leads to one of its files. Its first page is above the folder of the others.
+fn is_in_book(folder: &Path, path: &str) -> bool {
+    let mut place = folder.to_owned();
+    for part in Path::new(path).components() {
+        match part {
+            Component::ParentDir if !place.pop() => return false,
+            Component::ParentDir => {}
+            part => place.push(part),
+        }
+    }
+    place == Path::new("README.md") || root().join(DOCS).join(place).is_file()
 }
 
 #[cfg(test)]
@@ -128,7 +140,8 @@ mod tests {
         let contents = sh.read_file(Path::new(DOCS).join("SUMMARY.md")).unwrap();
         let named: Vec<_> = links(&contents).filter(|name| *name != "README.md").collect();
         let there: BTreeSet<_> = documents().into_iter().filter_map(|(name, _)| name.strip_prefix("docs/").map(str::to_owned)).collect();
-        let there: BTreeSet<_> = there.iter().map(String::as_str).filter(|name| !name.contains('/') && *name != "SUMMARY.md").collect();
+        let there: BTreeSet<_> =
+            there.iter().map(String::as_str).filter(|name| !name.starts_with("examples/") && *name != "SUMMARY.md").collect();
         assert_eq!(named.len(), there.len());
         assert_eq!(named.into_iter().collect::<BTreeSet<_>>(), there);
     }
@@ -136,9 +149,21 @@ mod tests {
     #[test]
     fn links_out_of_the_book_become_text() {
         assert_eq!(
-            within("See [files](files.md#a-home), [code](../core) and [a folder](examples)."),
+            within("See [files](files.md#a-home), [code](../core) and [a folder](examples).", Path::new("")),
             "See [files](files.md#a-home), code and a folder."
         );
-        assert_eq!(within("[us](https://a.b/c) [above](#top) ![p](page.png)"), "[us](https://a.b/c) [above](#top) ![p](page.png)");
+        let others = "[us](https://a.b/c) [above](#top) ![p](page.png)";
+        assert_eq!(within(others, Path::new("")), others);
+    }
+
+    #[test]
+    fn links_from_a_folder_of_the_book_lead_to_its_other_pages() {
+        assert_eq!(
+            within(
+                "See [files](../files.md#a-home), [the course](experiment.md), [code](../../core) and [us](../../README.md).",
+                Path::new("appendix")
+            ),
+            "See [files](../files.md#a-home), [the course](experiment.md), code and us."
+        );
     }
 }

@@ -1,7 +1,7 @@
 //! The trainers to expect: a population of strategies, fitted to the feedback of real people.
 //!
 //! The paper's agent expects one trainer, silent seven times out of ten. Real people are quieter and make more mistakes. These parameters
-//! maximise the likelihood of the words of twelve recorded workers (`goodbot fit-trainers`; `docs/trainers.md` describes the fit and its
+//! maximise the likelihood of the words of twelve recorded workers (`goodbot fit-trainers`; `docs/appendix/trainers.md` describes the fit and its
 //! accuracy).
 //!
 //! ```
