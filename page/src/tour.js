@@ -54,7 +54,7 @@ export function beginStop(auto) {
 function verdictOf(stop, session) {
   const [best] = session.heard;
   const [understood, meant] = [understands(best, stop.intended), best.name === stop.intended];
-  const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
+  const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : session.affirmed ? 'tour.arrived' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
   const guess = stop.test && state.guess ? ' ' + t((state.guess === 'yes') === understood ? 'tour.guessRight' : 'tour.guessWrong') : '';
   return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) }) + guess;
 }

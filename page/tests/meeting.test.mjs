@@ -50,6 +50,7 @@ test('a link brings a robot with its name, its words and its home, and the visit
   assert.deepEqual(await model(other), own);
   await reload(visitor);
   assert.deepEqual(await model(visitor), own);
+  await visitor.locator('#tab-robots').click();
   assert.equal(await visitor.locator('#robots li').count(), 1, 'a visitor is not kept unasked');
   await close(visitor);
   await close(page);

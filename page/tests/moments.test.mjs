@@ -15,6 +15,7 @@ test('at the goal Good is yes: the lesson ends, and the robot learns', async () 
   await page.click('#good');
   await page.getByText('Lesson 2 of 7').first().waitFor();
   assert.equal(await sessions(page), 1);
+  assert.match(await page.textContent('#verdict'), /Lesson 1: (it got there|understood at once)/);
   // The same by its key, and in free play.
   await play(page, 'A');
   await page.fill('#command', 'go to the green room');
