@@ -49,10 +49,8 @@ function unchecked(text) {
   try {
     const bytes = fromAddress(text);
     const content = bytes.slice(5);
-    if (new DataView(bytes.buffer).getUint32(1) === checksum(content)) {
-      if (bytes[0] === VERSION) return content;
-      damaged.message = t('link.newer');
-    }
+    if (bytes[0] > VERSION) damaged.message = t('link.newer');
+    else if (bytes[0] === VERSION && new DataView(bytes.buffer).getUint32(1) === checksum(content)) return content;
   } catch { /* It is damaged. */ }
   throw damaged;
 }

@@ -8,8 +8,6 @@ before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 const LESSONS = 200;
-// The longest block that people do not notice, and how much slower than this machine a cheap telephone is.
-const [MOST_BLOCKED, SLOWER] = [50, 6];
 
 // A log of this many lessons, each with a command of its own, on two of the course's tasks.
 const longLog = page => page.evaluate(count => {
@@ -26,7 +24,7 @@ const longLog = page => page.evaluate(count => {
   }).join('\n') + '\n';
 }, LESSONS);
 
-test('after two hundred lessons, what to teach next is sought where it is seen, and in steps that no slow telephone’s page feels', async () => {
+test('after two hundred lessons, what to teach next is sought where it is seen, two lessons at a time', async () => {
   const page = await open(browser);
   const log = await longLog(page);
   await opened(page, 'Settings, keeping, sharing');
@@ -48,8 +46,6 @@ test('after two hundred lessons, what to teach next is sought where it is seen, 
   for (const [lessons, wanted] of calls) assert.ok(lessons <= 2 && wanted <= 20, lessons + ' lessons for ' + wanted + ' commands at once');
   const times = calls.map(([, , time]) => time).sort((a, b) => a - b);
   console.log(calls.length + ' calls; the longest ' + times.at(-1).toFixed(1) + ' ms, half of them at most ' + times[times.length >> 1].toFixed(1) + ' ms');
-  // Other programs run beside this one: half of the calls are not held up by them.
-  assert.ok(times[times.length >> 1] * SLOWER < MOST_BLOCKED);
   await page.locator('#tab-thoughts').click();
   await page.evaluate(() => {
     window.calls = [];
