@@ -21,6 +21,9 @@ const build = {
   drag: null,
   /** @type {any} */
   frame: null,
+  // The cells that are shown.
+  /** @type {any} */
+  bounds: null,
   error: '',
   // Why an imported text is no home.
   refused: '',
@@ -53,7 +56,7 @@ export function enterBuild() {
   build.file = kept.file || structuredClone(build.shown);
   [build.past, build.future] = [kept.past || [], kept.future || []];
   build.text = JSON.stringify(build.file);
-  build.chosen = null;
+  [build.chosen, build.bounds] = [null, null];
   check();
 }
 
@@ -82,6 +85,9 @@ function keepDrawing() {
 // Why a drawing is no home, in words for people: the core's limits have the names of its tables.
 function whyNot(error) {
   const [, table = '', n] = error.match(/apacit(?:ies|y)::(\w+) is (\d+)/) || [];
+  // In the editor it is called a robot.
+  const [, where] = error.match(/^(\w+): it is in a wall or outside every room/) || [];
+  if (where) return t('build.outside', { name: build.file.objects.some(({ name, class: kind }) => name === where && kind === 'agent') ? t('build.robot') : where });
   return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error.startsWith('line ') ? t('build.malformed') + ' (' + error + ')' : error);
 }
 
@@ -105,17 +111,24 @@ function travel(from) {
   keepDrawing();
 }
 
-function boundsOf(objects) {
+/** The cells around all rooms, and those of `before`.
+ * @param {any[]} objects
+ * @param {any} before */
+function boundsOf(objects, before = null) {
   const rooms = objects.filter(object => object.class === 'room');
   const all = rooms.length ? rooms : [{ left: 0, bottom: 0, right: 8, top: 8 }];
   const side = (name, pick) => pick(...all.map(room => room[name]));
-  return { left: side('left', Math.min) - 1, bottom: side('bottom', Math.min) - 1, right: side('right', Math.max) + 1, top: side('top', Math.max) + 1 };
+  const bounds = { left: side('left', Math.min) - 1, bottom: side('bottom', Math.min) - 1, right: side('right', Math.max) + 1, top: side('top', Math.max) + 1 };
+  return before ? {
+    left: Math.min(bounds.left, before.left), bottom: Math.min(bounds.bottom, before.bottom), right: Math.max(bounds.right, before.right), top: Math.max(bounds.top, before.top),
+  } : bounds;
 }
 
 // The drawing as it is, even if it is no home.
 function draftScene() {
-  // While something is dragged, the frame stays, so that the drawing does not slide away under the pointer.
-  const bounds = build.drag ? build.frame.bounds : boundsOf(build.file.objects);
+  // The frame only grows, so that the drawing does not slide away under the pointer, nor the next stroke land elsewhere.
+  if (!build.drag) build.bounds = boundsOf(build.file.objects, build.bounds);
+  const { bounds } = build;
   const of = kind => build.file.objects.filter(object => object.class === kind);
   const [rooms, doors] = [of('room'), of('door')];
   const holds = (box, x, y) => x >= box.left && x <= box.right && y >= box.bottom && y <= box.top;
@@ -163,9 +176,10 @@ export function renderBuild() {
   }
   $('build-help').textContent = named('build.help.' + build.tool) || '';
   const closed = build.error ? [] : unreachable(scene);
-  $('build-error').textContent = build.refused ? t('build.noHome', { why: build.refused }) : build.error ? t('build.notYet', { why: build.error })
-    : closed.length ? t('build.closed', { rooms: listed(closed, 'or') }) : t('build.fine');
-  $('build-error').className = build.refused || build.error || closed.length ? 'wrong' : 'fine';
+  const missing = build.refused || !build.error ? '' : !scene.rooms.length ? t('build.noRoom') : !scene.agent ? t('build.noRobot') : '';
+  $('build-error').textContent = missing || (build.refused ? t('build.noHome', { why: build.refused }) : build.error ? t('build.notYet', { why: build.error })
+    : closed.length ? t('build.closed', { rooms: listed(closed, 'or') }) : t('build.fine'));
+  $('build-error').className = missing ? '' : build.refused || build.error || closed.length ? 'wrong' : 'fine';
   for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
   $('build-undo').disabled = !build.past.length;
   $('build-redo').disabled = !build.future.length;
@@ -339,10 +353,10 @@ export function setUpBuild() {
       if (field) field.focus();
     });
   }
-  $('clear').addEventListener('click', () => { build.file = { version: 1, objects: [] }; build.chosen = null; changed(); });
+  $('clear').addEventListener('click', () => { build.file = { version: 1, objects: [] }; [build.chosen, build.bounds] = [null, null]; changed(); });
   $('build-undo').addEventListener('click', () => travel('past'));
   $('build-redo').addEventListener('click', () => travel('future'));
-  $('take-shown').addEventListener('click', () => { build.file = structuredClone(build.shown); build.chosen = null; changed(); });
+  $('take-shown').addEventListener('click', () => { build.file = structuredClone(build.shown); [build.chosen, build.bounds] = [null, null]; changed(); });
   document.addEventListener('keydown', event => {
     if (state.mode !== 'build' || !(event.ctrlKey || event.metaKey) || /** @type {Element} */ (event.target).closest('input, textarea')) return;
     const key = event.key.toLowerCase();
@@ -362,7 +376,7 @@ export function setUpBuild() {
       const error = Goodbot.check(JSON.stringify(file));
       if (error) throw new Error(whyNot(error));
       build.file = file;
-      build.chosen = null;
+      [build.chosen, build.bounds] = [null, null];
       changed();
       tell(t('build.taken'));
     } catch (error) {

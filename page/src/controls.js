@@ -7,7 +7,7 @@ import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, robotLink } from './link.js';
 import { toMicrobit } from './microbit.js';
 import { writeHomes } from './play.js';
-import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, relearn } from './roster.js';
+import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, relearn, tellUnread } from './roster.js';
 import { shareSecret } from './secret.js';
 import { setUpSerial } from './serial.js';
 import { isThere, refresh, wake } from './session.js';
@@ -18,7 +18,7 @@ import { enterHome, enterStop } from './stops.js';
 import { change, giveStarter, logOf } from './store.js';
 import { finishSession, giveFeedback, leaveSession, stepOnce, takeBack, thatWasIt, togglePause } from './training.js';
 
-const SWITCHES = ['presenter', 'questions', 'voice', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['presenter', 'questions', 'voice', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -122,6 +122,7 @@ export function setUpSettings() {
     keepSetting('language', $('language').value);
     speakLanguage(state.settings.language);
     writePage();
+    tellUnread();
     writeOptions();
     writeHomes();
     [state.said, state.verdict] = [null, ''];

@@ -9,6 +9,7 @@ import { picture } from './picture.js';
 import { rename } from './roster.js';
 import { sureness } from './silent.js';
 import { $, announce, isDrawn, make, state, tell } from './state.js';
+import { isMerry } from './stops.js';
 import { logOf } from './store.js';
 import { quoted } from './words.js';
 
@@ -19,7 +20,7 @@ let card = null;
 // A link to a file on this machine is of no use to others.
 async function makeCard(score) {
   const link = location.protocol === 'file:' ? '' : await robotLink();
-  const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot));
+  const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot), isMerry());
   return { link, file: new File([blob], FILE, { type: 'image/png' }) };
 }
 

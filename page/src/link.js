@@ -10,16 +10,17 @@ import { state, tell } from './state.js';
 import { logOf } from './store.js';
 
 // The settings in a link; the look and the keys are everybody's own.
-const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'seed'];
+const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'speech', 'seed'];
 
 /** The address of this page with the home and the settings. */
 export function homeLink() {
   const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries(SHARED.map(name => [name, state.settings[name]])) };
-  return location.href.split('#')[0] + '#home=' + toAddress(new TextEncoder().encode(JSON.stringify(share)));
+  return location.href.split('#')[0] + '#home=' + toAddress(checked(new TextEncoder().encode(JSON.stringify(share))));
 }
 
-// A robot in an address: a version, a checksum, and then, packed: the length of a JSON text, that text and the model.
-const ROBOT_VERSION = 1;
+// What an address has: a version, a checksum, and then a home and settings as JSON, or a robot, packed: the length of a JSON text, that text and
+// the model.
+const VERSION = 1;
 
 /** The checksum CRC-32 of bytes.
  * @param {Uint8Array} bytes */
@@ -32,6 +33,28 @@ export function checksum(bytes) {
   return ~sum >>> 0;
 }
 
+/** @param {Uint8Array} content */
+function checked(content) {
+  const bytes = new Uint8Array(5 + content.length);
+  new DataView(bytes.buffer).setUint32(1, checksum(content));
+  bytes[0] = VERSION;
+  bytes.set(content, 5);
+  return bytes;
+}
+
+/** The content of an address. Throws, with the text for people, if a newer page wrote it, or if it is damaged.
+ * @param {string} text */
+function unchecked(text) {
+  const damaged = new Error(t('link.damaged'));
+  try {
+    const bytes = fromAddress(text);
+    const content = bytes.slice(5);
+    if (bytes[0] > VERSION) damaged.message = t('link.newer');
+    else if (bytes[0] === VERSION && new DataView(bytes.buffer).getUint32(1) === checksum(content)) return content;
+  } catch { /* It is damaged. */ }
+  throw damaged;
+}
+
 /** The address of this page with this tab's robot: its model, name, home and settings.
  * @param {{ secret?: boolean, session?: any[], starter?: string }} more `secret`: the visitor is to find out its words; `session`: the records of a log, to be shown
  * @param {string} known its model, as it is kept */
@@ -42,12 +65,7 @@ export async function robotLink(more = {}, known = state.robot.model) {
   whole.set([about.length >> 8, about.length & 255]);
   whole.set(about, 2);
   whole.set(model, 2 + about.length);
-  const robot = await packed(whole);
-  const bytes = new Uint8Array(5 + robot.length);
-  new DataView(bytes.buffer).setUint32(1, checksum(robot));
-  bytes[0] = ROBOT_VERSION;
-  bytes.set(robot, 5);
-  return location.href.split('#')[0] + (more.session ? '#session=' : '#robot=') + toAddress(bytes);
+  return location.href.split('#')[0] + (more.session ? '#session=' : '#robot=') + toAddress(checked(await packed(whole)));
 }
 
 /** The link to the last session that this robot learned from, with the robot's model from before. `undefined` if there is none, or if it came from a log
@@ -66,20 +84,13 @@ export async function readRobot() {
   const text = takeOff('robot|session');
   if (text === undefined) return null;
   try {
-    const bytes = fromAddress(text);
-    if (bytes[0] > ROBOT_VERSION) {
-      tell(t('link.newer'), true);
-      return null;
-    }
-    const robot = bytes.slice(5);
-    if (bytes[0] !== ROBOT_VERSION || new DataView(bytes.buffer).getUint32(1) !== checksum(robot)) throw new Error('checksum');
-    const whole = await expanded(robot);
+    const whole = await expanded(unchecked(text));
     const length = whole[0] << 8 | whole[1];
     const { name, home, pull, ways, starter, secret, session } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
     session?.forEach(checkRecord);
     return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, starter: String(starter || ''), secret: secret === true, session, model: whole.slice(2 + length) };
-  } catch {
-    tell(t('link.damaged'), true);
+  } catch (error) {
+    tell(error.message === t('link.newer') ? error.message : t('link.damaged'), true);
     return null;
   }
 }
@@ -111,7 +122,7 @@ export function readLink() {
   const text = takeOff('home');
   if (text === undefined) return false;
   try {
-    const share = JSON.parse(new TextDecoder().decode(fromAddress(text)));
+    const share = JSON.parse(new TextDecoder().decode(unchecked(text)));
     world.setEnvironment(JSON.stringify(share.home));
     for (const name of SHARED) {
       const value = (share.settings || {})[name];
@@ -121,9 +132,9 @@ export function readLink() {
     const { style } = state.settings;
     if (style !== expectedNow()) expectTrainer(style);
     return true;
-  } catch {
+  } catch (error) {
     state.settings.style = expectedNow();
-    tell(t('link.damaged'), true);
+    tell(error.message === t('link.newer') ? error.message : t('link.damaged'), true);
     return false;
   }
 }

@@ -11,7 +11,7 @@ import { watchSize } from './plan.js';
 import { nameHome, setMode, setUpPlay } from './play.js';
 import { renderPage } from './render.js';
 import { robotDrawing } from './robot.js';
-import { joinStudy, meet, undo } from './roster.js';
+import { joinStudy, meet, tellUnread, undo } from './roster.js';
 import { isThere, takeStock } from './session.js';
 import { restoreSettings } from './settings.js';
 import * as shelf from './shelf.js';
@@ -86,6 +86,7 @@ async function begin(module, languages) {
   speakLanguage(state.settings.language);
   writePage();
   startCore(module);
+  tellUnread();
   // For the curious, at the browser's console, and for tests.
   Object.assign(window, { goodbot: world });
   shelf.beHere();

@@ -3,9 +3,10 @@ import { attempt, course, parsed, world } from './core.js';
 import { t } from './language.js';
 import { nameHome } from './play.js';
 import * as shelf from './shelf.js';
-import { $, isDrawn, render, state } from './state.js';
+import { $, inParts, render, state } from './state.js';
 import { enterHome } from './stops.js';
 import { logOf } from './store.js';
+import { isShown } from './tabs.js';
 import { leaveSession, startSession } from './training.js';
 import { sceneOf, sessionsWord, spaced, taskWords, unspaced } from './words.js';
 
@@ -23,37 +24,65 @@ function lessonsOfCourse() {
   return [...found.values()];
 }
 
-// The commands that this robot has learned from.
+// As many commands are looked at: with more, a telephone is busy for seconds, and what was taught long ago changes little.
+const MOST_WANTED = 20;
+
+// The commands that this robot has learned from last.
 function taught() {
   const sessions = logOf(state.robot).split('\n').filter(line => line.includes('"type":"session"'));
-  return [...new Set(sessions.map(line => attempt(() => parsed(line).command) || ''))].filter(Boolean);
+  return [...new Set(sessions.reverse().map(line => attempt(() => parsed(line).command) || ''))].filter(Boolean);
 }
 
-const wanted = () => {
+function wanted() {
   const own = $('wanted').value.split('\n').map(line => line.trim()).filter(Boolean);
-  return (own.length ? own : taught()).map(spaced);
-};
+  return (own.length ? own : taught()).slice(0, MOST_WANTED).map(spaced);
+}
 
-/** The lesson to teach next.
- * @returns {{ lesson: Lesson, why: import('goodbot-wasm').NextLesson } | null} */
-function next() {
+/** @typedef {{ lesson: Lesson, why: import('goodbot-wasm').NextLesson } | null} Found */
+
+/** The lesson to teach next. The lessons are compared two at a time, with frames between, because all at once would hold up the page.
+ * @param {() => boolean} isStale whether the answer is no longer wanted
+ * @returns {Promise<Found>} */
+async function next(isStale) {
   const all = wanted();
   const ofCourse = lessonsOfCourse();
   const own = all.filter(command => !ofCourse.some(lesson => spaced(lesson.command) === command)).map(command => ({ command, home: null }));
   const lessons = [...ofCourse, ...own];
-  const why = all.length ? attempt(() => parsed(world.nextLesson(lessons.map(lesson => spaced(lesson.command)).join('\n'), all.join('\n')))) : null;
-  return why ? { lesson: lessons[why.lesson], why } : null;
+  /** @type {Found} */
+  let best = null;
+  if (all.length) {
+    await inParts(() => {
+      const lesson = lessons.shift();
+      if (!lesson || isStale()) return true;
+      // Of equal ones the first counts, so the best so far stands first.
+      const pair = best ? [best.lesson, lesson] : [lesson];
+      const why = attempt(() => parsed(world.nextLesson(pair.map(one => spaced(one.command)).join('\n'), all.join('\n'))));
+      if (why === undefined) lessons.length = 0;
+      else if (why) best = { lesson: pair[why.lesson], why };
+      return false;
+    });
+  }
+  return best;
 }
 
 /** @type {Lesson | null} */
 let lesson = null;
+// What the lesson that is sought depends on.
+let sought = '';
 
-export function renderNext() {
+export async function renderNext() {
   const hidden = state.mode !== 'play' || Boolean(state.session) || state.phase !== 'none' || state.sessions === 0;
   $('next-card').hidden = hidden;
-  if (hidden) return;
-  if (isDrawn('next', state.robot.id, state.robot.changed, state.sessions, $('wanted').value)) return;
-  const found = next();
+  if (hidden || !isShown('challenges')) return;
+  const key = JSON.stringify([state.robot.id, state.robot.changed, state.sessions, $('wanted').value, document.documentElement.lang]);
+  if (key === sought) return;
+  sought = key;
+  const isStale = () => key !== sought || Boolean(state.session) || state.phase !== 'none';
+  const found = await next(isStale);
+  if (isStale()) {
+    if (key === sought) sought = '';
+    return;
+  }
   const well = found?.why.known;
   lesson = found && !well ? found.lesson : null;
   $('next-lesson').hidden = $('teach-next').hidden = !lesson;

@@ -49,8 +49,9 @@ function chips(known, top) {
  * @param {[string, string][]} known words and their ideas
  * @param {string} [link] the address where others meet this robot, for a QR code
  * @param {string} [meet] the text above the code
+ * @param {boolean} [merry] whether there is something to celebrate
  * @returns {Promise<Blob>} a PNG file */
-export async function picture(name, score, known, link = '', meet = '') {
+export async function picture(name, score, known, link = '', meet = '', merry = true) {
   const words = chips(known, 690);
   const code = link ? squares(link) : null;
   // On whole pixels, with a quiet zone of four squares.
@@ -63,7 +64,7 @@ export async function picture(name, score, known, link = '', meet = '') {
     draw('rect', { width: WIDTH, height, fill: '#f6f0e2' }),
     draw('rect', { x: 24, y: 24, width: WIDTH - 48, height: height - 48, rx: 44, fill: '#fffaf0', stroke: '#2c3346', 'stroke-width': 5 }),
     // Confetti around the robot.
-    ...Array.from({ length: 42 }, (_, at) => [70 + (at * 397) % (WIDTH - 140), 70 + (at * 211) % 420]).filter(([x]) => Math.abs(x - MIDDLE) > 185).map(([x, y], at) => draw('rect', {
+    ...Array.from({ length: merry ? 42 : 0 }, (_, at) => [70 + (at * 397) % (WIDTH - 140), 70 + (at * 211) % 420]).filter(([x]) => Math.abs(x - MIDDLE) > 185).map(([x, y], at) => draw('rect', {
       width: 20, height: 11, rx: 4, fill: CONFETTI[at % CONFETTI.length], opacity: 0.75, transform: 'translate(' + x + ' ' + y + ') rotate(' + (at * 67) % 180 + ')',
     })),
     draw('g', { transform: 'translate(' + MIDDLE + ' 315) scale(7.2)' }, ...robotDrawing()),

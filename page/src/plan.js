@@ -3,7 +3,7 @@ import { parsed, world } from './core.js';
 import { t } from './language.js';
 import { blockDrawing, colorOf, robotDrawing } from './robot.js';
 import { $, draw, inParts, isDrawn, make, state } from './state.js';
-import { isOver } from './stops.js';
+import { isMerry } from './stops.js';
 import { describeScene, formsOf, labelWords } from './words.js';
 
 export const CELL = 48;
@@ -191,8 +191,8 @@ export function renderPlan() {
   $('textmap').textContent = scene.map;
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
-  const feeling = session?.feedback || (isOver() ? 'reward' : '');
-  robot.setAttribute('class', 'robot ' + (isOver() ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
+  const feeling = session?.feedback || (isMerry() ? 'reward' : '');
+  robot.setAttribute('class', 'robot ' + (isMerry() ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
     (session && session.decided ? ' looks-' + session.decided.action : ''));
   robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
 }

@@ -17,6 +17,7 @@ import { $, all, make, state } from './state.js';
 import { renderTabs } from './tabs.js';
 import { feedbackWord, renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
+import { maySpeak } from './voice.js';
 import { acted } from './words.js';
 
 // The animation of the time that the robot still waits.
@@ -52,6 +53,7 @@ export function renderPage() {
   $('heard').hidden = !session;
   if (session) $('heard').replaceChildren(...heardWords(session.command));
   $('say-it').disabled = busy;
+  $('speak').hidden = !maySpeak();
   const active = session && session.decided && state.phase !== 'planning' && !busy && !session.looking && !session.question;
   for (const id of ['good', 'bad']) {
     $(id).setAttribute('aria-disabled', !active);

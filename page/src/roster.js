@@ -2,16 +2,16 @@
 import { expectTrainer, expectedNow } from './believes.js';
 import { attempt, learn, whileLearning, world } from './core.js';
 import { ask } from './dialog.js';
-import { readFile } from './files.js';
+import { download, readFile } from './files.js';
 import { listed, t } from './language.js';
 import { readRobot, readStudy } from './link.js';
 import { learnFrom } from './logs.js';
 import { refresh, takeStock } from './session.js';
 import { keepSetting } from './settings.js';
-import { refused } from './shelf.js';
+import { put, refused } from './shelf.js';
 import { $, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
-import { add, change, copy, freeName, logOf, newRecord, open, patch, robots, takeModel, travel } from './store.js';
+import { add, change, copy, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
 import { isShown } from './tabs.js';
 import { leaveSession } from './training.js';
 import { sessionsWord, unspaced } from './words.js';
@@ -35,8 +35,8 @@ function renderList(all) {
 /** Shows which robot learns here, and which of its data are not kept. */
 export function renderRoster() {
   const guest = state.robot.log !== undefined;
-  // In a session the robots do not change, and all kept data would be read at each step.
-  if (!state.session || isShown('robots')) renderList(robots());
+  // The list reads all that is kept of all robots, so it is drawn only where it is seen.
+  if (isShown('robots')) renderList(robots());
   $('who').textContent = state.robot.name;
   const lost = refused();
   const kinds = [[/^robot/, t('kept.robot')], [/^log/, t('kept.log')], [/^(drawing|home)/, t('kept.home')], [/^settings/, t('kept.settings')]]
@@ -47,6 +47,23 @@ export function renderRoster() {
   $('guest').hidden = !guest;
   $('guest-words').textContent = state.shown ? t('guest.session', { name: state.robot.name, command: unspaced(state.shown) }) : state.visitor ? t('guest.visitor', { name: state.robot.name, n: state.heat.now?.words.length || 0 }) : t('guest.shown');
   $('keep-guest').hidden = !guest || state.secret === 'open' || state.sessions === 0 || state.tour.watching;
+}
+
+function saveUnread() {
+  const found = unread();
+  download('unread.json', JSON.stringify(found), 'application/json');
+  // Robots stay: a newer page can read them.
+  for (const key of Object.keys(found)) if (key.startsWith('unread.')) put(key, null);
+  $('unread').hidden = true;
+}
+
+/** Says what the page cannot read of what is kept here, and offers it as a file. It stays kept. */
+export function tellUnread() {
+  const found = unread();
+  const { length } = Object.keys(found).filter(key => !key.startsWith('log'));
+  $('unread').hidden = !length;
+  $('unread').replaceChildren(make('span', {}, t('kept.unread', { n: length })),
+    make('button', { type: 'button', class: 'small', onclick: saveUnread }, t('kept.saveUnread')));
 }
 
 function shown() {

@@ -23,7 +23,7 @@ export function newSession(command, { intended = null, looking = false, recorded
   const task = state.belief.tasks.findIndex(task => task.name === intended);
   return {
     command, intended: task < 0 ? null : task, looking, recorded, heard: [], decided: null, feedback: null, given: false, rests: 0, steps: 0, delay: 0, since: 0,
-    committed: null, began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onEnd: null, onLearn: null,
+    committed: null, began: performance.now(), times: [], paused: false, stepping: false, wake: null, soon: 0, said: 0, heardNew: [], question: null, asked: 0, answers: 0, picked: '', affirmed: false, took: null, undone: false, over: false, onHeard: null, onEnd: null, onLearn: null,
   };
 }
 

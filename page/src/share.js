@@ -29,7 +29,8 @@ export function squares(link) {
 }
 
 function drawCode(link) {
-  const code = squares(link);
+  // A telephone cannot open a file of this machine.
+  const code = location.protocol === 'file:' ? null : squares(link);
   $('code').toggleAttribute('hidden', !code);
   if (!code) return;
   $('code').setAttribute('viewBox', '-4 -4 ' + (code.size + 8) + ' ' + (code.size + 8));

@@ -43,6 +43,7 @@
  * @property {Ranked | null} took the most likely task in the end
  * @property {boolean} undone whether its last step was taken back, and the next is still to come
  * @property {boolean} over
+ * @property {(() => void) | null} onHeard called when the robot has decided what the command means
  * @property {(() => void) | null} onEnd called after its end
  * @property {(() => void) | null} onLearn called before it is learned
  */
@@ -76,6 +77,8 @@ export const state = {
   already: '',
   // The verdict on the last lesson or test, until the next begins.
   verdict: '',
+  // Whether it is bad news.
+  failed: false,
   // Whether that lesson has taught another meaning than the tour's.
   astray: false,
   // The progress of long learning, as a text.
@@ -85,7 +88,7 @@ export const state = {
   // Whether the trainer thinks that the next test will be understood: yes, no, or nothing yet.
   guess: '',
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
+    speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, speech: true, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
   }),
 };
 

@@ -25,8 +25,14 @@ export const commandOf = stop => taskWords(stop.intended);
  * @param {string} command */
 export const inOwnWords = command => state.tour.said[command] || command;
 
+/** How many of the tour's tests the robot has understood. */
+export const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
+
 /** Whether the tour has come to its end, and nothing else is going on. */
 export const isOver = () => state.mode === 'tour' && !state.session && !stopAt();
+
+/** Whether it came to a good end: there is nothing to celebrate where most tests failed. */
+export const isMerry = () => isOver() && 2 * rightTests() > course.tests.length;
 
 export function enterStop(at) {
   stopSession();

@@ -249,6 +249,22 @@ export function freeName(name) {
   return free;
 }
 
+/** What is kept here and cannot be read, because it is damaged or a newer page wrote it: the keys, and their texts as they are.
+ * @returns {Record<string, string | null>} */
+export function unread() {
+  const isRead = key => {
+    const value = shelf.read(key, null);
+    return key.startsWith('robot.') ? isRobot(value) : value !== null;
+  };
+  // These would be written over.
+  for (const key of ['drawing', 'settings'].filter(one => shelf.get(one) !== null && !isRead(one))) {
+    shelf.put('unread.' + key, shelf.get(key));
+    shelf.put(key, null);
+  }
+  const damaged = shelf.keysOf('').filter(key => key.startsWith('unread.') || (key.startsWith('robot.') && !isRead(key)));
+  return Object.fromEntries(damaged.flatMap(key => [key, key.replace(/^robot/, 'log')]).map(key => [key, shelf.get(key)]).filter(([, text]) => text));
+}
+
 /** Whether lessons or drawings would be lost because the browser does not keep them. */
 export const wouldBeLost = () => shelf.refused().some(key => /^(drawing$|log\.)/.test(key) || (key.startsWith('robot.') && shelf.read(key, {}).sessions > 0));
 

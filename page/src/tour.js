@@ -6,7 +6,7 @@ import { heardWords } from './learned.js';
 import { beginGuest, considerWays, endGuest, newRobot } from './roster.js';
 import { refresh, stopSession } from './session.js';
 import { $, all, announce, make, render, state } from './state.js';
-import { commandOf, enterStop, inOwnWords, lengthOfCourse, stopAt, stops } from './stops.js';
+import { commandOf, enterStop, inOwnWords, lengthOfCourse, rightTests, stopAt, stops } from './stops.js';
 import { logOf } from './store.js';
 import { endWalk, leaveSession, startSession } from './training.js';
 import { spaced, understands, unspaced } from './words.js';
@@ -43,17 +43,18 @@ export function beginStop(auto) {
   if (own) state.tour.said[commandOf(stop)] = own;
   attend(session);
   if (!stop.test) return;
-  // The verdict is known at once: nothing in a test changes the belief.
-  state.verdict = verdictOf(stop, session);
-  announce(state.verdict);
-  render();
+  // The verdict is known with the first step: nothing in a test changes the belief.
+  session.onHeard = () => {
+    [state.verdict, state.failed] = [verdictOf(stop, session), !understands(session.heard[0], stop.intended)];
+    announce(state.verdict);
+  };
 }
 
 // The verdict on a test, or on a lesson.
 function verdictOf(stop, session) {
   const [best] = session.heard;
   const [understood, meant] = [understands(best, stop.intended), best.name === stop.intended];
-  const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
+  const verdict = !stop.test ? (understood && hasStar(session) ? 'tour.starLesson' : session.affirmed ? 'tour.arrived' : 'tour.plainLesson') : understood ? 'tour.starTest' : meant ? 'tour.luckyTest' : 'tour.wrongTest';
   const guess = stop.test && state.guess ? ' ' + t((state.guess === 'yes') === understood ? 'tour.guessRight' : 'tour.guessWrong') : '';
   return t(verdict, { name: nameOf(state.tour.at), task: best.words, sure: percent(best.probability) }) + guess;
 }
@@ -66,8 +67,7 @@ const wentAstray = (stop, { intended, took, affirmed }) => !stop.test && intende
 
 /** Lets the tour go on when this session ends. */
 export function attend(session) {
-  const understood = understands(session.heard[0], stopAt()?.intended);
-  session.onEnd = () => passStop(understood, session);
+  session.onEnd = () => passStop(understands(session.heard[0], stopAt()?.intended), session);
 }
 
 // After a lesson or test: on to the next. The verdict stays until that begins.
@@ -78,7 +78,7 @@ function passStop(understood, session) {
   const { said } = state;
   const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: unspaced(session.command), task: session.took.words }) : verdictOf(stop, session);
   enterStop(state.tour.at + 1);
-  [state.said, state.verdict, state.astray] = [stop.test ? null : said, verdict, astray];
+  [state.said, state.verdict, state.astray, state.failed] = [stop.test ? null : said, verdict, astray, astray || (stop.test && !understood)];
   announce(state.verdict);
   if (state.tour.watching && stopAt()) setTimeout(() => { if (state.tour.watching && !state.session) beginStop(true); }, state.settings.speed === 'once' ? 0 : 900);
   else {
@@ -92,7 +92,6 @@ function passStop(understood, session) {
 
 const nameOf = at => (at >= lengthOfCourse() ? t('tour.appendix', { n: at - lengthOfCourse() + 1 })
   : at < course.lessons.length ? t('tour.lesson', { n: at + 1 }) : t('tour.test', { n: at - course.lessons.length + 1 }));
-const rightTests = () => course.tests.filter((_, at) => state.tour.done[course.lessons.length + at] === 'right').length;
 const scoreWords = () => t('tour.score', { right: rightTests(), of: course.tests.length });
 
 /** Shows the whole tour, with a robot that is only shown: the user's own waits. */
@@ -166,6 +165,7 @@ export function renderTour() {
   const walking = Boolean(state.session?.looking);
   $('verdict').hidden = !state.verdict || !stop || (Boolean(state.session) && !walking);
   $('verdict').textContent = state.verdict;
+  $('verdict').className = state.failed ? 'wrong' : '';
   renderFinale(!stop, scoreWords(), each.filter(one => !one.appendix));
   $('lesson').hidden = !stop || watching || (Boolean(state.session) && !walking);
   $('lesson').textContent = !stop ? '' : walking ? t('tour.skip') : mayReword() ? t(stop.test ? 'tour.askIt' : 'tour.tellIt') : t('tour.tell', { command: commandOf(stop) });

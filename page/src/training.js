@@ -7,7 +7,7 @@ import { ask } from './dialog.js';
 import { percent, t } from './language.js';
 import { knowsWords, lessonLearned, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
-import { hasWords, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
+import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
 import { SPEEDS } from './settings.js';
 import { underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
@@ -94,8 +94,6 @@ function begin(command, { intended = null, looking = false, picked = '', recorde
   [state.said, state.verdict, state.already, state.astray] = [null, '', '', false];
   session.heardNew = knowsWords() ? unknownWords() : [...new Set(state.support?.words)];
   keepSession(session);
-  const best = ranked()[0];
-  if (state.secret !== 'open') announce(t('told.heard', { command, task: best.words, sure: percent(best.probability) }));
   go(session);
   if (!state.tour.watching && state.settings.speed !== 'once') {
     // On a small screen the plan and the buttons matter now; with a keyboard, the focus does.
@@ -207,6 +205,7 @@ async function go(session) {
     const decided = attempt(() => parsed(world.act(step?.action)));
     if (!decided) return stopSession(), render();
     session.decided = decided;
+    if (!session.steps && !session.answers) heardAs(session);
     session.feedback = null;
     session.given = false;
     refresh();
@@ -245,6 +244,14 @@ async function go(session) {
     if (await ended(session)) return undefined;
   }
   return undefined;
+}
+
+// What the robot understood is told when it has decided: among equally likely tasks, only then it is known which one it follows.
+function heardAs(session) {
+  session.heard = ranked();
+  const [best] = session.heard;
+  if (state.secret !== 'open') announce(t('told.heard', { command: session.command, task: best.words, sure: percent(best.probability) }));
+  session.onHeard?.();
 }
 
 // The probability that a meaning is picked by mistake.
@@ -325,6 +332,11 @@ export function giveFeedback(feedback) {
   const session = state.session;
   if (!session) tell(t('judge.nothing'));
   if (!session || session.looking || !session.decided || session.question || state.phase === 'planning' || state.phase === 'learning') return;
+  // At the goal Good is yes.
+  if (feedback === 'reward' && session.intended === null && isThere()) {
+    thatWasIt();
+    return;
+  }
   // The same word once more takes it back; a double tap does not.
   if (session.given && session.feedback === feedback && performance.now() - session.said > 600) {
     takeBack();

@@ -6,6 +6,9 @@ import { $, announce, state, tell } from './state.js';
 const browser = window;
 const Recognition = browser.SpeechRecognition || browser.webkitSpeechRecognition;
 
+/** Whether commands can be spoken: a teacher may not want that a voice leaves the room. */
+export const maySpeak = () => Boolean(Recognition) && state.settings.speech;
+
 /** Says a text aloud.
  * @param {string} text */
 export function speak(text) {
@@ -19,8 +22,8 @@ export function speak(text) {
 export function setUpSpeech() {
   const button = $('speak');
   $('set-voice').closest('label').hidden = !browser.speechSynthesis;
+  $('set-speech').closest('label').hidden = !Recognition;
   if (!Recognition) return;
-  button.hidden = false;
   button.addEventListener('click', () => {
     const recognition = new Recognition();
     recognition.lang = document.documentElement.lang;

@@ -12,7 +12,7 @@ test('a home drawn by pointer is one that the robot can live in', async () => {
   const page = await open(browser);
   await page.click('[data-mode=build]');
   await page.click('#clear');
-  assert.match(await page.textContent('#build-error'), /Not a home yet: there is no agent/);
+  assert.match(await page.textContent('#build-error'), /Draw a room first/);
   await drag(page, 'room', [1, 1], [6, 6]);
   await drag(page, 'agent', [3, 3]);
   await drag(page, 'block', [4, 4]);
@@ -38,7 +38,7 @@ test('an invalid drawing says why, and the robot stays where it was', async () =
   await page.locator('#objects summary', { hasText: 'robot' }).click();
   await page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input').fill('0');
   await page.keyboard.press('Tab');
-  assert.match(await page.textContent('#build-error'), /agent0: it is in a wall or outside every room/);
+  assert.match(await page.textContent('#build-error'), /robot: it stands in a wall or outside every room/);
   assert.equal(await page.evaluate(() => window.goodbot.environment()), old);
   await close(page);
 });
@@ -137,7 +137,7 @@ test('a home is drawn by keyboard alone, from nothing', async () => {
   await press('#clear');
   await press('[data-add=room]');
   await press('[data-add=agent]');
-  assert.match(await page.textContent('#build-error'), /Not a home yet: agent0: it is in a wall/);
+  assert.match(await page.textContent('#build-error'), /Not a home yet: robot: it stands in a wall/);
   const field = page.locator('#objects details[open] label', { hasText: /^x$/ }).locator('input');
   await field.focus();
   for (let step = 0; step < 8 && !/This is a home/.test(await page.textContent('#build-error')); step += 1) {

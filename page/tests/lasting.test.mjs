@@ -310,16 +310,16 @@ test('one’s own home outlives lessons, drafts that are none yet outlive a tab 
   await page.selectOption('#home', 'own');
   assert.equal(await home(page), own, 'a draft that is no home yet does not replace the home');
   await page.click('[data-mode=build]');
-  assert.match(await page.textContent('#build-error'), /Not a home yet/);
+  assert.match(await page.textContent('#build-error'), /Draw a room first/);
   await reload(page);
   await page.click('[data-mode=build]');
-  assert.match(await page.textContent('#build-error'), /Not a home yet/, 'the draft is there after a reload');
+  assert.match(await page.textContent('#build-error'), /Draw a room first/, 'the draft is there after a reload');
   await page.locator('#build-title').click();
   await page.keyboard.press('Control+z');
   assert.match(await page.textContent('#build-error'), /This is a home/);
   assert.equal(await home(page), own);
   await page.click('#build-redo');
-  assert.match(await page.textContent('#build-error'), /Not a home yet/);
+  assert.match(await page.textContent('#build-error'), /Draw a room first/);
   await close(page);
 });
 

@@ -67,6 +67,7 @@ test('a link shows a session step by step, as it was, and leaves the visitor’s
   await other.click('#end-guest');
   await other.getByText('is here again').first().waitFor();
   assert.deepEqual(await model(other), own);
+  await visitor.locator('#tab-robots').click();
   assert.equal(await visitor.locator('#robots li').count(), 1);
   await close(visitor);
   await close(page);

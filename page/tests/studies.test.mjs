@@ -40,6 +40,7 @@ test('who does not agree keeps their robot and settings, and their table has no 
   const page = await open(browser, {}, linkOf({ id: 'A', consent: 'Ours:\nyes?', settings: { speed: 'slow' } }));
   assert.equal(await page.textContent('#ask-text'), 'Ours:\nyes?');
   await page.keyboard.press('Escape');
+  await page.locator('#tab-robots').click();
   assert.equal(await page.locator('#robots li').count(), 1);
   assert.equal(await page.inputValue('#speed'), 'normal');
   await page.selectOption('#speed', 'once');
@@ -70,6 +71,7 @@ test('a study’s link with a mistake is refused, and nobody is asked', async ()
   const page = await open(browser, {}, linkOf({ id: 'A', settings: { style: '2,2,2' } }));
   await page.click('[data-answer=yes]');
   await page.getByText('link is damaged').first().waitFor();
+  await page.locator('#tab-robots').click();
   assert.equal(await page.locator('#robots li').count(), 1);
   await close(page);
 });

@@ -114,7 +114,7 @@ test('what is too long is refused in the page’s words, whatever makes it so', 
   await play(page, 'A');
   for (const words of ['geh in den '.repeat(30) + 'roten Raum', 'ge' + 'h'.repeat(90) + ' in den roten Raum']) {
     await say(page, words);
-    await page.getByText('Das ist dem Roboter zu lang').first().waitFor();
+    await page.getByText('Das ist zu lang für den Roboter').first().waitFor();
     await page.evaluate(() => { document.getElementById('toast').textContent = ''; });
   }
   assert.equal(await sessions(page), 0);

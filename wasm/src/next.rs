@@ -1,5 +1,8 @@
 //! The next lesson to teach, by the words that this robot has heard.
 
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
 use goodbot_course::next_lesson::{next_lesson, times_heard};
 
 use crate::view::NextLesson;
@@ -13,7 +16,17 @@ impl World {
     /// Where a command has too many words, or one that is too long.
     pub fn next_lesson(&self, lessons: &str, wanted: &str) -> Result<Option<NextLesson>, Refusal> {
         let [lessons, wanted]: [Vec<&str>; 2] = [lessons, wanted].map(|text| text.lines().collect());
-        let next = next_lesson(&lessons, &wanted, |word| times_heard(self.agent(), word)).map_err(Refusal::from)?;
+        // Each word is asked for often, and counting it goes through all that the robot has heard.
+        let counted = RefCell::new(BTreeMap::new());
+        let heard = |word: &str| {
+            let known = counted.borrow().get(word).copied();
+            known.unwrap_or_else(|| {
+                let count = times_heard(self.agent(), word);
+                counted.borrow_mut().insert(word.to_owned(), count);
+                count
+            })
+        };
+        let next = next_lesson(&lessons, &wanted, heard).map_err(Refusal::from)?;
         Ok(next.map(|next| {
             let known = next.is_known();
             NextLesson { lesson: next.lesson, word: next.word.to_owned(), needed: next.needed, heard: next.heard, known }
