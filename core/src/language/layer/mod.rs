@@ -16,6 +16,10 @@
 //! root of n, and with few meanings the layer is too sure where it is wrong: a fifth of each probability is the role model's (a linear
 //! pool).
 //!
+//! If tasks have ways, the goals of a task and its way are parts, too, and a value's contexts have a second weight for all roles of one kind
+//! (any place to go through), and a third for all roles of the task; so has whether the value is named. In these contexts all names are
+//! alike, so what was learned of "through" holds in a home with other names, and for a kind of task that was never meant.
+//!
 //! The formula applies to the tasks of kinds that were meant before. The tasks of all other kinds are weighed by it among themselves:
 //! nothing was learned about those kinds, so together they keep the probability that the role model gives them. There are two exceptions
 //! (`unmet`). If tasks have ways, a command in a new scene that names no way means none. And new words decide about a kind that no session

@@ -30,7 +30,7 @@ impl LayerRef<'_> {
         let mut alike: Vec<(usize, usize)> = (0..weights.len()).map(|task| (same(task), task)).collect();
         alike.sort_unstable();
         let groups = || alike.chunk_by(|a, b| a.0 == b.0).filter_map(|group| Some((group.first()?.0, group)));
-        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught);
+        let mut parts = Parts::of(groups().map(|(first, _)| description(first)), self.taught, tables.layout().has_ways());
         let command = Command::new(tables, self.learned.said, sentence);
         for (part, number) in parts.each() {
             command.each_weight(part, |cell, times| *number += times * self.weight(cell));

@@ -2,6 +2,7 @@
 
 use crate::probability::{root, square_root};
 use crate::symbols::Symbol;
+use crate::task::role::RoleKind;
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -17,13 +18,62 @@ const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 pub(super) const TRUST: usize = CONSTANTS.end;
 /// In worlds that are told: a constant for each value in a role, and a weight of each word together with it.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
+/// If tasks have ways: weights of contexts for all roles of one kind, and for all roles of a group of kinds.
+const KINDS_OF_ROLES: Range<usize> = WORDS.end..WORDS.end + 8_192;
+const GROUPS_OF_ROLES: Range<usize> = KINDS_OF_ROLES.end..KINDS_OF_ROLES.end + 2_048;
+/// If tasks have ways: weights of how a value is named.
+const NAMED: Range<usize> = GROUPS_OF_ROLES.end..GROUPS_OF_ROLES.end + 128;
 /// The number of weights.
-pub(super) const CELLS: usize = WORDS.end;
+pub(super) const CELLS: usize = NAMED.end;
 
 /// How strongly each range is pulled towards 0: the stronger, the more sessions it takes to learn a weight. A value's own weights are
 /// pulled most, so that the weights that all values of a role share are learned first.
-pub(super) const PULLS: [(Range<usize>, f32); 6] =
-    [(KINDS, 10.0), (VALUES, 30.0), (CONTEXTS, 3.0), (CONSTANTS, 1.0), (TRUST..TRUST + 1, 10.0), (WORDS, 10.0)];
+pub(super) const PULLS: [(Range<usize>, f32); 9] = [
+    (KINDS, 10.0),
+    (VALUES, 30.0),
+    (CONTEXTS, 3.0),
+    (CONSTANTS, 1.0),
+    (TRUST..TRUST + 1, 10.0),
+    (WORDS, 10.0),
+    (KINDS_OF_ROLES, 3.0),
+    (GROUPS_OF_ROLES, 1.0),
+    (NAMED, 0.3),
+];
+
+/// The roles that share a weight.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Roles {
+    /// Those of one kind, with alternatives or without.
+    Kind(RoleKind, bool),
+    /// All of the task.
+    OfTask,
+    /// Those of a way.
+    OfWay,
+    /// All others.
+    Others,
+}
+
+impl Roles {
+    const fn code(self) -> u16 {
+        match self {
+            Self::Kind(kind, has_alternatives) => kind.index() as u16 * 2 + has_alternatives as u16,
+            Self::OfTask => 100,
+            Self::OfWay => 101,
+            Self::Others => 102,
+        }
+    }
+}
+
+/// How a command names a value.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Naming {
+    /// A word names it.
+    Named = 1,
+    /// It has a name, which is not said.
+    Unnamed = 2,
+    /// It has no name, and every word is known.
+    Nameless = 3,
+}
 
 /// What stands around a word that speaks of a value.
 #[derive(Clone, Copy, Debug)]
@@ -44,6 +94,10 @@ pub(super) enum Context {
     Tail(Symbol),
     /// The mentions next before and after it: 0 for none, 1 for another value, 2 for the same value.
     Between(u16, u16),
+    /// A word between the mention before and it.
+    Since(Symbol),
+    /// Whether the mention before names the same value.
+    Again(bool),
 }
 
 impl Context {
@@ -58,6 +112,8 @@ impl Context {
             Self::Earlier(count) => (5, count),
             Self::Later(count) => (6, count),
             Self::Tail(word) => (7, word.0),
+            Self::Since(word) => (9, word.0),
+            Self::Again(is_same) => (10, u16::from(is_same)),
             Self::Between(before, after) => (8, before.saturating_mul(3).saturating_add(after)),
         }
     }
@@ -82,6 +138,18 @@ pub(super) fn of_told(role: Symbol, value: Symbol, word: Option<Symbol>) -> usiz
 pub(super) fn of_context(role: Symbol, context: Context) -> usize {
     let (kind, about) = context.code();
     cell(CONTEXTS, [role.0, kind, about])
+}
+
+/// The cell of a context, for the values of all these roles.
+pub(super) fn of_roles(roles: Roles, context: Context) -> usize {
+    let range = if matches!(roles, Roles::Kind(..)) { KINDS_OF_ROLES } else { GROUPS_OF_ROLES };
+    let (kind, about) = context.code();
+    cell(range, [roles.code(), kind, about])
+}
+
+/// The cell of how a value is named, for all these roles.
+pub(super) fn of_naming(roles: Roles, naming: Naming) -> usize {
+    cell(NAMED, [roles.code(), naming as u16, 0])
 }
 
 /// The cell of a kind of task's constant.
