@@ -21,6 +21,8 @@ export function homeLink() {
 // What an address has: a version, a checksum, and then a home and settings as JSON, or a robot, packed: the length of a JSON text, that text and
 // the model.
 const VERSION = 1;
+// Versions are counted one by one, so a first byte beyond this one is damage.
+const LAST_VERSION = 31;
 
 /** The checksum CRC-32 of bytes.
  * @param {Uint8Array} bytes */
@@ -49,7 +51,7 @@ function unchecked(text) {
   try {
     const bytes = fromAddress(text);
     const content = bytes.slice(5);
-    if (bytes[0] > VERSION) damaged.message = t('link.newer');
+    if (bytes[0] > VERSION && bytes[0] <= LAST_VERSION) damaged.message = t('link.newer');
     else if (bytes[0] === VERSION && new DataView(bytes.buffer).getUint32(1) === checksum(content)) return content;
   } catch { /* It is damaged. */ }
   throw damaged;
