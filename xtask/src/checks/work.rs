@@ -72,11 +72,11 @@ pub fn workflows() -> Result<()> {
 pub fn trust() -> Result<()> {
     let sh = shell()?;
     // No other step builds the fuzz targets.
-    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path fuzz/Cargo.toml").run();
-    lock.context("the crates that fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
+    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path tests/fuzz/Cargo.toml").run();
+    lock.context("the crates that tests/fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
     match built_by_cargo("cargo-deny") {
         Some(deny) => {
-            for workspace in [".", "firmware", "fuzz"] {
+            for workspace in [".", "firmware", "tests/fuzz"] {
                 cmd!(sh, "{deny} --config deny.toml --manifest-path {workspace}/Cargo.toml check bans licenses sources").run()?;
             }
         }
