@@ -115,7 +115,9 @@ pub mod task;
 #[cfg(feature = "voice")]
 pub mod voice;
 
-pub use capacity::Capacities;
+pub use capacity::list::Capacities;
 #[cfg(feature = "alloc")]
-pub use memory::HeapMemory;
-pub use session::{Agent, AgentError, Options};
+pub use memory::heap::HeapMemory;
+pub use session::agent::Agent;
+pub use session::error::AgentError;
+pub use session::options::Options;
