@@ -33,6 +33,9 @@ impl Step {
             }
             Self::Tests => (work::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| work::docs(), "mend the doc comments that rustdoc points at"),
+            Self::Module => {
+                (|_| crate::page::prepare(), "`cargo xtask page` makes the page; its module is in wasm, its builder in page/builder")
+            }
             Self::Portable => (
                 |run| work::portable(run),
                 "`cargo check -p goodbot --no-default-features --features …` shows it; mark code for Unix alone with `#[cfg(unix)]`",
@@ -73,7 +76,7 @@ pub struct Options {
     /// Runs this step only; can be given more than once
     #[arg(long, value_name = "STEP")]
     only: Vec<Step>,
-    /// Also runs what is much like the rest: three more emulated boards, the Raspberry Pi Pico, the ESP32-C3, embassy, and small C libraries
+    /// Also runs what is much like the rest: three more emulated boards, the Raspberry Pi Pico, the ESP32-C3, embassy, small C libraries, and calls with full tables
     #[arg(long)]
     all_boards: bool,
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had

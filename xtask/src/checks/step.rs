@@ -19,12 +19,12 @@ pub enum Step {
     Tests,
     /// locked crates, licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
     Trust,
-    /// the documentation is built without a warning
+    /// the documentation of the libraries is built without a warning
     Docs,
+    /// the page's module and the program that makes the page are built
+    Module,
     /// the core compiles with each of its features alone and with all, and the command line for Windows, where its standard library is ready
     Portable,
-    /// the Python package's tests, types and stubs, of a wheel in an environment of its own
-    Python,
     /// the trainer page works in a browser, from a file
     Page,
     /// the examples in C and C++ run under AddressSanitizer and UBSan
@@ -45,14 +45,16 @@ pub enum Step {
     NoPanic,
     /// nothing costs more than docs/footprint.md says
     Footprint,
+    /// the Python package's tests, types and stubs, of a wheel in an environment of its own
+    Python,
 }
 
 impl Step {
     /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
-    /// the time it uses only one processor, to link one program.
+    /// the time it uses only one processor, to link one program. Python's comes last there: it builds in the folder of the tests, which are built by then.
     pub const fn is_parallel(self) -> bool {
-        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Portable, SameBits, Tick};
-        matches!(self, Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, Python, SameBits, Tick};
+        matches!(self, Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint | Python)
     }
 
     /// Its name.
