@@ -29,6 +29,7 @@ mod ways;
 pub(crate) use agent::Agent;
 pub use agent::{Decision, Evidence};
 pub use candidates::{Candidate, CandidatesRef};
+#[cfg(feature = "asking")]
 pub(crate) use error::AgentError;
 pub use gave_way::GaveWay;
 pub use hypotheses::Hypothesis;

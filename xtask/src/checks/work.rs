@@ -90,7 +90,7 @@ pub fn trust() -> Result<()> {
 }
 
 /// Sets of the core's features for clippy, beside the default ones: those of a controller that does without the rest.
-const CLIPPY_SETS: [&str; 4] = ["", "learning", "snapshot", "voice"];
+const CLIPPY_SETS: [&str; 4] = ["", "learning", "snapshot", "asking"];
 
 /// Runs clippy on everything; on the core with the features of a controller that learns, hears praise or only obeys, and without any; on the crates
 /// that use a part of the core, each alone; and on the C library with each of its kinds of robot alone.
