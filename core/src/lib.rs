@@ -43,7 +43,7 @@
 //! | [`language`] | words: the role model, IBM Model 2, weighted EM, forgetting when memory is full |
 //! | [`session`] | Algorithm 1: the [`Agent`] |
 //! | [`asking`] | questions: when asking teaches more than acting (feature `asking`) |
-//! | `voice` | praise, blame, "stop", "yes" in words (feature `voice`) |
+//! | `voice` | praise, blame, "stop", "yes" in words (feature `asking`) |
 //! | `talk` | what people say besides commands, and what words such as "it" refer to (feature `talk`) |
 //! | [`snapshot`] | the learned parameters and training data as bytes (feature `snapshot`) |
 //! | [`storage`] | those bytes in flash, safe from power cuts (feature `snapshot`) |
@@ -52,16 +52,15 @@
 //! that never underflow) and [`random`] (draws).
 //!
 //! # Features
-//! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking`, `snapshot` (model files, also in
-//! flash), `model2` (the paper's language model), `ways` (through, avoiding, then; and derived facts such as leftmost) and `unicode` (letters
-//! beyond ASCII). A controller enables only those that it needs. The others:
+//! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking` (questions, and praise, blame, "stop"
+//! and "yes" in words), `snapshot` (model files, also in flash), `model2` (the paper's language model), `ways` (through, avoiding, then; and
+//! derived facts such as leftmost) and `unicode` (letters beyond ASCII). A controller enables only those that it needs. The others:
 //!
 //! | feature | what it adds |
 //! |---|---|
 //! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, and 256 tasks |
 //! | `layer` | with `alloc`: a discriminative layer above the role model |
-//! | `voice` | praise, blame, "stop", "yes" in words |
-//! | `talk` | `voice`, and what people say besides commands |
+//! | `talk` | what people say besides commands |
 //! | `defmt` | errors and results in the format of defmt |
 //!
 //! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any
@@ -112,10 +111,12 @@ pub mod symbols;
 #[cfg(feature = "talk")]
 pub mod talk;
 pub mod task;
-#[cfg(feature = "voice")]
+#[cfg(feature = "asking")]
 pub mod voice;
 
-pub use capacity::Capacities;
+pub use capacity::list::Capacities;
 #[cfg(feature = "alloc")]
-pub use memory::HeapMemory;
-pub use session::{Agent, AgentError, Options};
+pub use memory::heap::HeapMemory;
+pub use session::agent::Agent;
+pub use session::error::AgentError;
+pub use session::options::Options;

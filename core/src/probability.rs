@@ -80,7 +80,7 @@ impl Scaled {
     }
 
     /// The ratio; 0 if `other` is 0.
-    pub fn divided_by(self, other: Self) -> Self {
+    pub(crate) fn divided_by(self, other: Self) -> Self {
         if other.is_zero() {
             return Self::ZERO;
         }
@@ -97,7 +97,7 @@ impl Scaled {
     }
 
     /// The square root.
-    pub fn square_root(self) -> Self {
+    pub(crate) fn square_root(self) -> Self {
         let (mantissa, exponent) =
             if self.exponent & 1 == 0 { (self.mantissa, self.exponent) } else { (self.mantissa * 2.0, self.exponent.saturating_sub(1)) };
         Self { mantissa: square_root(mantissa), exponent: exponent / 2 }.normalised()

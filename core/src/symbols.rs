@@ -66,7 +66,7 @@ impl<'t> SymbolsRef<'t> {
     }
 
     /// Bytes of all texts together.
-    pub fn byte_len(self) -> usize {
+    pub(crate) fn byte_len(self) -> usize {
         self.start(self.len)
     }
 

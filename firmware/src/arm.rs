@@ -8,7 +8,7 @@
 mod arm;
 mod board;
 mod commands;
-#[path = "../../drill/src/digest.rs"]
+#[path = "../../course/drill/src/digest.rs"]
 mod digest;
 mod fault;
 mod lessons;

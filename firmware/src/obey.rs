@@ -9,7 +9,7 @@ mod arm;
 mod board;
 #[allow(dead_code, reason = "the meanings are for lessons")]
 mod commands;
-#[path = "../../drill/src/digest.rs"]
+#[path = "../../course/drill/src/digest.rs"]
 mod digest;
 mod fault;
 goodbot::memory! { struct RobotMemory = goodbot::Capacities::SMALL.obeying(); }

@@ -3,11 +3,11 @@
 use goodbot::feedback::Feedback;
 use goodbot::home::{Moves, paper_tasks};
 use goodbot::memory::AgentHeap;
-use goodbot::session::{Options, Phase};
+use goodbot::session::Phase;
 use goodbot::talk::Said;
 use goodbot::talk::{Class, ClosedWords, Hypothesis, Verdict};
 use goodbot::task::TaskSet;
-use goodbot::{Agent, AgentError, Capacities};
+use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_lesson::live::Lesson;

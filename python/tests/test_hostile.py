@@ -18,7 +18,7 @@ EXPECTED = (ValueError, RuntimeError)
 
 def corpus(root: Path, name: str) -> list[bytes]:
     """The stored inputs of one fuzz target, and each of them damaged."""
-    inputs = [path.read_bytes() for path in sorted((root / "fuzz/corpus" / name).iterdir())]
+    inputs = [path.read_bytes() for path in sorted((root / "tests/fuzz/corpus" / name).iterdir())]
     assert inputs
     chance = random.Random(name)
     for good in list(inputs):

@@ -5,9 +5,8 @@ use goodbot::home::{Area, Cell, Home, HomeBuilder, HomeState, Moves};
 use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::planning::{Judgement, OptimalSet};
-use goodbot::session::AgentError;
 use goodbot::task::GroundedTask;
-use goodbot::{Agent, Capacities, HeapMemory};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory};
 use rand_pcg::Pcg32;
 
 /// A block: its colour and shape.

@@ -8,7 +8,7 @@ use xshell::{Shell, cmd};
 
 use crate::firmware::{nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
-use crate::programs::{ARM_GCC, GCC};
+use crate::programs::{ARM_GCC, GCC, GXX};
 use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
@@ -108,14 +108,19 @@ pub fn deliver(options: &Library) -> Result<()> {
     Ok(())
 }
 
-/// Builds every example with the host's compiler and both sanitizers, and runs it.
+/// Builds every example with the host's compilers and both sanitizers, and runs it. What `goodbot table --c` writes is C and C++.
 pub fn on_host() -> Result<()> {
-    let (sh, gcc, library) = (shell()?, GCC.path()?, library(None, &ALL_FEATURES)?);
+    let (sh, gcc, gxx, library) = (shell()?, GCC.path()?, GXX.path()?, library(None, &ALL_FEATURES)?);
     assert_layouts(&sh, &gcc)?;
-    for example in ["home", "lift", "obey", "talk", "world"] {
-        let binary = library.with_file_name(example);
-        let sanitizers = ["-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-        cmd!(sh, "{gcc} {WARNINGS...} {sanitizers...} -I capi/include capi/examples/{example}.c {library} -o {binary}").run()?;
+    let in_c = ["home", "lift", "obey", "talk", "world"].map(|example| (&gcc, "-std=c11", format!("{example}.c")));
+    let in_cpp = ["lift.cpp", "world.c"].map(|example| (&gxx, "-std=c++17", example.to_owned()));
+    for (compiler, standard, example) in in_c.into_iter().chain(in_cpp) {
+        let binary = library.with_file_name(format!("{example}{standard}"));
+        let language = if standard == "-std=c11" { "c" } else { "c++" };
+        let checks =
+            ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+        let compile = cmd!(sh, "{compiler} {standard} {checks...} -I capi/include -x {language} capi/examples/{example} -x none {library}");
+        compile.arg("-o").arg(&binary).run()?;
         cmd!(sh, "{binary}").run()?;
     }
     Ok(())
@@ -163,10 +168,11 @@ impl Example {
     }
 }
 
-/// Builds the examples for the Cortex-M4F and runs them in the emulator.
-pub fn on_board() -> Result<()> {
+/// Builds the examples for the Cortex-M4F and runs them in the emulator; those of small libraries, which have to be built for them, if `all` are meant.
+pub fn on_board(all: bool) -> Result<()> {
     assert_layouts(&shell()?, &ARM_GCC.path()?)?;
-    for example in [HOME, LIFT, TALK, LIFT_ALONE, OBEY, EVERY_FUNCTION] {
+    let small = [LIFT_ALONE, OBEY].into_iter().filter(|_| all);
+    for example in [HOME, LIFT, TALK, EVERY_FUNCTION].into_iter().chain(small) {
         let binary = example.build()?;
         print!("{}", run_alone(&binary)?.0);
         nothing_panics(&[binary])?;

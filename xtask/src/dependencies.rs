@@ -9,7 +9,7 @@ use xshell::cmd;
 use crate::process::shell;
 
 /// The manifests of all workspaces.
-const MANIFESTS: [&str; 3] = ["Cargo.toml", "fuzz/Cargo.toml", "firmware/Cargo.toml"];
+const MANIFESTS: [&str; 3] = ["Cargo.toml", "tests/fuzz/Cargo.toml", "firmware/Cargo.toml"];
 
 /// Every direct dependency outside the project, with the crates that depend on it.
 fn direct() -> Result<BTreeMap<String, BTreeSet<String>>> {

@@ -21,6 +21,8 @@ pub struct Board {
     pub processor: &'static str,
     pub target: &'static str,
     pub preset: &'static str,
+    /// Whether another board is so like it that only `--all-boards` runs this one too: the same instructions, or those of two others.
+    pub is_alike: bool,
     /// The course's bounds: bytes of RAM with the stack, bytes of flash, and instructions to hear a command and to choose an action once
     /// it is planned.
     pub most: [u64; 3],
@@ -32,6 +34,7 @@ pub const AN386: Board = Board {
     processor: "Cortex-M4F",
     target: CORTEX_M4F,
     preset: "small",
+    is_alike: false,
     most: [32 * 1024, 96 * 1024, 1_000_000],
 };
 const UNBOUND: [u64; 3] = [u64::MAX; 3];
@@ -39,20 +42,29 @@ const UNBOUND: [u64; 3] = [u64::MAX; 3];
 /// The emulator's board for RISC-V, which needs an emulator of its own.
 const RISCV_BOARD: &str = "virt";
 
-/// The boards whose firmware is built, run and measured. The micro:bit computes floats in software, which takes flash and instructions.
+/// The boards whose firmware is built, run and measured: one of each set of instructions, and those that are like one of them. The micro:bit computes floats in software, which takes flash and instructions.
 pub const BOARDS: [Board; 6] = [
     AN386,
-    Board { name: "mps2-an385", feature: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, most: UNBOUND, ..AN386 },
+    Board { name: "mps2-an385", feature: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, is_alike: true, most: UNBOUND, ..AN386 },
     Board {
         name: "microbit",
         feature: "microbit",
         processor: "Cortex-M0",
         target: CORTEX_M0,
         preset: "tiny",
+        is_alike: false,
         most: [16 * 1024, 100 * 1024, 2_000_000],
     },
-    Board { name: "mps2-an505", feature: "mps2-an505", processor: "Cortex-M33F", target: CORTEX_M33F, most: UNBOUND, ..AN386 },
-    Board { name: "mps2-an500", processor: "Cortex-M7F", most: UNBOUND, ..AN386 },
+    Board {
+        name: "mps2-an505",
+        feature: "mps2-an505",
+        processor: "Cortex-M33F",
+        target: CORTEX_M33F,
+        is_alike: true,
+        most: UNBOUND,
+        ..AN386
+    },
+    Board { name: "mps2-an500", processor: "Cortex-M7F", is_alike: true, most: UNBOUND, ..AN386 },
     Board { name: RISCV_BOARD, feature: RISCV_BOARD, processor: "RISC-V, rv32imac", target: RISCV, most: UNBOUND, ..AN386 },
 ];
 

@@ -98,20 +98,21 @@ pub struct Trial {
     pub tick: Report,
 }
 
-/// All firmware, built.
-pub fn images() -> Result<&'static [Image]> {
+/// The firmware of all boards, or of one for each set of instructions, built.
+pub fn images(all_boards: bool) -> Result<&'static [Image]> {
     static DONE: OnceLock<Vec<Image>> = OnceLock::new();
-    Ok(once(&DONE, || BOARDS.iter().map(Image::build).collect::<Result<Vec<_>>>())?)
+    let boards = BOARDS.iter().filter(|board| all_boards || !board.is_alike);
+    Ok(once(&DONE, || boards.map(Image::build).collect::<Result<Vec<_>>>())?)
 }
 
-/// All firmware, built and run, two at a time.
-pub fn trials() -> Result<&'static [Trial]> {
+/// The same, built and run, two at a time.
+pub fn trials(all_boards: bool) -> Result<&'static [Trial]> {
     static DONE: OnceLock<Vec<Trial>> = OnceLock::new();
     let run_all = || {
         QEMU.path()?;
         QEMU_RISCV.path()?;
         let mut trials = Vec::new();
-        for pair in images()?.chunks(2) {
+        for pair in images(all_boards)?.chunks(2) {
             let threads: Vec<_> = pair.iter().map(|image| std::thread::spawn(|| image.run())).collect();
             for thread in threads {
                 trials.push(thread.join().unwrap_or_else(|_| Err(anyhow!("a run could not be followed")))?);

@@ -30,28 +30,29 @@ const HOST: &str = "x86_64-unknown-linux-gnu";
 /// Builds and runs the targets. libFuzzer prints the number of inputs at the beginning of its lines.
 pub fn run(options: &Options) -> Result<()> {
     let (sh, folder) = (shell()?, target_dir().join(if options.sanitize { "fuzz-sanitized" } else { "fuzz" }));
-    let build = cmd!(sh, "cargo build --locked --release --bins --target {HOST} --manifest-path fuzz/Cargo.toml --target-dir {folder}");
+    let build =
+        cmd!(sh, "cargo build --locked --release --bins --target {HOST} --manifest-path tests/fuzz/Cargo.toml --target-dir {folder}");
     let build = match options.sanitize {
         true => build.env("RUSTFLAGS", format!("{FLAGS} {SANITIZER}")).env("RUSTC_BOOTSTRAP", "1"),
         false => build.env("RUSTFLAGS", FLAGS),
     };
     build.run().context("the fuzz targets need Linux on x86-64")?;
-    let files = sh.read_dir("fuzz/fuzz_targets")?;
+    let files = sh.read_dir("tests/fuzz/fuzz_targets")?;
     let mut targets: Vec<_> = files.iter().filter_map(|file| file.file_stem()?.to_str()).collect();
     targets.retain(|target| options.target.as_ref().is_none_or(|only| only == target));
-    ensure!(!targets.is_empty(), "there is no fuzz target of this name; see fuzz/fuzz_targets");
+    ensure!(!targets.is_empty(), "there is no fuzz target of this name; see tests/fuzz/fuzz_targets");
     let processes = std::thread::available_parallelism()?.to_string();
     let limit = format!("-max_total_time={}", options.seconds);
     let mut failed = Vec::new();
     for target in targets {
         let (made, found) = (sh.create_dir(folder.join("made").join(target))?, sh.create_dir(folder.join("found").join(target))?);
-        let program = cmd!(sh, "{folder}/{HOST}/release/{target} {made} fuzz/corpus/{target} -fork={processes} {limit}");
+        let program = cmd!(sh, "{folder}/{HOST}/release/{target} {made} tests/fuzz/corpus/{target} -fork={processes} {limit}");
         let checks = ["-timeout=60".to_owned(), "-rss_limit_mb=4096".to_owned(), format!("-artifact_prefix={}/", found.display())];
         failed.extend(program.args(checks).run().is_err().then(|| format!("{target}, with an input in {}", found.display())));
     }
     ensure!(
         failed.is_empty(),
-        "{}: mend it, and keep the input in fuzz/corpus with a name that says what was wrong; `fuzz_smoke` then tests it",
+        "{}: mend it, and keep the input in tests/fuzz/corpus with a name that says what was wrong; `fuzz_smoke` then tests it",
         failed.join("; ")
     );
     Ok(())

@@ -16,10 +16,11 @@
 //! A full table is reported by a [`CapacityError`], which names the field to raise.
 
 mod error;
-mod list;
+pub(crate) mod list;
 
 pub use error::CapacityError;
-pub use list::{Capacities, Capacity, UnknownCapacity};
+pub(crate) use list::Capacities;
+pub use list::{Capacity, UnknownCapacity};
 
 /// Words of one English command; more are refused with [`Capacity::WordsPerCommand`].
 pub const WORDS_PER_COMMAND: usize = 64;

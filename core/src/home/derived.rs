@@ -117,7 +117,7 @@ mod tests {
 
     /// A wide red room below, a green and a blue one above it, and two chairs.
     fn facts(with_derived: bool, name: &str) -> Vec<String> {
-        let mut memory = crate::memory::HeapMemory::new(&crate::Capacities::STANDARD);
+        let mut memory = crate::HeapMemory::new(&crate::Capacities::STANDARD);
         let mut builder = HomeBuilder::new(&mut memory.home);
         builder.room("below", Area::new(0, 0, 8, 4), "red").unwrap();
         builder.room("left", Area::new(0, 4, 4, 8), "green").unwrap();

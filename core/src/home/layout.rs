@@ -22,7 +22,7 @@ pub struct Area {
 
 impl Area {
     /// A box without cells.
-    pub const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
+    pub(crate) const NOWHERE: Self = Self { left: 0, bottom: 0, right: -1, top: -1 };
 
     /// The box with these sides.
     pub const fn new(left: i32, bottom: i32, right: i32, top: i32) -> Self {

@@ -1,7 +1,7 @@
 //! Memory that the caller owns and lends for the length of each call, shaped by [`Capacities`](crate::Capacities).
 //!
 //! [`memory!`](crate::memory!) makes a struct of plain arrays, which a controller puts into a static; with the `alloc` feature,
-//! [`HeapMemory`] takes the same capacities at run time. Both have two parts: `home`, for a [`Home`](crate::home::Home), and `agent`, for
+//! [`HeapMemory`](crate::HeapMemory) takes the same capacities at run time. Both have two parts: `home`, for a [`Home`](crate::home::Home), and `agent`, for
 //! an [`Agent`](crate::Agent). Either part may be moved in or lent:
 //!
 //! | memory handed over | who owns the tables |
@@ -15,12 +15,12 @@
 
 mod arrays;
 #[cfg(feature = "alloc")]
-mod heap;
+pub(crate) mod heap;
 mod list;
 
 pub use arrays::{AgentArrays, Arrays, HomeArrays};
 #[cfg(feature = "alloc")]
-pub use heap::{AgentHeap, HeapMemory, HomeHeap};
+pub use heap::{AgentHeap, HomeHeap};
 
 /// Makes the structs of slices, mutable and read-only, and the trait of memory that lends them.
 macro_rules! tables {

@@ -51,7 +51,7 @@ pub struct Floor<'a> {
 impl Floor<'_> {
     /// The cell next to `cell` in a direction (0 to 3), or [`CellId::NONE`].
     #[inline]
-    pub fn neighbour(&self, cell: CellId, direction: usize) -> CellId {
+    pub(crate) fn neighbour(&self, cell: CellId, direction: usize) -> CellId {
         self.cells.get(cell.index()).and_then(|cell| cell.neighbours.get(direction)).copied().unwrap_or(CellId::NONE)
     }
 

@@ -9,7 +9,7 @@ pub struct StateKey([u64; WORDS]);
 
 impl StateKey {
     /// The bits of a key.
-    pub const BITS: usize = WORDS * u64::BITS as usize;
+    pub(crate) const BITS: usize = WORDS * u64::BITS as usize;
 
     /// The key of a state with this number.
     pub const fn of(number: u64) -> Self {

@@ -31,7 +31,7 @@ use heapless::Vec;
 use rand_core::Rng;
 
 /// Less probable tasks are not planned: their optimal sets are unknown, and no evidence counts for or against them.
-pub const NEGLIGIBLE: f32 = 1e-9;
+const NEGLIGIBLE: f32 = 1e-9;
 
 /// From this probability on, a task gets the planner's full effort, however many tasks there are.
 #[cfg(feature = "bounds")]

@@ -81,7 +81,7 @@ impl<'t> CandidatesRef<'t> {
     }
 
     /// The last candidate that was added for a task, if any.
-    pub fn added_for(self, task: usize) -> Option<usize> {
+    pub(crate) fn added_for(self, task: usize) -> Option<usize> {
         self.entries().iter().rposition(|entry| usize::from(entry.task) == task)
     }
 }

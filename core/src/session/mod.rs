@@ -26,12 +26,15 @@ pub(crate) mod options;
 pub(crate) mod phase;
 mod ways;
 
-pub use agent::{Agent, Decision, Evidence, NEGLIGIBLE};
+pub(crate) use agent::Agent;
+pub use agent::{Decision, Evidence};
 pub use candidates::{Candidate, CandidatesRef};
-pub use error::AgentError;
+#[cfg(feature = "asking")]
+pub(crate) use error::AgentError;
 pub use gave_way::GaveWay;
 pub use hypotheses::Hypothesis;
 pub use learning::Finished;
 pub use least::Lessons;
-pub use options::{Options, Weights};
+pub(crate) use options::Options;
+pub use options::Weights;
 pub use phase::Phase;

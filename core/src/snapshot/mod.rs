@@ -42,8 +42,8 @@ pub use contents::Contents;
 pub use error::{Part, RestoreError, SaveError};
 pub use parameters::PARAMETERS_MAGIC;
 pub use record::{
-    CHECK_BYTES, CommandRecord, HEADER_BYTES, KINDS_MAGIC, LAYERED_VERSION, LEAST_BYTES, MAGIC, OLDEST_VERSION, PairRecord, RestsRecord,
-    SAVED, SessionRecord, StrategyRecord, TrainerRecord, VERSION, most_bytes,
+    CommandRecord, KINDS_MAGIC, LAYERED_VERSION, PairRecord, RestsRecord, SAVED, SessionRecord, StrategyRecord, TrainerRecord, VERSION,
+    most_bytes,
 };
 #[cfg(feature = "learning")]
 pub use restoring::Restoring;

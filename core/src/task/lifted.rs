@@ -20,7 +20,7 @@ pub struct LiftedProposition {
 }
 
 /// A conjunction of propositional functions over typed variables: `blockInRoom(?o, ?r)`. A state where it holds has reward 1 and is
-/// terminal. It may have a [way](super::way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
+/// terminal. It may have a [way](super::Way): `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LiftedTask {
     /// The goal's propositions, then those of the way.
@@ -173,7 +173,7 @@ impl LiftedTask {
     ///
     /// # Errors
     /// [`TaskTextError`].
-    pub fn with_clause(
+    pub(crate) fn with_clause(
         &self,
         clause: Clause,
         proposition: PropositionId,
@@ -230,7 +230,7 @@ impl LiftedTask {
     }
 
     /// Reads `agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2)`. A repeated variable is the same object; different variables are bound to
-    /// different objects. A [way](super::way) follows the goal: `then` and the next goal, `through` a proposition `or` another, and
+    /// different objects. A [way](super::Way) follows the goal: `then` and the next goal, `through` a proposition `or` another, and
     /// `avoiding` a proposition `or` another.
     ///
     /// ```
@@ -394,7 +394,7 @@ impl LiftedTask {
         self.propositions.get(..goal).unwrap_or(&[])
     }
 
-    /// Whether it has a [way](super::way).
+    /// Whether it has a [way](super::Way).
     pub fn has_way(&self) -> bool {
         self.way().next().is_some()
     }

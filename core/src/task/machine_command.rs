@@ -95,7 +95,7 @@ impl Expression {
     ///
     /// # Errors
     /// A [`CapacityError`] if it has too many tokens.
-    pub fn write_machine_command(&self, constraint: u16, command: &mut Tokens) -> Result<(), CapacityError> {
+    pub(crate) fn write_machine_command(&self, constraint: u16, command: &mut Tokens) -> Result<(), CapacityError> {
         command.clear();
         let mut head = self.head.iter();
         let mut taken = 0;

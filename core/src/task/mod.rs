@@ -5,7 +5,7 @@
 //! - `constraint`: the attributes of the bound objects that a command may mention;
 //! - `machine_command`: a task and a constraint as the sentence that a command is translated from;
 //! - `role`: the part of an object in a task;
-//! - [`way`]: path constraints, which must hold, or must not, before the goal;
+//! - `way`: path constraints, which must hold, or must not, before the goal;
 //! - `wording`: the order in which a task and its way are worded;
 //! - [`description`]: a task and its scene by roles, which the role model reads.
 
@@ -16,7 +16,7 @@ pub(crate) mod grounded;
 pub(crate) mod lifted;
 pub(crate) mod machine_command;
 pub(crate) mod role;
-pub mod way;
+pub(crate) mod way;
 pub(crate) mod wording;
 
 pub use constraint::{Fact, Facts, facts};

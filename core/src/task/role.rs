@@ -34,7 +34,7 @@ impl RoleKind {
     /// The number of kinds.
     pub const COUNT: usize = if cfg!(feature = "ways") { 8 } else { Self::WITHOUT_WAYS };
     /// The number of kinds if no task has a way: they are the first ones.
-    pub const WITHOUT_WAYS: usize = 5;
+    pub(crate) const WITHOUT_WAYS: usize = 5;
     const ALL: [Self; 8] =
         [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
 

@@ -1,13 +1,4 @@
 //! Ways: path constraints of a task, which must hold before its goal counts as reached.
-//!
-//! | text | meaning for a course of states up to its last one | as a formula |
-//! |---|---|---|
-//! | `goal through P` | P holds in one of them, the last included | F(P & F goal) |
-//! | `goal through P or Q` | P or Q holds in one of them | F((P or Q) & F goal) |
-//! | `goal avoiding P` | P holds in none before the last | (not P) U goal |
-//! | `first then goal` | `first` holds in one of them, and the goal there or later | F(first & F goal) |
-//!
-//! A way is a small automaton, whose state is a [`WayState`]. It advances with each state that the robot reaches, the first included.
 
 use super::{GroundedTask, LiftedTask};
 use crate::oomdp::GroundProposition;
@@ -56,7 +47,7 @@ impl WayState {
 
     /// The task is negated: it must not hold, at any time.
     #[cfg(feature = "talk")]
-    pub const NEGATED: Self = Self(NEGATED);
+    pub(crate) const NEGATED: Self = Self(NEGATED);
 
     /// Whether the task is negated.
     pub const fn is_negated(self) -> bool {
@@ -97,7 +88,16 @@ impl WayState {
     }
 }
 
-/// The way of a grounded task.
+/// The way of a grounded task: path constraints, which must hold before its goal counts as reached.
+///
+/// | text | meaning for a course of states up to its last one | as a formula |
+/// |---|---|---|
+/// | `goal through P` | P holds in one of them, the last included | F(P & F goal) |
+/// | `goal through P or Q` | P or Q holds in one of them | F((P or Q) & F goal) |
+/// | `goal avoiding P` | P holds in none before the last | (not P) U goal |
+/// | `first then goal` | `first` holds in one of them, and the goal there or later | F(first & F goal) |
+///
+/// A way is a small automaton, whose state is a [`WayState`]. It advances with each state that the robot reaches, the first included.
 #[derive(Clone, Copy, Debug)]
 pub struct Way<'l> {
     lifted: &'l LiftedTask,
@@ -122,7 +122,7 @@ impl<'l> Way<'l> {
     }
 
     /// The number of earlier goals.
-    pub fn stages(&self) -> u8 {
+    pub(crate) fn stages(&self) -> u8 {
         let positions = self.lifted.way().map(|(part, _)| if let Part::Before(position) = part { position.saturating_add(1) } else { 0 });
         positions.max().unwrap_or(0)
     }
@@ -135,7 +135,7 @@ impl<'l> Way<'l> {
     }
 
     /// Whether only the goal is left, with nothing to avoid: the task is then like one without a way.
-    pub fn is_finished(&self, state: WayState) -> bool {
+    pub(crate) fn is_finished(&self, state: WayState) -> bool {
         let open = |(part, _)| match part {
             Part::Goal => false,
             Part::Before(position) => position >= state.stage(),
@@ -191,7 +191,7 @@ impl<'l> Way<'l> {
     }
 
     /// Whether another task has the same way and the same progress: one search then serves both.
-    pub fn is_shared_with(&self, other: &Way<'_>) -> bool {
+    pub(crate) fn is_shared_with(&self, other: &Way<'_>) -> bool {
         self.task.way == other.task.way && self.parts().eq(other.parts())
     }
 
@@ -220,7 +220,7 @@ impl<'l> Way<'l> {
     }
 
     /// Whether another grounding of the lifted task, with its objects in order, means the same: alternatives and clauses commute.
-    pub fn is_twin(&self) -> bool {
+    pub(crate) fn is_twin(&self) -> bool {
         let parts = || self.lifted.way().zip(self.parts()).map(|((_, lifted), (part, ground))| (part, lifted, ground));
         let alone = |part: Part| parts().filter(|&(other, ..)| other == part).count() == 1;
         let exchangeable = |a: Part, b: Part| match (a, b) {

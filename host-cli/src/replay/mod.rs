@@ -8,7 +8,7 @@ mod report;
 
 use crate::paper::options::WeightsChoice;
 use clap::{Args, ValueHint};
-use goodbot::session::Options;
+use goodbot::Options;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::content::Content;

@@ -264,7 +264,7 @@ fn the_picture_of_many_runs_has_a_bar_for_each_lesson_and_test() {
 fn a_reader_who_leaves_early_is_no_error() {
     use std::process::{Command, Stdio};
     let mut child = Command::new(env!("CARGO_BIN_EXE_goodbot"))
-        .args(["--runs", "400", "--json"])
+        .args(["--runs", "20", "--json"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

@@ -33,7 +33,7 @@ fn refused(arguments: &[&str], fault: &str) {
 }
 
 const SMALL: [&str; 10] =
-    ["--courses", "paper", "--agents", "paper,tamer+roles", "--trainers", "balanced,population", "--runs", "6", "--seed", "40"];
+    ["--courses", "paper", "--agents", "paper,tamer+roles", "--trainers", "balanced,population", "--runs", "4", "--seed", "40"];
 
 fn small(more: &[&str]) -> Vec<String> {
     SMALL.iter().chain(more).map(|argument| (*argument).to_owned()).collect()
@@ -49,7 +49,7 @@ fn there_is_a_line_for_each_run_and_one_for_each_course_trainer_and_agent() {
     let text = small_output(&["--json"]);
     let lines: Vec<Value> = text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let of = |kind: &str| lines.iter().filter(|line| line["type"] == kind).collect::<Vec<_>>();
-    assert_eq!((of("study").len(), of("run").len()), (1, 6 * 2 * 2));
+    assert_eq!((of("study").len(), of("run").len()), (1, 4 * 2 * 2));
     let names: Vec<(&str, &str)> =
         of("summary").iter().map(|line| (line["trainer"].as_str().unwrap(), line["agent"].as_str().unwrap())).collect();
     let trainers = ["balanced", "population"];
@@ -59,7 +59,7 @@ fn there_is_a_line_for_each_run_and_one_for_each_course_trainer_and_agent() {
     let (runs, summaries) = (of("run"), of("summary"));
     let words: u64 = runs.iter().filter(paper).flat_map(|run| run["words"].as_array().unwrap()).map(|count| count.as_u64().unwrap()).sum();
     let mean = summaries.iter().find(paper).unwrap()["words"]["mean"].as_f64().unwrap();
-    assert!((mean - words as f64 / 6.0).abs() < 1e-9, "{mean}");
+    assert!((mean - words as f64 / 4.0).abs() < 1e-9, "{mean}");
 }
 
 #[test]
@@ -122,11 +122,11 @@ fn parts_that_are_no_whole_are_refused_with_what_is_missing() {
     refused(&["--merge", &cut, &two], "a file is cut off or was changed");
     for (seeds, is) in [("4294967295", "a file is cut off or was changed"), ("0", "has no number of runs")] {
         let of_many =
-            [&first, &std::fs::read_to_string(&two).unwrap()].map(|text| text.replacen("\"runs\":6", &format!("\"runs\":{seeds}"), 1));
+            [&first, &std::fs::read_to_string(&two).unwrap()].map(|text| text.replacen("\"runs\":4", &format!("\"runs\":{seeds}"), 1));
         refused(&["--merge", &write("one-of-many", &of_many[0]), &write("two-of-many", &of_many[1])], is);
     }
     let half = write("half", &first[..first.len() - 20]);
-    refused(&["--merge", &half, &two], "half:13: is no JSON");
+    refused(&["--merge", &half, &two], "half:9: is no JSON");
     refused(&["--merge", &write("empty", "")], "is empty");
     refused(&["--merge", &write("words", "{\"type\":\"session\"}\n")], "is no study");
     refused(&["--merge", folder.join("none").to_str().unwrap()], "cannot be read");
@@ -160,12 +160,12 @@ fn language(name: &str, answer: &str) -> String {
 #[cfg(unix)]
 fn a_program_is_a_language_and_one_that_knows_nothing_is_as_good_as_none() {
     let ask = |agent: &str, more: &[&str]| {
-        let text = output(&[&["--courses", "told", "--trainers", "balanced", "--runs", "4", "--json", "--agents", agent], more].concat());
+        let text = output(&[&["--courses", "told", "--trainers", "balanced", "--runs", "2", "--json", "--agents", agent], more].concat());
         text.lines().filter(|line| line.contains(r#""type":"run""#)).map(|line| line.replace(agent, "AGENT")).collect::<Vec<_>>()
     };
     let zeros = language("study-zeros", "ZEROS");
     let asked = ask("sabl+program", &["--program", &zeros]);
-    assert_eq!((asked.len(), &asked), (4, &ask("sabl+none", &[])));
+    assert_eq!((asked.len(), &asked), (2, &ask("sabl+none", &[])));
     // The file names the program, and so the parts of a study with it can be joined.
     let part = folder("study-program").join("part.jsonl");
     let run =
@@ -210,8 +210,11 @@ fn a_program_that_never_answers_ends_the_study_with_what_to_do() {
 #[cfg(unix)]
 fn with_a_program_every_inference_has_it_as_one_of_its_languages() {
     let zeros = language("study-every", "ZEROS");
-    let asked = ["--courses", "told", "--trainers", "mute", "--runs", "2", "--program", &zeros, "--program-runs", "1"];
-    let text = output(&[&asked[..], &["--csv"]].concat());
+    let asked = |agents: &[&str], more: &[&str]| {
+        let study = ["--courses", "told", "--trainers", "mute", "--runs", "2", "--program", &zeros, "--program-runs", "1"];
+        output(&[&study[..], agents, more].concat())
+    };
+    let text = asked(&[], &["--csv"]);
     let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 6 * 5, "{text}");
     let agents: Vec<&str> = rows[..5].iter().map(|row| row[2]).collect();
@@ -219,13 +222,13 @@ fn with_a_program_every_inference_has_it_as_one_of_its_languages() {
     let with: Vec<&str> = rows.iter().filter(|row| row[2].ends_with("+program")).map(|row| row[4]).collect();
     assert_eq!(with, ["1"; 6], "the program has the first seed only: {text}");
     // Parts have as many seeds with the program as the whole.
-    let folder = folder("study-every-parts");
+    let (folder, two) = (folder("study-every-parts"), ["--agents", "sabl+none,sabl+program"]);
     let parts = ["1/2", "2/2"].map(|part| {
         let file = folder.join(part.replace('/', "-"));
-        std::fs::write(&file, output(&[&asked[..], &["--json", "--shard", part]].concat())).expect("a part");
+        std::fs::write(&file, asked(&two, &["--json", "--shard", part])).expect("a part");
         file.to_str().expect("a name").to_owned()
     });
-    assert_eq!(output(&["--merge", &parts[0], &parts[1], "--csv"]), text);
+    assert_eq!(output(&["--merge", &parts[0], &parts[1], "--csv"]), asked(&two, &["--csv"]));
 }
 
 #[test]
@@ -294,7 +297,7 @@ fn a_page_says_what_it_does_not_show_and_has_its_picture_beside_it() {
     small_output(&["--report", named]);
     let text = std::fs::read_to_string(&page).unwrap();
     for part in
-        ["No human took part", "four commands only", "`goodbot study --runs 6 --seed 40", "### Course paper", "Knox and P. Stone (2009)"]
+        ["No human took part", "four commands only", "`goodbot study --runs 4 --seed 40", "### Course paper", "Knox and P. Stone (2009)"]
     {
         assert!(text.contains(part), "no {part:?} in {text}");
     }

@@ -1,4 +1,4 @@
-//! Tests with hostile input: one function for each fuzz target, called by `fuzz/fuzz_targets` and by the tests alike.
+//! Tests with hostile input: one function for each fuzz target, called by `tests/fuzz/fuzz_targets` and by the tests alike.
 //!
 //! Each takes any bytes. None may panic, and the results must be sound: no NaN, no probability outside [0, 1].
 

@@ -3,9 +3,8 @@
 use goodbot::capacity::Capacity;
 use goodbot::home::{Home, HomeState, paper_tasks};
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::session::AgentError;
 use goodbot::task::GroundedTask;
-use goodbot::{Agent, Capacities, HeapMemory, Options};
+use goodbot::{Agent, AgentError, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{Lesson, lessons};
 use proptest::collection::vec;
 use proptest::prelude::*;

@@ -79,8 +79,8 @@ pub struct Setup {
     pub hex: PathBuf,
     /// The command line, which writes `.hex` files.
     pub goodbot: PathBuf,
-    /// The robot among embassy's tasks.
-    pub embassy: PathBuf,
+    /// The robot among embassy's tasks, if it was built.
+    pub embassy: Option<PathBuf>,
 }
 
 /// A board that is switched on; it is switched off when dropped.

@@ -16,7 +16,8 @@ const HOUSE: Layout = Layout {
 };
 
 pub fn a_lesson_is_given_by_buttons_and_outlives_the_battery(setup: &Setup) {
-    let mut board = Board::with_file(setup, &setup.embassy, None);
+    let firmware = setup.embassy.as_ref().unwrap();
+    let mut board = Board::with_file(setup, firmware, None);
     assert_eq!(board.line(), "nothing is stored");
     let exercise = LESSONS.iter().find(|exercise| exercise.command == "go to the green room").unwrap();
     assert_eq!(board.line(), format!("hears: {}", exercise.command));
@@ -37,7 +38,7 @@ pub fn a_lesson_is_given_by_buttons_and_outlives_the_battery(setup: &Setup) {
     // The battery is empty and is replaced.
     let slots = board.slots();
     drop(board);
-    let mut board = Board::with_file(setup, &setup.embassy, Some(&slots));
+    let mut board = Board::with_file(setup, firmware, Some(&slots));
     assert_eq!(board.line(), stored.replace("stored", "stored:"));
     assert_eq!(board.line(), "lessons 1");
 }

@@ -1,7 +1,8 @@
 //! The micro:bit's file, `dist/goodbot.hex`, on emulated boards of both versions: lessons over its serial line and by its buttons, its lights,
 //! and its model after an interrupted store; and the robot among embassy's tasks.
 //!
-//! `cargo xtask test --only microbit` builds the file and passes its path and the emulators'; without them, these tests are ignored.
+//! `cargo xtask test --only microbit` builds the file and passes its path and the emulators'; without them, these tests are ignored. The firmware with
+//! embassy is built and tried with `--all-boards`.
 
 #[cfg(unix)]
 mod board;
@@ -19,10 +20,11 @@ fn main() -> ExitCode {
     let setup = |version: &'static Version, emulator: &'static str| {
         let place = |name: &str| std::env::var_os(name).map(std::path::PathBuf::from).ok_or(format!("{name} is not set"));
         let [emulator, hex, goodbot, embassy] = [emulator, "GOODBOT_MICROBIT", "GOODBOT_CLI", "GOODBOT_EMBASSY"].map(place);
-        Ok::<_, String>(Setup { version, emulator: emulator?, hex: hex?, goodbot: goodbot?, embassy: embassy? })
+        Ok::<_, String>(Setup { version, emulator: emulator?, hex: hex?, goodbot: goodbot?, embassy: embassy.ok() })
     };
     let (v1, v2) = (setup(&V1, "GOODBOT_QEMU"), setup(&V2, "GOODBOT_UNICORN"));
-    let embassy = v1.clone();
+    let embassy =
+        v1.clone().and_then(|setup| setup.embassy.is_some().then_some(setup).ok_or_else(|| "GOODBOT_EMBASSY is not set".to_owned()));
     let test = |setup: &Result<Setup, String>, name: &str, run: fn(&Setup)| {
         let setup = setup.clone();
         let absent = setup.is_err();

@@ -12,7 +12,7 @@ use anyhow::{Result, ensure};
 use clap::{Args, ValueEnum};
 
 use crate::programs::Missing;
-use crate::{capi, footprint, guide, release};
+use crate::{capi, footprint, guide};
 use parallel::ParallelSteps;
 use step::{End, Outcome, Step};
 use tally::{Run, Tally};
@@ -33,6 +33,9 @@ impl Step {
             }
             Self::Tests => (work::tests, "run the failed test alone: `cargo test --workspace`, and the test's name after it"),
             Self::Docs => (|_| work::docs(), "mend the doc comments that rustdoc points at"),
+            Self::Module => {
+                (|_| crate::page::prepare(), "`cargo xtask page` makes the page; its module is in wasm, its builder in page/builder")
+            }
             Self::Portable => (
                 |run| work::portable(run),
                 "`cargo check -p goodbot --no-default-features --features …` shows it; mark code for Unix alone with `#[cfg(unix)]`",
@@ -40,22 +43,26 @@ impl Step {
             Self::Python => (work::python, "the tests are in python/tests; `maturin develop` in python/ builds what `pytest` there tries"),
             Self::Page => (work::page, "see the test that failed in page/tests; the page is dist/goodbot.html"),
             Self::CHost => (|_| capi::on_host(), "the examples are in capi/examples; the sanitizer says where"),
-            Self::CBoard => (|_| capi::on_board(), "the examples are in capi/examples, what the board needs in capi/examples/board"),
-            Self::Packages => (
-                |_| release::check(),
-                "the packages are made by xtask/src/release, from capi/packages; their users are in capi/tests/packages",
-            ),
+            Self::CBoard => {
+                (|run| capi::on_board(run.all_boards), "the examples are in capi/examples, what the board needs in capi/examples/board")
+            }
             Self::Guide => (|_| guide::follow(), "mend docs/robot.md, or the code that it describes"),
-            Self::Firmware => (|_| work::course(), "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/"),
-            Self::Tick => (|_| work::tick(), "`cargo xtask footprint` shows what each call costs; the firmware is in firmware/"),
+            Self::Firmware => {
+                (|run| work::course(run), "`cargo xtask footprint` shows what each binary costs; the firmware is in firmware/")
+            }
+            Self::Tick => (|run| work::tick(run), "`cargo xtask footprint` shows what each call costs; the firmware is in firmware/"),
             Self::Microbit => {
                 (work::microbit, "the tests are in tests/tests/microbit, the firmware in firmware/microbit and firmware/embassy")
             }
-            Self::SameBits => (|_| work::same_bits(), "look for code that is more than + - * / on f32, or depends on the width of usize"),
-            Self::NoPanic => {
-                (|_| work::no_panic(), "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed")
+            Self::SameBits => {
+                (|run| work::same_bits(run), "look for code that is more than + - * / on f32, or depends on the width of usize")
             }
-            Self::Footprint => (|_| footprint::check(), "make it cheaper, or renew the tables on purpose: `cargo xtask footprint`"),
+            Self::NoPanic => {
+                (|run| work::no_panic(run), "`arm-none-eabi-objdump -dC` on the binary shows who calls the symbols that are listed")
+            }
+            Self::Footprint => {
+                (|run| footprint::check(run.all_boards), "make it cheaper, or renew the tables on purpose: `cargo xtask footprint`")
+            }
         }
     }
 }
@@ -69,6 +76,9 @@ pub struct Options {
     /// Runs this step only; can be given more than once
     #[arg(long, value_name = "STEP")]
     only: Vec<Step>,
+    /// Also runs what is much like the rest: three more emulated boards, the Raspberry Pi Pico, the ESP32-C3, embassy, small C libraries, and calls with full tables
+    #[arg(long)]
+    all_boards: bool,
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had
     #[arg(long)]
     allow_missing: bool,
@@ -94,9 +104,10 @@ pub fn run(options: &Options) -> Result<()> {
     let (there, here): (Vec<_>, Vec<_>) = chosen.iter().partition(|step| step.is_parallel());
     let has_both =
         !there.is_empty() && !here.is_empty() && std::thread::available_parallelism().is_ok_and(|processors| processors.get() > 1);
-    let (mut parallel, here) = if has_both { (Some(ParallelSteps::start(&there)?), here) } else { (None, chosen.clone()) };
+    let (mut parallel, here) =
+        if has_both { (Some(ParallelSteps::start(&there, options.all_boards)?), here) } else { (None, chosen.clone()) };
 
-    let mut run = Run { fast: options.fast, chosen: here.clone(), tally: Tally::default() };
+    let mut run = Run { fast: options.fast, all_boards: options.all_boards, chosen: here.clone(), tally: Tally::default() };
     let mut ends: Vec<End> = Vec::new();
     let has_failed = |ends: &[End]| ends.iter().any(|(_, _, outcome)| *outcome == Outcome::Failed);
     for step in here {
@@ -185,7 +196,8 @@ mod tests {
 
     #[test]
     fn steps_are_chosen_by_speed_and_by_name() {
-        let chosen = |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), allow_missing: false, report: None });
+        let chosen =
+            |fast, only: &[Step]| chosen(&Options { fast, only: only.to_vec(), all_boards: false, allow_missing: false, report: None });
         assert_eq!(chosen(false, &[]), Step::value_variants());
         let fast = chosen(true, &[]);
         assert!(fast.contains(&Step::Clippy) && !fast.contains(&Step::Docs));

@@ -22,12 +22,13 @@ pub struct ParallelSteps {
 }
 
 impl ParallelSteps {
-    pub fn start(steps: &[Step]) -> Result<Self> {
+    pub fn start(steps: &[Step], all_boards: bool) -> Result<Self> {
         let report = target_dir().join("parallel-steps.json");
         shell()?.remove_path(&report)?;
         let (reader, writer) = std::io::pipe()?;
         let mut command = Command::new(std::env::current_exe()?);
         command.args(["test", "--report"]).arg(&report).args(steps.iter().flat_map(|step| ["--only".to_owned(), step.name()]));
+        command.args(all_boards.then_some("--all-boards"));
         let child = command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer).spawn().context("the parallel steps")?;
         // The reader ends when nobody holds the writer any more.
         drop(command);

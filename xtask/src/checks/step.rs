@@ -19,42 +19,42 @@ pub enum Step {
     Tests,
     /// locked crates, licences, sources and the public interface are as written down, where cargo-deny and cargo-public-api are installed
     Trust,
-    /// the documentation is built without a warning
+    /// the documentation of the libraries is built without a warning
     Docs,
-    /// the core compiles with each of its features, and the command line for Windows, where its standard library is ready
+    /// the page's module and the program that makes the page are built
+    Module,
+    /// the core compiles with each of its features alone and with all, and the command line for Windows, where its standard library is ready
     Portable,
-    /// the Python package's tests, types and stubs, of a wheel in an environment of its own
-    Python,
     /// the trainer page works in a browser, from a file
     Page,
-    /// the C examples run under AddressSanitizer and UBSan
+    /// the examples in C and C++ run under AddressSanitizer and UBSan
     CHost,
     /// the C examples run on an emulated Cortex-M4F and contain no panic
     CBoard,
-    /// CMake, pkg-config, PlatformIO and Arduino find the C library in its packages, and C++ takes it
-    Packages,
     /// the programs of docs/robot.md, built in an empty folder, print what it promises
     Guide,
-    /// the paper's course passes on six emulated boards, Cortex-M0 to M33 and RISC-V, in its bounds
+    /// the paper's course passes on emulated boards, a Cortex-M0, a Cortex-M4F and a RISC-V, in its bounds
     Firmware,
     /// a control loop with a fixed tick misses none while the robot learns
     Tick,
-    /// the micro:bit's file learns by serial line and buttons on emulated boards, and outlives a torn store; so among embassy's tasks
+    /// the micro:bit's file learns by serial line and buttons on emulated boards, and outlives a torn store
     Microbit,
-    /// this machine, WebAssembly, every board and the Raspberry Pi Pico's file come to the same posteriors, bit for bit
+    /// this machine, WebAssembly and the boards come to the same posteriors, bit for bit
     SameBits,
     /// the linked firmware contains no panic
     NoPanic,
     /// nothing costs more than docs/footprint.md says
     Footprint,
+    /// the Python package's tests, types and stubs, of a wheel in an environment of its own
+    Python,
 }
 
 impl Step {
     /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
-    /// the time it uses only one processor, to link one program.
+    /// the time it uses only one processor, to link one program. Python's comes last there: it builds in the folder of the tests, which are built by then.
     pub const fn is_parallel(self) -> bool {
-        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, NoPanic, Packages, Portable, SameBits, Tick};
-        matches!(self, Portable | CHost | CBoard | Packages | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, Python, SameBits, Tick};
+        matches!(self, Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint | Python)
     }
 
     /// Its name.

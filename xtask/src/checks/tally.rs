@@ -13,6 +13,8 @@ use super::step::Step;
 pub struct Run {
     /// Whether to leave out the longest tests.
     pub fast: bool,
+    /// Whether to run also what is much like the rest, such as a second board with the same instructions.
+    pub all_boards: bool,
     pub chosen: Vec<Step>,
     pub tally: Tally,
 }

@@ -72,11 +72,11 @@ pub fn workflows() -> Result<()> {
 pub fn trust() -> Result<()> {
     let sh = shell()?;
     // No other step builds the fuzz targets.
-    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path fuzz/Cargo.toml").run();
-    lock.context("the crates that fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
+    let lock = cmd!(sh, "cargo update --quiet --workspace --locked --manifest-path tests/fuzz/Cargo.toml").run();
+    lock.context("the crates that tests/fuzz/Cargo.lock names are no longer those that the targets need: run the same without `--locked`")?;
     match built_by_cargo("cargo-deny") {
         Some(deny) => {
-            for workspace in [".", "firmware", "fuzz"] {
+            for workspace in [".", "firmware", "tests/fuzz"] {
                 cmd!(sh, "{deny} --config deny.toml --manifest-path {workspace}/Cargo.toml check bans licenses sources").run()?;
             }
         }
@@ -89,13 +89,16 @@ pub fn trust() -> Result<()> {
     Ok(())
 }
 
+/// Sets of the core's features for clippy, beside the default ones: those of a controller that does without the rest.
+const CLIPPY_SETS: [&str; 4] = ["", "learning", "snapshot", "asking"];
+
 /// Runs clippy on everything; on the core with the features of a controller that learns, hears praise or only obeys, and without any; on the crates
 /// that use a part of the core, each alone; and on the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
     cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
-    for features in ["", "learning", "snapshot", "voice"] {
+    for features in CLIPPY_SETS {
         cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
     }
     for part in ["course", "lesson"] {
@@ -107,13 +110,15 @@ pub fn clippy() -> Result<()> {
     Ok(())
 }
 
+/// The documentation of the libraries that other programs use; the other crates are parts of this project's programs.
 pub fn docs() -> Result<()> {
-    let sh = shell()?;
-    Ok(cmd!(sh, "cargo doc {WORKSPACE...} --no-deps").env("RUSTDOCFLAGS", "-D warnings").run()?)
+    let (sh, packages) = (shell()?, ["goodbot", "goodbot-course", "goodbot-formats", "goodbot-lesson", "goodbot-capi"]);
+    let named = packages.iter().flat_map(|package| ["--package", package]);
+    Ok(cmd!(sh, "cargo doc --no-deps --features goodbot/layer").args(named).env("RUSTDOCFLAGS", "-D warnings").run()?)
 }
 
-/// Checks, without a linker, that the core compiles with each of its features alone, beside `learning`, beside `snapshot`, and with all of them; and that
-/// the command line compiles for another system. To build the standard library of Windows takes minutes, so that is done only if no other step was chosen.
+/// Checks, without a linker, that the core compiles with the sets of [`feature_sets`], and that the command line compiles for another system. To build the
+/// standard library of Windows takes minutes, so that is done only if no other step was chosen.
 pub fn portable(run: &Run) -> Result<()> {
     let sh = shell()?;
     let sets = feature_sets(&sh)?;
@@ -136,17 +141,18 @@ pub fn portable(run: &Run) -> Result<()> {
     Ok(())
 }
 
-/// The core's features one by one, each also beside `learning` and beside `snapshot`, and all of them together.
+/// Sets that follow from no other: code that is there for both features, which no other crate of the project has together without more.
+const PAIRS: [&str; 2] = ["alloc,unicode", "layer,snapshot"];
+
+/// All features together, each alone, and [`PAIRS`]. A feature alone shows what it uses of another without saying so; those that the step `clippy` checks
+/// are left to it. What two features have in common is in the C library, the firmware and the command line, which other steps build.
 fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
     let metadata: Value = serde_json::from_str(&cmd!(sh, "cargo metadata --no-deps --format-version 1").quiet().read()?)?;
     let packages = metadata["packages"].as_array().context("cargo tells packages")?;
     let core = packages.iter().find(|package| package["name"] == "goodbot").context("cargo tells of the core")?;
-    let features = core["features"].as_object().context("cargo tells features")?;
-    let mut sets = vec![features.keys().map(String::as_str).collect::<Vec<_>>().join(",")];
-    for feature in features.keys().filter(|feature| *feature != "default") {
-        sets.extend(["", ",learning", ",snapshot"].map(|beside| format!("{feature}{beside}")));
-    }
-    Ok(sets)
+    let features: Vec<_> = core["features"].as_object().context("cargo tells features")?.keys().map(String::as_str).collect();
+    let alone = features.iter().copied().filter(|feature| *feature != "default" && !CLIPPY_SETS.contains(feature));
+    Ok(std::iter::once(features.join(",")).chain(alone.chain(PAIRS).map(str::to_owned)).collect())
 }
 
 /// Runs the tests by cargo-nextest if it is installed, otherwise by cargo. nextest runs the tests of several files at once and knows
@@ -222,9 +228,9 @@ pub fn page(run: &mut Run) -> Result<()> {
     run.count(cmd!(sh, "cargo test {WORKSPACE...} --test exported_by_the_page"))
 }
 
-/// Runs the course and its tests on every board, and further programs, and checks their bounds.
-pub fn course() -> Result<()> {
-    for trial in trials()? {
+/// Runs the course and its tests on the boards, and further programs, and checks their bounds.
+pub fn course(run: &Run) -> Result<()> {
+    for trial in trials(run.all_boards)? {
         let name = trial.image.name();
         let to_act = trial.course.number("hear")? + trial.course.number("act")?;
         let flash = bytes(&trial.image.binary("course"), &FLASH)?;
@@ -251,8 +257,8 @@ pub fn course() -> Result<()> {
 }
 
 /// Checks that each call of a control loop takes at most its share of a tick, and that no tick is missed.
-pub fn tick() -> Result<()> {
-    for trial in trials()? {
+pub fn tick(run: &Run) -> Result<()> {
+    for trial in trials(run.all_boards)? {
         let (name, number) = (trial.image.name(), |name| trial.tick.number(name));
         let (tick, missed) = (number("tick")?, number("missed")?);
         println!("{name}: a tick of {tick} instructions; longest calls:");
@@ -262,6 +268,9 @@ pub fn tick() -> Result<()> {
             ensure!(longest <= most, "{name}: one call to {call} took more than {most} instructions");
         }
         ensure!(missed == 0, "{name}: {missed} ticks were missed");
+    }
+    if !run.all_boards {
+        return Ok(());
     }
     let with_full_tables = run_alone(&full()?)?;
     println!("with full tables, the longest calls:");
@@ -277,7 +286,9 @@ pub fn tick() -> Result<()> {
 pub fn microbit(run: &mut Run) -> Result<()> {
     let sh = shell()?;
     sh.set_var("GOODBOT_MICROBIT", deliver()?);
-    sh.set_var("GOODBOT_EMBASSY", for_cortex_m0("embassy")?);
+    if run.all_boards {
+        sh.set_var("GOODBOT_EMBASSY", for_cortex_m0("embassy")?);
+    }
     sh.set_var("GOODBOT_QEMU", QEMU.path()?);
     match python_with(UNICORN, "unicorn") {
         Ok(programs) => sh.set_var("GOODBOT_UNICORN", programs.join("python")),
@@ -290,11 +301,11 @@ pub fn microbit(run: &mut Run) -> Result<()> {
 }
 
 /// Checks that the same drill has equal digests everywhere.
-pub fn same_bits() -> Result<()> {
+pub fn same_bits(run: &Run) -> Result<()> {
     let (sh, node, folder) = (shell()?, NODE.path()?, target_dir().join("drill"));
-    // Apart from the workspace's own builds, whose further features change the posteriors.
+    // Apart from the workspace's own builds, whose further features change the posteriors. It runs once, and briefly: more optimisation takes longer.
     let host = cmd!(sh, "cargo run --quiet --release --locked --package goodbot-drill --target-dir {folder}");
-    let host = Report(host.read()?).number("digest")?;
+    let host = Report(host.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", "1").read()?).number("digest")?;
     let (module, _) = toolchain::module(&sh)?;
     module.args(["--package", "goodbot-drill", "--lib"]).run()?;
     let module = toolchain::artifacts(WASM, "page").join("goodbot_drill.wasm");
@@ -302,19 +313,21 @@ pub fn same_bits() -> Result<()> {
                   WebAssembly.instantiate(bytes, {}).then(({ instance }) => console.log(instance.exports.goodbot_drill_digest() >>> 0));";
     let wasm = cmd!(sh, "{node} --eval {script} {module}").read()?;
     let mut all = vec![("this machine".to_owned(), host), ("WebAssembly".to_owned(), wasm.parse().context("node printed no digest")?)];
-    for trial in trials()? {
+    for trial in trials(run.all_boards)? {
         all.push((trial.image.name(), trial.course.number("digest")?));
         all.push((format!("{}, in parts", trial.image.name()), trial.tick.number("digest")?));
     }
-    all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
+    if run.all_boards {
+        all.push(("Raspberry Pi Pico".to_owned(), run_pico()?.number("digest")?));
+        check_esp32c3()?;
+    }
     all.iter().for_each(|(place, digest)| println!("{digest:08x} {place}"));
-    check_esp32c3()?;
     let other = all.iter().find(|(_, digest)| *digest != host);
     ensure!(other.is_none(), "{} comes to other posteriors than this machine", other.map_or("", |(place, _)| place));
     Ok(())
 }
 
-pub fn no_panic() -> Result<()> {
-    let images = images()?.iter().flat_map(Image::binaries);
+pub fn no_panic(run: &Run) -> Result<()> {
+    let images = images(run.all_boards)?.iter().flat_map(Image::binaries);
     nothing_panics(&images.chain(alone()?).chain([obeying()?]).collect::<Vec<_>>())
 }

@@ -54,14 +54,6 @@ pub fn make(sh: &Shell, above: &Path) -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The same with empty folders for the archives, which takes no compiler.
-pub fn without_archives(sh: &Shell, above: &Path) -> Result<PathBuf> {
-    let folder = above.join("boards");
-    describe(sh, &folder)?;
-    ARCHIVES.iter().try_for_each(|(processor, _)| sh.create_dir(folder.join("src").join(processor)).map(drop))?;
-    Ok(folder)
-}
-
 /// Everything but the archives.
 fn describe(sh: &Shell, folder: &Path) -> Result<()> {
     let espressif: Vec<String> =

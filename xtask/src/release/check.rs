@@ -6,23 +6,12 @@ use anyhow::{Result, ensure};
 use xshell::cmd;
 
 use super::texts::Texts;
-use super::{boards, unpacked_c};
 use crate::process::shell;
 use crate::programs::{GCC, GXX, python_with};
 
 const TESTS: &str = "capi/tests/packages";
 /// A lesson to the lift, and a question.
 const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
-
-/// Makes them, that for boards without its archives, and tries them.
-pub fn check() -> Result<()> {
-    let sh = shell()?;
-    let above = sh.create_temp_dir()?;
-    let package = above.path().join("goodbot");
-    unpacked_c(&sh, None, &package)?;
-    try_out(&package)?;
-    try_out_boards(&boards::without_archives(&sh, above.path())?, &package)
-}
 
 fn tools() -> Result<PathBuf> {
     python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")

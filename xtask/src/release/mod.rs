@@ -22,7 +22,6 @@ use crate::toolchain::{TARGETS, WASM};
 use archive::{files, pack, unpack};
 use texts::Texts;
 
-pub use check::check;
 pub use npm::make_and_try;
 
 /// Where the packages go.

@@ -1,7 +1,7 @@
 //! The command-line option for the trainers that a robot expects in recorded sessions.
 
+use goodbot::Options;
 use goodbot::feedback::{LAGS, RESTS, Strategy, population};
-use goodbot::session::Options;
 use std::str::FromStr;
 
 /// The trainers that a robot expects.
