@@ -57,7 +57,8 @@ struct World {
 /// Eight things; one shall be next to another.
 fn next_to(random: &mut Pcg32) -> Scene {
     let things = things(8, random);
-    let tasks = (0..8).flat_map(|one| (0..8).filter(move |&other| other != one).map(move |goal| Task { kind: 0, subject: Some(one), goal }));
+    let tasks =
+        (0..8).flat_map(|one| (0..8).filter(move |&other| other != one).map(move |goal| Task { kind: 0, subject: Some(one), goal }));
     Scene { tasks: tasks.collect(), things, places: vec![], robot: 0 }
 }
 
@@ -192,7 +193,9 @@ const WORLDS: [World; 10] = [
             let place = COLORS[scene.places[task.goal]];
             let at = COLORS[scene.places[task.subject.map_or(scene.robot, |one| scene.things[one].2)]];
             match task.subject {
-                None => pick(random, &["leave {at} and go to {}", "go to {} from {at}", "go to {}"]).replace("{at}", at).replace("{}", place),
+                None => {
+                    pick(random, &["leave {at} and go to {}", "go to {} from {at}", "go to {}"]).replace("{at}", at).replace("{}", place)
+                }
                 Some(one) => pick(random, &["take the {it} from {at} to {}", "the {it} in {at} belongs in {}"])
                     .replace("{it}", SHAPES[scene.things[one].1])
                     .replace("{at}", at)
