@@ -1,4 +1,4 @@
-//! A starter: sentences for a robot to begin with, beside its own sessions. The more own sessions have a sentence's words, the sooner it goes.
+//! A starter: sentences for a robot to begin with, beside its own sessions. The more of these have a sentence's words, the sooner it goes.
 
 use crate::language::LanguageRef;
 use crate::memory::AgentMemory;
@@ -34,7 +34,8 @@ impl LanguageRef<'_> {
     }
 }
 
-/// The sentences of a starter that are learned from, by their positions. Those beyond the table count as learned from; no starter has so many.
+/// The sentences of a starter that are learned from, by their positions. Those beyond the table count as learned from, but no starter has
+/// so many.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Chosen([u32; 8]);
 
