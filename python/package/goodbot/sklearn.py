@@ -1,5 +1,8 @@
 """goodbot as a classifier of scikit-learn: sentences and labels alone, without a world. It needs scikit-learn (`pip install 'goodbot[sklearn]'`)."""
 
+# scikit-learn comes without types.
+# mypy: disable-error-code="import-untyped"
+
 from __future__ import annotations
 
 import threading
@@ -13,8 +16,8 @@ try:
     from sklearn.base import BaseEstimator, ClassifierMixin
     from sklearn.utils.multiclass import check_classification_targets
     from sklearn.utils.validation import check_is_fitted, column_or_1d
-except ImportError as missing:
-    raise ImportError("goodbot.sklearn needs scikit-learn: pip install 'goodbot[sklearn]'") from missing
+except ImportError:
+    raise ImportError("goodbot.sklearn needs scikit-learn: pip install 'goodbot[sklearn]'") from None
 
 from ._native import Agent, CapacityError, words
 from .names import Learner
