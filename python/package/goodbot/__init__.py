@@ -10,11 +10,12 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 ... #bb@bbbb#
 ... #########
 ... ''')
->>> agent, trainer = goodbot.Agent(), goodbot.Trainer(seed=1)
+>>> agent, trainer = goodbot.Agent(seed=1), goodbot.Trainer(seed=1)
+>>> lesson = trainer.teach(agent, home, home.start, "go to the green room", "agentInRoom(agent0,room1)")
 >>> lesson = trainer.teach(agent, home, home.start, "go to the red room", "agentInRoom(agent0,room2)")
 >>> lesson.ending
 'goal'
->>> agent.hear(home, home.start, "go to the red room")
+>>> agent.hear(home, home.start, "the red one please")      # words in an order that was never taught
 >>> agent.most_likely
 'agentInRoom(agent0,room2)'
 
