@@ -27,7 +27,8 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `Session`, `read_log`, `write_log`: recorded sessions; `posteriors`: the beliefs in them; `learn`: an agent trained on them;
 - `goodbot.datasets`: logs that you fetch, with their checksums, and splits;
 - `evaluate`, `Evaluation`: how well unseen commands are understood;
-- `exercises`, `run_course`, `run_courses`: the paper's experiment;
+- `exercises`, `run_course`, `run_courses`: the paper's experiment; `study`, `Study`: agents compared;
+- `goodbot.sklearn`: a classifier of sentences;
 - `goodbot.gym`: the homes as Gymnasium environments.
 """
 
@@ -61,6 +62,7 @@ from .learning import learn
 from .lesson import Judge, Step, Taught, teach
 from .logs import Posterior, posteriors, read_log, write_log
 from .registration import register
+from .studies import Study, study
 
 register()
 
@@ -84,6 +86,7 @@ __all__ = [
     "SessionError",
     "State",
     "Step",
+    "Study",
     "Task",
     "Taught",
     "Trainer",
@@ -100,6 +103,7 @@ __all__ = [
     "read_log",
     "run_course",
     "run_courses",
+    "study",
     "teach",
     "words",
     "write_log",
