@@ -29,5 +29,7 @@ Group: TypeAlias = Literal["worker", "environment", "task", "command", "logged"]
 Compared: TypeAlias = Literal["default", "roles", "smoothed", "paper", "bag-of-words", "action"]
 # Everyday sentences to begin with.
 Starter: TypeAlias = Literal["de", "en", "es", "fr", "zh"]
+# What a robot in MiniGrid can be asked to do.
+Skill: TypeAlias = Literal["goto", "pickup", "open", "putnext", "reach"]
 # The value of an option of the command line.
 Option: TypeAlias = "bool | int | float | str | os.PathLike[str] | Sequence[str]"

@@ -62,7 +62,7 @@ class CommandClassifier(ClassifierMixin, BaseEstimator):
     >>> from goodbot.sklearn import CommandClassifier
     >>> said = ["lights on please", "turn on the lamp", "make it warmer", "heat the room", "lamp on", "warmer in the room"]
     >>> model = CommandClassifier().fit(said, ["light", "light", "heat", "heat", "light", "heat"])
-    >>> list(model.predict(["the lamp please", "a bit warmer"]))
+    >>> model.predict(["the lamp please", "a bit warmer"]).tolist()
     ['light', 'heat']
     >>> model.predict_proba(["the lamp please"]).shape
     (1, 2)
