@@ -52,6 +52,22 @@ def test_the_grid_foretells_the_environment(level: str) -> None:
             assert not set(grid.meanings()) & set(grid.true(state))
 
 
+@pytest.mark.parametrize("level", list(LEVELS))
+def test_a_plan_fulfils_the_mission_in_the_environment(level: str) -> None:
+    for seed in range(4):
+        env = made(level, seed)
+        grid = Grid(env, LEVELS[level])
+        plans = [plan for task in grid.meanings() if (plan := grid.plan(task)) is not None]
+        assert plans
+        reward, over = 0.0, False
+        for action in [*min(plans, key=len), "noop"]:
+            reward, over = grid.act(action)
+            if over:
+                break
+        assert over and reward > 0
+        assert grid.plan("carrying(thing99)") is None
+
+
 def test_a_lesson_is_in_the_environment_and_its_meanings_are_all_right() -> None:
     env, robot = made("GoToLocal", 5), Robot(["goto"], seed=1)
     lesson = robot.teach(env)

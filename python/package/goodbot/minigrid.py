@@ -18,6 +18,7 @@ import random
 import re
 import statistics
 import sys
+from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias, cast
@@ -231,6 +232,21 @@ class Grid(Vocabulary):
         place, heading, handled = state
         return (handled * len(self.places) + place) * 4 + heading
 
+    def plan(self, task: str) -> list[str] | None:
+        """The actions of a shortest way to a task's goal, or None if there is none."""
+        ways: dict[Position, list[str]] = {self.start: []}
+        waiting = deque([self.start])
+        while waiting:
+            state = waiting.popleft()
+            if task in self.true(state):
+                return ways[state]
+            for action in self.actions:
+                after = self.step(state, action)
+                if after is not None and after not in ways:
+                    ways[after] = [*ways[state], action]
+                    waiting.append(after)
+        return None
+
     def meanings(self) -> list[str]:
         """The tasks of which each fulfils the mission of a BabyAI level. Raises `ValueError` if it has several parts, or is none of BabyAI's."""
         asked = getattr(self.base, "instrs", None)
@@ -340,23 +356,20 @@ class Robot:
         near = min(distances[task] for task in able)
         return np.any([sets[task] for task in able if distances[task] == near], axis=0), near == 0
 
-    def obey(self, env: gymnasium.Env[Any, Any], *, command: str | None = None, most_steps: int = 200) -> bool:
+    def obey(self, env: gymnasium.Env[Any, Any], *, command: str | None = None) -> bool:
         """Follows the mission of an environment that was just reset, as it understands it. Returns whether the environment rewards it.
 
         It learns nothing.
         """
         grid, agent = Grid(env, self.skills), self.agent
-        state, reward = grid.start, 0.0
-        agent.hear(grid, state, self._said(env, command))
-        for _ in range(most_steps):
-            agent.plan(grid, state)
-            action = agent.decide(grid, state).action
-            reward, over = grid.act(action)
-            if over or action == "noop":
-                break
-            state = agent.acted(grid, state, action)
+        agent.hear(grid, grid.start, self._said(env, command))
+        task = agent.most_likely
         agent.forget()
-        return reward > 0
+        for action in [*(grid.plan(task or "") or []), "noop"]:
+            reward, over = grid.act(action)
+            if over:
+                return reward > 0
+        return False
 
     @staticmethod
     def _said(env: gymnasium.Env[Any, Any], command: str | None) -> str:
