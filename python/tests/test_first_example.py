@@ -60,3 +60,10 @@ def test_the_example_of_a_model_of_ones_own(examples: list[str], tmp_path: Path,
     names = run(examples, "class Praises", 1, **run(examples, "Home.from_map", 1))
     assert names["taught"].ending == "goal" and names["taught"].understood, "it knows colours from the start"
     assert len(names["rows"]) == 20 * 12
+
+
+def test_the_example_of_minigrid(examples: list[str]) -> None:
+    gymnasium = pytest.importorskip("gymnasium")
+    names = run(examples, "goodbot.minigrid", 1, gymnasium=gymnasium)
+    names["env"].reset(seed=1000)
+    assert names["robot"].obey(names["env"])
