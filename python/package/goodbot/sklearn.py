@@ -59,6 +59,9 @@ class CommandClassifier(ClassifierMixin, BaseEstimator):
     than 64 words is read up to there, with a `UserWarning`. A sentence without words gets each label's share in the training data. For a robot
     that acts, or labels that are made of parts, `Agent.told` learns more from the same sentences.
 
+    It passes `check_estimator`, which only asks of a classifier of texts that it can be cloned. The checks for tables of numbers do not apply; they
+    pass, but for those of other libraries' arrays, if each row is written as a sentence.
+
     >>> from goodbot.sklearn import CommandClassifier
     >>> said = ["lights on please", "turn on the lamp", "make it warmer", "heat the room", "lamp on", "warmer in the room"]
     >>> model = CommandClassifier().fit(said, ["light", "light", "heat", "heat", "light", "heat"])
