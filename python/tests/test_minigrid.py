@@ -119,3 +119,18 @@ def test_the_command_prints_a_table() -> None:
     printed = subprocess.run(typed, capture_output=True, text=True, check=True).stdout.splitlines()
     assert printed[0].startswith("level,lessons,control") and len(printed) == 1 + 2 + 3
     assert subprocess.run([*typed[:3], "NoSuchLevel"], capture_output=True).returncode == 2
+
+
+def test_labels_alone_teach_as_much() -> None:
+    robot = Robot(["goto"], seed=1)
+    for seed in range(100, 120):
+        env = made("GoToLocal", seed)
+        grid = Grid(env, ["goto"])
+        # Each of several things will do; one that is faced already is no task.
+        robot.agent.hear(grid, grid.start, env.unwrapped.mission)
+        meant = [task for task in grid.meanings() if task in robot.agent.tasks]
+        robot.agent.forget()
+        if meant:
+            robot.agent.told(grid, grid.start, env.unwrapped.mission, meant, learn=False)
+    robot.agent.learn()
+    assert sum(robot.obey(made("GoToLocal", seed)) for seed in range(1000, 1020)) >= 18
