@@ -546,7 +546,7 @@ impl Agent {
             let decided = in_place!(&place, |domain, state| mind.core.decide_with(domain, state, &mut mind.random));
             let decision = mind.settled(py, &place, decided)?;
             let name = mind.names.get(decision.task).map_or_else(|| PyString::new(py, "").unbind(), |name| name.clone_ref(py));
-            Ok(Decision { action: place.action_text(decision.action), task: decision.task, plan: decision.plan, name })
+            Ok(Decision { action: place.action_text(decision.action), task: decision.task, plan: decision.plan.name().to_owned(), name })
         })
     }
 

@@ -1,6 +1,5 @@
 //! The agent's decision.
 
-use goodbot::planning::OptimalSet;
 use pyo3::prelude::*;
 use pyo3::types::PyString;
 
@@ -12,9 +11,14 @@ pub struct Decision {
     /// The task, by its position among `Agent.tasks`.
     #[pyo3(get)]
     pub task: usize,
-    pub plan: OptimalSet,
+    /// The kind of plan for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
+    #[pyo3(get)]
+    pub plan: String,
     pub name: Py<PyString>,
 }
+
+/// For pickle: the function that makes a decision again, and its arguments.
+type Reduced<'py> = (Bound<'py, PyAny>, (String, usize, String, Py<PyString>));
 
 #[pymethods]
 impl Decision {
@@ -24,19 +28,23 @@ impl Decision {
         PyString::intern(py, &self.action)
     }
 
-    /// The kind of plan for the task: `goal`, `toward`, `dead end`, `approximate` or `unknown`.
-    #[getter]
-    fn plan(&self) -> &'static str {
-        self.plan.name()
-    }
-
     /// The task, by its name.
     #[getter]
     fn name(&self, py: Python<'_>) -> Py<PyString> {
         self.name.clone_ref(py)
     }
 
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
+        let Self { action, task, plan, name } = slf.get();
+        Ok((slf.get_type().getattr("_restored")?, (action.clone(), *task, plan.clone(), name.clone_ref(slf.py()))))
+    }
+
+    #[staticmethod]
+    fn _restored(action: String, task: usize, plan: String, name: Py<PyString>) -> Self {
+        Self { action, task, plan, name }
+    }
+
     fn __repr__(&self) -> String {
-        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, self.plan.name())
+        format!("<goodbot.Decision: {} for {}, {}>", self.action, self.name, self.plan)
     }
 }

@@ -4,6 +4,7 @@ use crate::error::value;
 use goodbot::capacity::Capacity;
 use goodbot::language::Settings;
 use goodbot::session::Weights;
+use goodbot::task::TaskSet;
 use goodbot::{Capacities, Options};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -32,6 +33,9 @@ pub fn capacities_of(given: Option<&Bound<'_, PyAny>>) -> PyResult<Capacities> {
         let entries: usize = entries.extract()?;
         if entries > MOST {
             return Err(value(format!("{}: {entries} is more than {MOST}; check the number", capacity.name())));
+        }
+        if capacity == Capacity::Tasks && entries > TaskSet::MOST {
+            return Err(value(format!("tasks: {entries} is more than {}, the most that one command can choose from", TaskSet::MOST)));
         }
         capacities.set(capacity, entries);
     }

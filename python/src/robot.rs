@@ -1,4 +1,4 @@
-//! A robot that a Python class describes: any object with `actions`, `objects`, `propositions`, `step`, `holds` and `number`.
+//! A robot that a Python class describes: any object with `actions`, `objects`, `propositions`, `step`, `number`, and `holds` or `true`.
 //!
 //! The answers of a class are cached: a domain does not change as the robot acts, and a search asks the same again and again. An exception
 //! in the class cannot pass through the search. The first one is kept, the search is led to a quick end, and the caller raises it.
@@ -8,12 +8,12 @@ use crate::items::Items;
 use crate::vocabulary::Names;
 use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, Capacity, CapacityError};
 use goodbot::oomdp::{
-    Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectSet, ObjectTables,
-    ObjectTablesRef, Objects, OneByOne, Schema, World,
+    Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables,
+    ObjectTablesRef, Objects, OneByOne, PropositionId, Schema, World,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// The most objects.
@@ -30,6 +30,8 @@ pub struct Robot {
     name_ends: Vec<u16>,
     count: ObjectCount,
     state_count: u64,
+    /// Whether the class tells at once all that is true in a state, by `true`.
+    tells_all: bool,
     known: Mutex<CachedAnswers>,
 }
 
@@ -39,6 +41,7 @@ struct CachedAnswers {
     states: HashMap<u64, Py<PyAny>>,
     steps: HashMap<(u64, u8), Option<u64>>,
     holds: HashMap<(u64, GroundProposition), bool>,
+    truths: HashMap<u64, HashSet<GroundProposition>>,
     failed: Option<PyErr>,
 }
 
@@ -140,8 +143,15 @@ impl Robot {
     pub fn of(object: &Bound<'_, PyAny>) -> PyResult<Self> {
         let py = object.py();
         let (names, given) = described(object)?;
+        let tells_all = object.hasattr("true")?;
+        if !tells_all && !object.hasattr("holds")? {
+            return Err(value("a robot of your own needs a method holds(proposition, objects, state), or true(state)"));
+        }
+        if given.len() > MOST_OBJECTS {
+            return Err(value(format!("a robot has at most {MOST_OBJECTS} objects, and {} are given", given.len())));
+        }
         let (mut objects, mut name_bytes, mut name_ends) =
-            (vec![Object::UNUSED; given.len().min(MOST_OBJECTS)], vec![0; NAME_BYTES], vec![0; given.len() * (1 + ATTRIBUTES)]);
+            (vec![Object::UNUSED; given.len()], vec![0; NAME_BYTES], vec![0; given.len() * (1 + ATTRIBUTES)]);
         let tables = ObjectTables { objects: &mut objects, name_bytes: &mut name_bytes, name_ends: &mut name_ends };
         let mut set = ObjectSet::new(tables);
         for (name, class, values) in &given {
@@ -160,7 +170,8 @@ impl Robot {
             Some(count) => count.extract()?,
             None => u64::MAX,
         };
-        Ok(Self { object: object.clone().unbind(), names, objects, name_bytes, name_ends, count, state_count, known: Mutex::default() })
+        let object = object.clone().unbind();
+        Ok(Self { object, names, objects, name_bytes, name_ends, count, state_count, tells_all, known: Mutex::default() })
     }
 
     /// Whether this object describes it.
@@ -210,6 +221,24 @@ impl Robot {
         self.object.bind(py).call_method1("holds", (name, arguments, state))?.is_truthy()
     }
 
+    /// All that is true in a state, of a class that tells it by `true`.
+    fn ask_truths(&self, py: Python<'_>, number: u64) -> PyResult<HashSet<GroundProposition>> {
+        let Some(state) = self.state(py, number) else { return Ok(HashSet::new()) };
+        let Items::<String>(told) = self.object.bind(py).call_method1("true", (state,))?.extract()?;
+        let objects = self.objects();
+        let read = |text: &String| {
+            let (name, arguments) = text.strip_suffix(')')?.split_once('(')?;
+            let position = self.names.propositions.iter().position(|(known, _)| known == name.trim())?;
+            let ids = arguments.split(',').map(|name| objects.iter().map(|(id, _)| id).find(|&id| objects.name(id) == name.trim()));
+            let ids: Vec<ObjectId> = ids.collect::<Option<_>>()?;
+            let (_, parameters) = self.names.propositions.get(position)?;
+            (ids.len() == parameters.len()).then(|| GroundProposition::new(PropositionId::new(position as u8), &ids))
+        };
+        let strange =
+            |text: &String| value(format!("true() told {text:?}, which is no proposition of these objects; write \"lampOn(lamp1)\""));
+        told.iter().map(|text| read(text).ok_or_else(|| strange(text))).collect()
+    }
+
     /// Lends the robot to `call`, as a domain of the core.
     pub fn lend<T>(&self, call: impl FnOnce(&Lent<'_>) -> T) -> T {
         self.names.lend(|schema, actions| call(&Lent { robot: self, schema, actions }))
@@ -230,11 +259,25 @@ impl Robot {
     }
 
     fn holds(&self, proposition: &GroundProposition, state: u64) -> bool {
+        if self.tells_all {
+            return self.is_told(proposition, state);
+        }
         if let Some(&known) = self.known().holds.get(&(state, *proposition)) {
             return known;
         }
         let Some(holds) = self.asked(|py| self.ask_holds(py, proposition, state)) else { return false };
         self.known().holds.insert((state, *proposition), holds);
+        holds
+    }
+
+    /// Whether a proposition is among those that the class tells of a state.
+    fn is_told(&self, proposition: &GroundProposition, state: u64) -> bool {
+        if let Some(known) = self.known().truths.get(&state) {
+            return known.contains(proposition);
+        }
+        let Some(truths) = self.asked(|py| self.ask_truths(py, state)) else { return false };
+        let holds = truths.contains(proposition);
+        self.known().truths.insert(state, truths);
         holds
     }
 

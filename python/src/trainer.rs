@@ -8,7 +8,7 @@ use crate::place::Place;
 use crate::random::{Drawn, Random};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
-use goodbot_course::{CourseTrainer, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
+use goodbot_course::{CourseTrainer, Ending, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
 use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
 use pyo3::prelude::*;
@@ -67,6 +67,9 @@ pub fn counts<'py>(py: Python<'py>, counts: FeedbackCounts) -> PyResult<Bound<'p
     Ok(dict)
 }
 
+/// For pickle: the function that makes a lesson again, and its arguments: the report in parts, the last state, and the session.
+type LessonReduced<'py> = (Bound<'py, PyAny>, (bool, &'static str, u16, [u32; 3], Py<PyAny>, usize, Option<Session>));
+
 #[pymethods]
 impl Lesson {
     /// Whether the agent set out for the intended task on hearing the command, before any feedback.
@@ -97,6 +100,39 @@ impl Lesson {
     #[getter]
     fn session(&self) -> Option<Session> {
         self.session.clone().map(Session)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<LessonReduced<'py>> {
+        let Self { report, state, gave_way, session } = slf.get();
+        let FeedbackCounts { reward, punish, neutral } = report.feedback;
+        let session = session.clone().map(Session);
+        let parts = (
+            report.understood,
+            report.ending.name(),
+            report.steps,
+            [reward, punish, neutral],
+            state.clone_ref(slf.py()),
+            *gave_way,
+            session,
+        );
+        Ok((slf.get_type().getattr("_restored")?, parts))
+    }
+
+    #[staticmethod]
+    fn _restored(
+        understood: bool,
+        ending: &str,
+        steps: u16,
+        feedback: [u32; 3],
+        state: Py<PyAny>,
+        gave_way: usize,
+        session: Option<Bound<'_, Session>>,
+    ) -> PyResult<Self> {
+        let known = [Ending::AtGoal, Ending::DeadEnd, Ending::TooLong].into_iter().find(|known| known.name() == ending);
+        let ending = known.ok_or_else(|| value(format!("{ending:?} is no ending of a lesson")))?;
+        let [reward, punish, neutral] = feedback;
+        let report = LessonReport { understood, ending, steps, feedback: FeedbackCounts { reward, punish, neutral } };
+        Ok(Self { report, state, gave_way, session: session.map(|session| session.get().0.clone()) })
     }
 
     fn __repr__(&self) -> String {

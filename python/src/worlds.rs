@@ -320,6 +320,11 @@ impl Worlds {
         self.of(world, |inner, world| inner.sites[world.site].home.get().state(world.state))
     }
 
+    fn __repr__(&self) -> String {
+        let inner = self.inner();
+        format!("<goodbot.Worlds: {} worlds of {} homes, images of {} cells a side>", inner.worlds.len(), inner.sites.len(), inner.size)
+    }
+
     /// How many worlds there are.
     fn __len__(&self) -> usize {
         self.inner().worlds.len()

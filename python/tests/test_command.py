@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -51,5 +53,27 @@ def test_what_is_wrong_with_an_evaluation_is_told_in_the_command_lines_words(roo
         goodbot.evaluate(log, k_fold=1)
     with pytest.raises(ValueError, match="missing.jsonl"):
         goodbot.evaluate(tmp_path / "missing.jsonl")
-    with pytest.raises(ValueError, match="no-such-option"):
-        goodbot.evaluate(log, no_such_option=1)
+    with pytest.raises(TypeError, match="no_such_option"):
+        goodbot.evaluate(log, no_such_option=1)  # type: ignore[call-arg]
+    with pytest.raises(ValueError, match="are one option"):
+        goodbot.evaluate(log, k_fold=2, kfold=2)
+
+
+def options_of(command: str) -> set[str]:
+    """The long options of a command, as Python writes them."""
+    return {flag.replace("-", "_") for flag in re.findall(r"--([a-z][a-z-]+)(?: <| *\n)", typed(command, "--help").stdout)}
+
+
+def test_each_option_of_the_command_line_is_a_parameter() -> None:
+    shown = {"quiet", "color", "json", "help", "keep_going"}
+    given = set(inspect.signature(goodbot.evaluate).parameters)
+    # A table, which is for people.
+    assert options_of("evaluate") - shown - {"ablation", "with"} == given - {"train", "kfold", "keep_going", "with_"}
+    given = set(inspect.signature(goodbot.learn).parameters)
+    # An agent must know its kinds of tasks, too: `tasks` names them.
+    assert options_of("learn") - shown - {"task", "routes", "only_these_tasks"} == given - {"log", "tasks", "seed", "keep_going"}
+
+
+def test_k_fold_has_two_spellings(root: Path) -> None:
+    log = root / "docs/examples/sessions.jsonl"
+    assert goodbot.evaluate(log, kfold=2, learner="roles") == goodbot.evaluate(log, k_fold=2, learner="roles")

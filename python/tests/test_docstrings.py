@@ -13,13 +13,18 @@ import goodbot
 import goodbot.domain
 import goodbot.experiment
 import goodbot.logs
+import goodbot.minigrid
+import goodbot.sklearn
 
 
 def documented() -> Iterator[tuple[str, str]]:
     """Each public name of the package and of its classes, with its docstring."""
     yield "goodbot", goodbot.__doc__ or ""
-    for name in goodbot.__all__:
-        thing = getattr(goodbot, name)
+    things = {name: getattr(goodbot, name) for name in goodbot.__all__}
+    for module in (goodbot.minigrid, goodbot.sklearn):
+        own = {name: thing for name, thing in vars(module).items() if getattr(thing, "__module__", None) == module.__name__}
+        things |= {f"{module.__name__}.{name}": thing for name, thing in own.items() if not name.startswith("_")}
+    for name, thing in things.items():
         if isinstance(thing, str):
             continue
         yield name, inspect.getdoc(thing) or ""

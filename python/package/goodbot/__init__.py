@@ -10,11 +10,12 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 ... #bb@bbbb#
 ... #########
 ... ''')
->>> agent, trainer = goodbot.Agent(), goodbot.Trainer(seed=1)
+>>> agent, trainer = goodbot.Agent(seed=1), goodbot.Trainer(seed=1)
+>>> lesson = trainer.teach(agent, home, home.start, "go to the green room", "agentInRoom(agent0,room1)")
 >>> lesson = trainer.teach(agent, home, home.start, "go to the red room", "agentInRoom(agent0,room2)")
 >>> lesson.ending
 'goal'
->>> agent.hear(home, home.start, "go to the red room")
+>>> agent.hear(home, home.start, "the red one please")      # words in an order that was never taught
 >>> agent.most_likely
 'agentInRoom(agent0,room2)'
 
@@ -26,7 +27,8 @@ You tell it in your own words what to do, say "good bot" or "bad bot" while it t
 - `Session`, `read_log`, `write_log`: recorded sessions; `posteriors`: the beliefs in them; `learn`: an agent trained on them;
 - `goodbot.datasets`: logs that you fetch, with their checksums, and splits;
 - `evaluate`, `Evaluation`: how well unseen commands are understood;
-- `exercises`, `run_course`, `run_courses`: the paper's experiment;
+- `exercises`, `run_course`, `run_courses`: the paper's experiment; `study`, `Study`: agents compared;
+- `goodbot.sklearn`: a classifier of sentences;
 - `goodbot.gym`: the homes as Gymnasium environments.
 """
 
@@ -60,6 +62,7 @@ from .learning import learn
 from .lesson import Judge, Step, Taught, teach
 from .logs import Posterior, posteriors, read_log, write_log
 from .registration import register
+from .studies import Study, study
 
 register()
 
@@ -83,6 +86,7 @@ __all__ = [
     "SessionError",
     "State",
     "Step",
+    "Study",
     "Task",
     "Taught",
     "Trainer",
@@ -99,6 +103,7 @@ __all__ = [
     "read_log",
     "run_course",
     "run_courses",
+    "study",
     "teach",
     "words",
     "write_log",

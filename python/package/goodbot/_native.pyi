@@ -98,6 +98,8 @@ class World:
 
 @final
 class Decision:
+    @staticmethod
+    def _restored(action: str, task: int, plan: str, name: str) -> Decision: ...
     @property
     def action(self) -> str: ...
     @property
@@ -220,6 +222,10 @@ class Trainer:
 
 @final
 class Lesson:
+    @staticmethod
+    def _restored(
+        understood: bool, ending: str, steps: int, feedback: Sequence[int], state: Any, gave_way: int, session: Session | None
+    ) -> Lesson: ...
     @property
     def understood(self) -> bool: ...
     @property

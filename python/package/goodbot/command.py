@@ -7,7 +7,7 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -47,9 +47,11 @@ def file_of(log: Log | None) -> Iterator[str | None]:
         yield str(file)
 
 
-def arguments(options: dict[str, Option]) -> Iterator[str]:
-    """Options as they are typed: `k_fold=10` is `--k-fold=10`."""
+def arguments(options: Mapping[str, Option | None]) -> Iterator[str]:
+    """Options as they are typed: `k_fold=10` is `--k-fold=10`. None is left out."""
     for name, value in options.items():
+        if value is None:
+            continue
         flag = "--" + name.rstrip("_").replace("_", "-")
         if isinstance(value, bool):
             yield from [flag] if value else []

@@ -10,7 +10,10 @@ class Domain(Protocol):
     """A robot of your own, and its world: any class with these attributes and methods. There is nothing to inherit.
 
     A domain is deterministic, and does not change while a session lasts: the answers of its methods are cached. States may be any objects.
-    The two attributes `attributes` and `state_count` may be left out.
+    The two attributes `attributes` and `state_count` may be left out. Beside the methods below it has one that tells what is so in a state:
+
+    - `holds(proposition, objects, state)`: whether a proposition holds of a tuple of objects; or
+    - `true(state)`: all propositions that hold, as texts such as `lampOn(lamp1)`. It is faster: a plan asks it once for each state.
 
     >>> class Lamps:
     ...     '''Two lamps, and a robot that switches each by its button.'''
@@ -49,9 +52,6 @@ class Domain(Protocol):
 
     def step(self, state: Any, action: str) -> Any:
         """The state that an action leads to, or None if it cannot be done. Bumping into a wall can be done and changes nothing."""
-
-    def holds(self, proposition: str, objects: tuple[str, ...], state: Any) -> bool:
-        """Whether a proposition holds of these objects in a state."""
 
     def number(self, state: Any) -> int:
         """The number of a state, from 0. Different states have different numbers; there should be few gaps."""

@@ -6,23 +6,35 @@ import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from ._native import Agent
 from .command import arguments, file_of, run
 
 if TYPE_CHECKING:
-    from .names import Log, Option
+    from .names import Log, Starter
 
 
 def learn(
-    log: Log, *, tasks: Sequence[str] | None = None, seed: int = 0, out: str | os.PathLike[str] | None = None, **options: Option
+    log: Log,
+    *,
+    tasks: Sequence[str] | None = None,
+    seed: int = 0,
+    out: str | os.PathLike[str] | None = None,
+    learner: Literal["default", "roles", "paper"] | None = None,
+    starter: Starter | None = None,
+    believes: str | None = None,
+    without: str | Sequence[str] | None = None,
+    limit: int | None = None,
+    keep_going: bool = False,
+    force: bool = False,
 ) -> Agent:
     """Learns from all sessions of a log at once, and returns the agent. It has room for all of them.
 
     `log` is a file or sessions, or the lines of a log of worlds as dicts. `tasks` are the kinds of tasks that commands may mean, as
-    `Agent` takes them. `out` is a model file to write; it records whether the log was of worlds, for `evaluate(with_=out)`. The other options
-    are those of `goodbot learn --help`, with `_` for `-`: `learner="paper"`, `believes="population"`, `starter="en"`, `without=["b3"]`.
+    `Agent` takes them. `out` is a model file to write (`force`: over any file); it records whether the log was of worlds, for
+    `evaluate(with_=out)`. `starter` begins with everyday sentences in a language. `believes` are the trainers to expect, such as `population`.
+    `without` leaves out sessions by their `id`. `limit` reads the first sessions alone, `keep_going` skips faults.
 
     Raises `ValueError` with the command line's message if a log or an option is at fault, and `RuntimeError` if the command fails.
 
@@ -32,9 +44,15 @@ def learn(
     >>> agent.sessions, agent.words
     (1, ['go', 'there'])
     """
-    for name in ("routes", "task", "only_these_tasks"):
-        if name in options:
-            raise ValueError(f"{name}: name the kinds of tasks by tasks=, as for an Agent; the agent must know them too")
+    options = {
+        "learner": learner,
+        "starter": starter,
+        "believes": believes,
+        "without": without,
+        "limit": limit,
+        "keep_going": keep_going,
+        "force": force,
+    }
     kinds = [] if tasks is None else ["--only-these-tasks", *(f"--task={kind}" for kind in tasks)]
     with file_of(log) as file, tempfile.TemporaryDirectory() as folder:
         model = Path(folder, "learned.goodbot") if out is None else Path(out)

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._native import Agent, Home, Session, State
+from .frames import of_beliefs
 from .language import LanguageModel, hear, learn as _learn
 from .names import Feedback
+
+if TYPE_CHECKING:
+    from .frames import Frame
 
 # Rests in a row at the intended goal after which a lesson ends.
 RESTS = 3
@@ -81,6 +85,10 @@ class Taught:
         """How often the trainer gave each feedback: `reward`, `punish` and `neutral`."""
         said = [word for _, word in self.steps]
         return {word: said.count(word) for word in ("reward", "punish", "neutral")}
+
+    def to_frame(self) -> Frame:
+        """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
+        return of_beliefs(self.tasks, self.beliefs)
 
 
 def teach(

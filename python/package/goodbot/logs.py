@@ -6,11 +6,16 @@ import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ._native import Agent, Session, parse_log
+from .frames import of_beliefs
+
+if TYPE_CHECKING:
+    from .frames import Frame
 
 
 def read_log(path: str | os.PathLike[str]) -> list[Session]:
@@ -50,6 +55,10 @@ class Posterior:
         """How probable the intended task was: shape (steps + 1,). None if it is not known or not possible."""
         meant = self.session.intended
         return self.beliefs[:, self.tasks.index(meant)] if meant in self.tasks else None
+
+    def to_frame(self) -> Frame:
+        """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
+        return of_beliefs(self.tasks, self.beliefs)
 
 
 def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:

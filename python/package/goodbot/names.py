@@ -23,5 +23,13 @@ Said: TypeAlias = Literal["command", "reward", "punish", "finish", "answer", "co
 Sizes: TypeAlias = "str | Mapping[str, int]"
 # A log: its file, its sessions, or the lines of a log of worlds.
 Log: TypeAlias = "str | os.PathLike[str] | Iterable[Session] | Iterable[Mapping[str, Any]]"
+# What sessions that stay together have in common.
+Group: TypeAlias = Literal["worker", "environment", "task", "command", "logged"]
+# The learners that `evaluate` compares.
+Compared: TypeAlias = Literal["default", "roles", "smoothed", "paper", "bag-of-words", "action"]
+# Everyday sentences to begin with.
+Starter: TypeAlias = Literal["de", "en", "es", "fr", "zh"]
+# What a robot in MiniGrid can be asked to do.
+Skill: TypeAlias = Literal["goto", "pickup", "open", "putnext", "reach"]
 # The value of an option of the command line.
 Option: TypeAlias = "bool | int | float | str | os.PathLike[str] | Sequence[str]"

@@ -1,0 +1,132 @@
+"""A robot of one's own: all that is true at once, and what is too much for it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+import goodbot
+
+State = tuple[bool, ...]
+
+
+class Lamps:
+    """Lamps, and a robot that switches each by its button."""
+
+    propositions = {"lampOn": ("lamp",)}
+    attributes = {"color": {"lamp": "lampIs"}}
+
+    def __init__(self, colors: list[str]) -> None:
+        self.actions = [f"press{number}" for number in range(len(colors))]
+        self.objects = {f"lamp{number}": {"class": "lamp", "color": color} for number, color in enumerate(colors)}
+        self.state_count = 2 ** len(colors)
+        self.asked = 0
+
+    def step(self, state: State, action: str) -> State:
+        switched = list(state)
+        switched[self.actions.index(action)] ^= True
+        return tuple(switched)
+
+    def holds(self, proposition: str, objects: tuple[str, ...], state: State) -> bool:
+        self.asked += 1
+        return state[int(objects[0][4:])]
+
+    def number(self, state: State) -> int:
+        return sum(on << position for position, on in enumerate(state))
+
+
+class TellingLamps(Lamps):
+    """The same, told at once."""
+
+    def true(self, state: State) -> list[str]:
+        self.asked += 1
+        return [f"lampOn(lamp{position})" for position, on in enumerate(state) if on]
+
+    def holds(self, proposition: str, objects: tuple[str, ...], state: State) -> bool:
+        raise AssertionError("true() tells it")
+
+
+COLORS = ["red", "green", "blue", "teal", "tan", "pink"]
+
+
+def taught(lamps: Lamps) -> tuple[bytes, list[float], int]:
+    agent, dark = goodbot.Agent(["lampOn(?l)"], domain=lamps, seed=3), (False,) * len(COLORS)
+    trainer = goodbot.Trainer(seed=3)
+    for number, color in enumerate(COLORS):
+        trainer.teach(agent, lamps, dark, f"light the {color} lamp", f"lampOn(lamp{number})")
+    agent.hear(lamps, dark, "the tan one")
+    return agent.to_bytes(), agent.beliefs.tolist(), lamps.asked
+
+
+def test_all_that_is_true_is_told_in_one_call_for_a_state() -> None:
+    asked, told = taught(Lamps(COLORS)), taught(TellingLamps(COLORS))
+    assert told[:2] == asked[:2], "the same robot"
+    assert 0 < told[2] < asked[2] / 2
+
+
+@pytest.mark.parametrize("text", ["lampOn(lamp9)", "lampOff(lamp1)", "lampOn", "lampOn(lamp1,lamp2)", "lampOn()", ""])
+def test_what_is_no_proposition_is_told_so(text: str) -> None:
+    class Wrong(TellingLamps):
+        def true(self, state: State) -> list[str]:
+            return [text]
+
+    lamps = Wrong(COLORS)
+    with pytest.raises(ValueError, match="which is no proposition of these objects"):
+        goodbot.Agent(["lampOn(?l)"], domain=lamps).hear(lamps, (False,) * 6, "go")
+
+
+def test_an_exception_in_true_reaches_the_caller() -> None:
+    class Fails(TellingLamps):
+        def true(self, state: State) -> list[str]:
+            raise KeyError("mine")
+
+    lamps = Fails(COLORS)
+    with pytest.raises(KeyError, match="mine"):
+        goodbot.Agent(["lampOn(?l)"], domain=lamps).hear(lamps, (False,) * 6, "go")
+
+
+def test_a_robot_that_tells_nothing_is_refused() -> None:
+    class Silent:
+        actions, objects, propositions = ["go"], {"a": {"class": "lamp"}}, {"lampOn": ("lamp",)}
+
+        def step(self, state: int, action: str) -> int:
+            return state
+
+        def number(self, state: int) -> int:
+            return state
+
+    silent = Silent()
+    with pytest.raises(ValueError, match=r"needs a method holds\(proposition, objects, state\), or true\(state\)"):
+        goodbot.Agent(["lampOn(?l)"], domain=silent).hear(silent, 0, "go")
+
+
+def test_too_many_objects_and_tasks_are_refused_by_name() -> None:
+    class Many:
+        actions, propositions, state_count = ["go"], {"near": ("place", "place")}, 1
+
+        def __init__(self, count: int) -> None:
+            self.objects = {f"place{number}": {"class": "place"} for number in range(count)}
+
+        def step(self, state: int, action: str) -> int:
+            return state
+
+        def true(self, state: int) -> tuple[()]:
+            return ()
+
+        def number(self, state: int) -> int:
+            return state
+
+    def heard(many: Any) -> goodbot.Agent:
+        agent = goodbot.Agent(["near(?a,?b)"], domain=many)
+        agent.hear(many, 0, "go")
+        return agent
+
+    assert len(heard(Many(16)).tasks) == 240
+    with pytest.raises(goodbot.CapacityError, match="more than 256 cannot be told apart: give fewer objects") as refused:
+        heard(Many(17))
+    assert refused.value.capacity == "tasks"
+    with pytest.raises(ValueError, match="a robot has at most 255 objects, and 256 are given"):
+        heard(Many(256))
+    with pytest.raises(ValueError, match="tasks: 257 is more than 256"):
+        goodbot.Agent(capacities={"tasks": 257})
