@@ -26,10 +26,9 @@ impl Robot {
 
 /// Gives the robot everyday sentences to begin with, from a starter: a model that
 /// `goodbot learn --starter en --learner roles --out starter.goodbot` writes. The sentences are learned from beside the robot's own sessions,
-/// and the more of these have a sentence's words, the sooner it goes: the part 1 / (1 + n / 4) is learned from of those whose rarest word
-/// n sessions have, or, where there is no room for so many, beside n sessions. Call it once the robot is made or has its model back, and
-/// again after `goodbot_finish`; each call replaces the sentences of the one before. Then call `goodbot_learn` until it is done. A session
-/// under way ends unlearned.
+/// and the more of these there are, the fewer sentences: beside n sessions, the part 1 / (1 + n / 4). Call it once the robot is made or has
+/// its model back, and again after `goodbot_finish`; each call replaces the sentences of the one before. Then call `goodbot_learn` until it
+/// is done. A session under way ends unlearned.
 ///
 /// If `model` is null, the sentences go. `goodbot_save` and `goodbot_store` save the sentences too: let them go first. `goodbot_store` then
 /// says `STILL_LEARNING` until `goodbot_learn` is done.

@@ -1,11 +1,12 @@
 //! Starters: goodbot's own everyday sentences in five languages, for a robot to begin with. Its own sessions replace them.
 //!
 //! A starter is a text with words for values, and with sentences that have gaps for these words. Each sentence becomes a labelled session
-//! in a home that has the things it names. The share 1 / (1 + n / 4) of the sentences is learned from, n the number of sessions that have
-//! the sentence's rarest word: with many sessions, what the user says counts alone, and words that no session has are still known.
+//! in a home that has the things it names. Beside n sessions of the user, the share 1 / (1 + n / 4) of the sentences is learned from: with
+//! many sessions, the user's own words count alone.
 
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};
 use goodbot::oomdp::PropositionId;
+use goodbot::snapshot::is_beside;
 use goodbot::task::LiftedTask;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 
@@ -42,6 +43,11 @@ pub fn sentences(language: &str, lifted: &[LiftedTask]) -> Vec<Sentence> {
     let count = text.sentences.len();
     let numbered = (0..TIMES * count).zip(text.sentences.iter().cycle());
     numbered.filter(|(_, (kind, _))| kind.is_of(lifted)).map(|(number, (kind, said))| text.sentence(*kind, said, number)).collect()
+}
+
+/// The items of a starter to learn from beside this many sessions of the user.
+pub fn beside<T>(all: &[T], own: usize) -> impl Iterator<Item = &T> {
+    all.iter().enumerate().filter(move |(position, _)| is_beside(*position, all.len(), own)).map(|(_, item)| item)
 }
 
 /// The task of a sentence.

@@ -9,7 +9,7 @@ use goodbot::symbols::SymbolsRef;
 use goodbot::task::{GroundedTask, LiftedTask, ground, is_marker};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_lesson::machine_command::description;
-use goodbot_lesson::starter::sentences;
+use goodbot_lesson::starter::{beside, sentences};
 
 use crate::cells::{MIND, ROOMS};
 use crate::replay::with_names;
@@ -29,7 +29,7 @@ impl Starter {
             return;
         }
         let own = mind.language().bitext().sessions();
-        let joined = model(&self.language, mind.lifted()).and_then(|file| mind.join_beside(&file, own).ok());
+        let joined = model(&self.language, mind.lifted(), own).and_then(|file| mind.join(&file).ok());
         self.places = Places::last(mind, joined.unwrap_or(0));
     }
 
@@ -44,11 +44,11 @@ impl Starter {
     }
 }
 
-/// All sentences, as the bytes of a model file.
-fn model(language: &str, lifted: &[LiftedTask]) -> Option<Vec<u8>> {
+/// The sentences to learn from beside this many own sessions, as the bytes of a model file.
+fn model(language: &str, lifted: &[LiftedTask], own: usize) -> Option<Vec<u8>> {
     let memory = AgentHeap::new(&Capacities { states: 64, hashed_states: 0, ..MIND });
     let mut model = LanguageModel::new(memory, Options::DEFAULT.language).ok()?;
-    for sentence in sentences(language, lifted) {
+    for sentence in beside(&sentences(language, lifted), own) {
         let (home, start) = build(&sentence.home, Moves::Push, &ROOMS).ok()?;
         let mut tasks = vec![GroundedTask::UNUSED; MIND.tasks];
         let count = ground(&home, lifted, &start, &mut tasks).ok()?;

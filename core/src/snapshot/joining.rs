@@ -6,7 +6,7 @@ use super::error::RestoreError;
 use super::possible::Possible;
 use super::record::{CommandRecord, PairRecord, SessionRecord, marker};
 use super::section::Index;
-use super::starter::{Chosen, Fading, is_beside};
+use super::starter::is_beside;
 use crate::capacity::{CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::{LanguageMut, LanguageRef, Model, Pair};
 use crate::memory::AgentMemory;
@@ -29,8 +29,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Adds the sessions of a model file as [`join`](Self::join) does, but only those to learn from beside this many own sessions:
-    /// [`learns_beside`](crate::language::LanguageRef::learns_beside) chooses them. So a robot begins with a model of everyday sentences. If
-    /// there is no room for all of them, fewer are added, the fewer the more own sessions there are.
+    /// [`is_beside`] chooses them. So a robot begins with a model of everyday sentences.
     ///
     /// # Errors
     /// As [`join`](Self::join).
@@ -73,18 +72,11 @@ impl LanguageRef<'_> {
 impl LanguageMut<'_> {
     /// Adds the sessions to learn from beside this many own ones.
     pub(super) fn join_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
-        match self.join_fading(contents, beside, Fading::ByWord) {
-            Err(_) if beside > 0 => self.join_fading(contents, beside, Fading::ByNumber),
-            joined => joined,
-        }
-    }
-
-    fn join_fading(&mut self, contents: &Contents<'_>, beside: usize, fading: Fading) -> Result<usize, CapacityError> {
         self.forget_unlearned();
         let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
         #[cfg(feature = "layer")]
         let tasks = self.possible_mut().map(|possible| possible.extent());
-        let added = self.add_contents(contents, beside, fading).and_then(|added| self.data_replaced().map(|()| added));
+        let added = self.add_contents(contents, beside).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
             self.bitext_mut().rewind(extent);
             #[cfg(feature = "layer")]
@@ -100,31 +92,24 @@ impl LanguageMut<'_> {
         added
     }
 
-    fn add_contents(&mut self, contents: &Contents<'_>, beside: usize, fading: Fading) -> Result<usize, CapacityError> {
+    fn add_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
         let texts = Texts { words: contents.words.index(), tokens: contents.tokens.index(), commands: contents.commands.index() };
         let own = self.read().bitext().sessions() as u16;
         let (mut pairs, mut heard_again, mut added) = (contents.pairs.iter(), contents.heard_again.iter(), 0_usize);
-        let (mut chosen, all) = (Chosen::default(), contents.sessions.len());
         #[cfg(feature = "layer")]
         let (mut possible, mut counts) = (Possible::of(contents), contents.possible_counts.iter());
         for (position, session) in contents.sessions.iter().enumerate() {
             let count = session.pairs as usize;
             #[cfg(feature = "layer")]
             let tasks = counts.next().unwrap_or(0) as usize;
-            let words = session.words.iter().map(|&word| self.read().word_like(texts.words.get(usize::from(word)).unwrap_or(""), 0));
-            let is_chosen = match fading {
-                Fading::ByWord => self.read().learns_beside(beside, position, all, words),
-                Fading::ByNumber => is_beside(position, all, beside),
-            };
-            if !is_chosen {
+            if !is_beside(position, contents.sessions.len(), beside) {
                 #[cfg(feature = "layer")]
                 possible.pass(tasks);
                 let _ = (heard_again.next(), pairs.by_ref().take(count).count());
                 continue;
             }
-            chosen.add(position);
             let mut same = (0..own).filter(|&own| self.has_session(own, &session, pairs.clone().take(count), &texts)).peekable();
-            let known = same.peek().is_some().then(|| times_before(contents, position, &chosen)).and_then(|times| same.nth(times));
+            let known = same.peek().is_some().then(|| times_before(contents, position, beside)).and_then(|times| same.nth(times));
             let at = match known {
                 Some(known) => {
                     #[cfg(feature = "layer")]
@@ -222,7 +207,7 @@ struct Texts<'a> {
 }
 
 /// How often the session at `position` of a model file occurs before it, among those to learn from.
-fn times_before(contents: &Contents<'_>, position: usize, chosen: &Chosen) -> usize {
+fn times_before(contents: &Contents<'_>, position: usize, beside: usize) -> usize {
     let mut sessions = contents.sessions.iter();
     let mut pairs = contents.pairs.iter();
     for session in sessions.by_ref().take(position) {
@@ -233,7 +218,7 @@ fn times_before(contents: &Contents<'_>, position: usize, chosen: &Chosen) -> us
     for (earlier, session) in contents.sessions.iter().enumerate().take(position) {
         let same_pairs = || before.clone().take(session.pairs as usize).eq(pairs.clone().take(wanted.pairs as usize));
         let is_same = session.words == wanted.words && session.pairs == wanted.pairs && same_pairs();
-        if is_same && chosen.has(earlier) {
+        if is_same && is_beside(earlier, contents.sessions.len(), beside) {
             times = times.saturating_add(1);
         }
         let _ = before.by_ref().take(session.pairs as usize).count();

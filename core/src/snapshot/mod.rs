@@ -52,7 +52,7 @@ pub use saving::Saving;
 #[cfg(feature = "learning")]
 pub use section::Section;
 #[cfg(feature = "learning")]
-pub use starter::Places;
+pub use starter::{Places, is_beside};
 
 /// Checks that the bytes are a model, or the parameters of one.
 pub(crate) fn check(bytes: &[u8]) -> Result<(), RestoreError> {

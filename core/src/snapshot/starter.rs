@@ -1,59 +1,14 @@
-//! A starter: sentences for a robot to begin with, beside its own sessions. The more of these have a sentence's words, the sooner it goes.
+//! A starter: sentences for a robot to begin with, beside its own sessions. The more own sessions, the fewer sentences.
 
-use crate::language::LanguageRef;
 use crate::memory::AgentMemory;
 use crate::session::{Agent, Finished};
-use crate::symbols::Symbol;
 use core::ops::Range;
 
-/// With this many sessions that teach the same, a robot learns from half of the sentences.
+/// With this many own sessions, a robot learns from half of the sentences.
 const HALF: usize = 4;
 
-/// What takes the place of a sentence.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Fading {
-    /// The sessions so far that have its rarest word, own ones and those of sentences before it, but no more than there are own ones. So a
-    /// word that no own session has is still known after many.
-    ByWord,
-    /// All own sessions. Fewer sentences are left, so they need less room.
-    ByNumber,
-}
-
-impl LanguageRef<'_> {
-    /// Whether to learn from the sentence at this position of a starter's `all`, with these words, beside `own` sessions. The sentences
-    /// before it that are learned from are already sessions here.
-    pub fn learns_beside(self, own: usize, position: usize, all: usize, words: impl Iterator<Item = Option<Symbol>>) -> bool {
-        is_beside(position, all, if own == 0 { 0 } else { self.sessions_with_rarest(words).min(own) })
-    }
-
-    /// The number of sessions that have the rarest of these words.
-    fn sessions_with_rarest(self, words: impl Iterator<Item = Option<Symbol>>) -> usize {
-        let (bitext, sessions) = (self.bitext(), self.bitext().sessions() as u16);
-        let with = |word: Symbol| (0..sessions).filter(|&session| bitext.sentence(session).contains(&word)).count();
-        words.map(|word| word.map_or(0, with)).min().unwrap_or(0)
-    }
-}
-
-/// The sentences of a starter that are learned from, by their positions. Those beyond the table count as learned from, but no starter has
-/// so many.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Chosen([u32; 8]);
-
-impl Chosen {
-    pub(super) fn add(&mut self, position: usize) {
-        if let Some(part) = self.0.get_mut(position / 32) {
-            *part |= 1 << (position % 32);
-        }
-    }
-
-    pub(super) fn has(&self, position: usize) -> bool {
-        self.0.get(position / 32).is_none_or(|part| part >> (position % 32) & 1 == 1)
-    }
-}
-
-/// Whether to learn from the sentence at this position of `all`, beside this many sessions that teach the same. They are taken evenly from
-/// all.
-pub(super) fn is_beside(position: usize, all: usize, own: usize) -> bool {
+/// Whether to learn from the sentence at this position of `all`, beside this many own sessions. They are taken evenly from all.
+pub fn is_beside(position: usize, all: usize, own: usize) -> bool {
     let left = all.saturating_mul(HALF).div_ceil(HALF.saturating_add(own)).min(all);
     // Sentence `nth` of those left is at position `nth * all / left`, rounded down.
     let nth = position.saturating_mul(left).div_ceil(all.max(1));

@@ -14,7 +14,7 @@ use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use goodbot_formats::task_text::{GroundTaskText, TaskTextError};
-use goodbot_lesson::starter::{Sentence, sentences};
+use goodbot_lesson::starter::{Sentence, beside, sentences};
 use std::path::Path;
 
 /// The languages of the starters.
@@ -112,6 +112,11 @@ impl Starter {
         &self.lessons
     }
 
+    /// The lessons to learn from beside this many own ones, taken evenly from all.
+    pub fn beside(&self, own: usize) -> impl Iterator<Item = &Lesson> {
+        beside(&self.lessons, own)
+    }
+
     /// These capacities, plus room for all its lessons.
     pub fn room(&self, own: Capacities) -> Capacities {
         if self.lessons.is_empty() {
@@ -138,9 +143,9 @@ impl Starter {
         let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
         let settings = agent.options().language;
         let mut memory = training::memory(&self.lessons, &settings);
-        let data = training::data(&mut memory, self.lessons.iter(), &[], settings).map_err(|error| fault(&error))?;
+        let data = training::data(&mut memory, self.beside(own), settings).map_err(|error| fault(&error))?;
         let file = data.saved().map_err(|error| fault(&error))?;
-        agent.join_beside(&file, own).map_err(|error| fault(&error))
+        agent.join(&file).map_err(|error| fault(&error))
     }
 }
 
@@ -155,6 +160,6 @@ mod tests {
             let starter = Starter::new(*language, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
             assert!(!starter.lessons().is_empty() && starter.lessons().iter().all(|lesson| lesson.learn && lesson.pairs.len() == 1));
         }
-        assert!(Starter::default().lessons().is_empty());
+        assert_eq!(Starter::default().beside(0).count(), 0);
     }
 }

@@ -76,13 +76,14 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
         return Err(Failure::Input("no session is to be learned from; set \"learn\" to true at the end of one".to_owned()));
     }
     let starter = options.starter.read(&lifted, options.learner.options())?;
-    let all = [&lessons[..], starter.lessons()].concat();
-    let capacities = training::capacities(&all, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
+    let own = lessons.len();
+    lessons.extend(starter.beside(learned).cloned());
+    let capacities = training::capacities(&lessons, Capacities { states: 64, hashed_states: 0, ..Capacities::STANDARD });
     let settings = options.learner.options().language;
-    let room = || learner::memory(&capacities, &settings, training::tasks(&all));
+    let room = || learner::memory(&capacities, &settings, training::tasks(&lessons));
     let mut memory = room();
     // A model file keeps the training data, and whoever reads it trains on them: so nothing is trained here.
-    let model = training::data(&mut memory, lessons.iter(), starter.lessons(), settings)?;
+    let model = training::data(&mut memory, lessons.iter(), settings)?;
     let words = model.saved()?;
     // The saved file is the whole robot: the same training data, with its options, trainer strategies and kinds of task. Lessons from world
     // files have no vocabulary of the core's.
@@ -94,19 +95,19 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     // A world names its own kinds of task.
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
-    let numbers = training::numbers_learned(lessons.iter().filter(|lesson| lesson.learn), settings).len();
-    let starter = model.bitext().sessions() - learned - numbers;
+    let numbers = model.bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
     let (words, tokens, pairs) = (model.words().len(), model.tokens().len(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({
-            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": starter, "numbers": numbers, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": lessons.len() - own, "numbers": numbers, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
         });
         writeln!(out, "{line}")?;
     } else {
         let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
         let beside = |count, text: String| if count == 0 { String::new() } else { format!(" and {text}") };
         let numbers = beside(numbers, counted(numbers, "number"));
+        let starter = lessons.len() - own;
         let starter = beside(starter, format!("{} of the starter", counted(starter, "sentence")));
         writeln!(out, "{sessions}{numbers}{starter}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
     }

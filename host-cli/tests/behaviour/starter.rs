@@ -44,10 +44,7 @@ fn a_board_that_only_obeys_understands_everyday_sentences() {
     let (model, _) = written(&folder, "a.goodbot", &["learn", LOG, "--starter", "en"]);
     let file = folder.path().join("a.goodbot");
     let (parameters, told) = written(&folder, "a.parameters", &["parameters", file.to_str().unwrap()]);
-    assert!(
-        told.contains("10752 bytes; they need words 69, tokens 22, translations 1587, alignments 1084"),
-        "docs/robot.md says so: {told}"
-    );
+    assert!(told.contains("9367 bytes; they need words 59, tokens 22, translations 1357, alignments 984"), "docs/robot.md says so: {told}");
     let capacities = Capacities::SMALL.at_least(Contents::read(&model).unwrap().needs()).obeying();
     let mut agent = Agent::new(AgentHeap::new(&capacities), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     agent.restore_parameters(&parameters).unwrap();
@@ -58,21 +55,6 @@ fn a_board_that_only_obeys_understands_everyday_sentences() {
     assert!(agent.belief().probability(task) > 0.8);
     let task = agent.tasks()[task];
     assert_eq!(task_name(&home, &agent.lifted()[usize::from(task.lifted)], &task).unwrap().to_string(), "blockInRoom(block0,room1)");
-}
-
-#[test]
-fn each_word_of_a_starter_is_known_after_many_lessons_without_it() {
-    let folder = TempDir::new().unwrap();
-    let (log, once) = (folder.path().join("many.jsonl"), std::fs::read_to_string(LOG).unwrap());
-    let many: String = (0..15).map(|time| once.replace("\"id\":\"", &format!("\"id\":\"{time} "))).collect();
-    std::fs::write(&log, many).unwrap();
-    let learned = |arguments: &[&str]| written(&folder, "a.goodbot", &[&["learn"], arguments].concat()).0;
-    let (starter, both) = (learned(&["--starter", "en"]), learned(&[log.to_str().unwrap(), "--starter", "en"]));
-    let [starter, both] = [&starter, &both].map(|file| Contents::read(file).unwrap());
-    let known: Vec<&str> = both.words.iter().collect();
-    let forgotten: Vec<&str> = starter.words.iter().filter(|word| !known.contains(word)).collect();
-    assert_eq!(forgotten, [""; 0]);
-    assert!(both.sessions.len() < 60 + starter.sessions.len());
 }
 
 #[test]

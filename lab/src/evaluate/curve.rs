@@ -48,8 +48,8 @@ pub fn points(
                 |memory, run| {
                     let order = shuffled(lessons.len(), seed.wrapping_add(run as u64));
                     let (taught, asked) = order.split_at(sessions);
-                    let taught = taught.iter().filter_map(|&taught| lessons.get(taught));
-                    let mut trained = Trained::on(method, memory, taught, starter, settings)?;
+                    let taught = taught.iter().filter_map(|&taught| lessons.get(taught)).chain(starter.beside(sessions));
+                    let mut trained = Trained::on(method, memory, taught, settings)?;
                     let (mut right, mut all) = (0_usize, 0_usize);
                     for lesson in asked.iter().filter_map(|&asked| lessons.get(asked)) {
                         if let Some(answer) = ask(&mut trained, lesson)? {

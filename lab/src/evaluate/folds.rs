@@ -82,7 +82,8 @@ impl Experiment<'_> {
                     let left: std::collections::HashSet<usize> = left_out.iter().copied().collect();
                     let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
                     let wordless = Wordless::of(others());
-                    let mut trained = Trained::on(method, memory, others(), self.starter, settings)?;
+                    let lessons = others().chain(self.starter.beside(others().count()));
+                    let mut trained = Trained::on(method, memory, lessons, settings)?;
                     let answers = self.ask_part(&mut trained, &wordless, part, method == Method::Action);
                     progress.inc(1);
                     answers

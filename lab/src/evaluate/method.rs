@@ -10,7 +10,6 @@ use goodbot::{Agent, Options};
 use goodbot_console::learner::Learner;
 use goodbot_console::load::synonyms::in_known_words;
 use goodbot_console::outcome::Failure;
-use goodbot_console::starter::Starter;
 use goodbot_console::training_data::training;
 use goodbot_console::training_data::{Lesson, MachineCommand};
 use goodbot_lesson::first_words::heard;
@@ -79,7 +78,7 @@ pub enum Trained<'m> {
 }
 
 impl<'m> Trained<'m> {
-    /// Trains on lessons, beside a starter's. Word counts and actions do without.
+    /// Trains on lessons.
     ///
     /// # Errors
     /// An [`AgentError`](goodbot::AgentError).
@@ -87,13 +86,12 @@ impl<'m> Trained<'m> {
         method: Method,
         memory: &'m mut AgentHeap,
         lessons: impl Iterator<Item = &'l Lesson>,
-        starter: &'l Starter,
         settings: Settings,
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
             Method::Default | Method::Roles | Method::Smoothed | Method::Paper | Method::Action => {
-                Self::Model2(Box::new(training::train_beside(memory, lessons, starter.lessons(), settings)?))
+                Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })
     }

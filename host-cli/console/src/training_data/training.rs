@@ -53,11 +53,6 @@ fn numbers<'l, K: Ord>(lessons: impl IntoIterator<Item = &'l Lesson>, key: impl 
     numbers
 }
 
-/// The lessons with a number that a model learns beside these.
-pub fn numbers_learned<'l>(lessons: impl IntoIterator<Item = &'l Lesson>, settings: Settings) -> Vec<Lesson> {
-    if settings.model == Model::Roles { numbers(lessons, |token, _| token) } else { vec![] }
-}
-
 /// Capacities for these lessons, and at least `least`.
 pub fn capacities(lessons: &[Lesson], least: Capacities) -> Capacities {
     let (mut words, mut commands) = (BTreeSet::new(), BTreeSet::new());
@@ -120,49 +115,27 @@ pub fn train<'m, 'l>(
     lessons: impl Iterator<Item = &'l Lesson>,
     settings: Settings,
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
-    train_beside(memory, lessons, &[], settings)
-}
-
-/// The same, beside a starter's lessons.
-///
-/// # Errors
-/// The errors of [`train`].
-pub fn train_beside<'m, 'l>(
-    memory: &'m mut AgentHeap,
-    lessons: impl Iterator<Item = &'l Lesson>,
-    starter: &'l [Lesson],
-    settings: Settings,
-) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
-    let mut model = data(memory, lessons, starter, settings)?;
+    let mut model = data(memory, lessons, settings)?;
     model.begin_training();
     while model.train(u32::MAX) == Progress::Working {}
     Ok(model)
 }
 
-/// A model with these lessons, those of a starter that are to be learned from beside them, and the numbers of their worlds, before training.
+/// A model with these lessons and the numbers of their worlds, before training.
 ///
 /// # Errors
 /// The errors of [`train`].
 pub fn data<'m, 'l>(
     memory: &'m mut AgentHeap,
     lessons: impl Iterator<Item = &'l Lesson>,
-    starter: &'l [Lesson],
     settings: Settings,
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
     let mut model = LanguageModel::new(memory, settings)?;
     let mut interned = Interned::of(&model);
     let lessons: Vec<&Lesson> = lessons.filter(|lesson| lesson.learn).collect();
-    let numbers = numbers_learned(lessons.iter().copied(), settings);
-    let own = lessons.len();
-    let beside = starter.iter().enumerate();
-    let places = lessons.into_iter().map(|lesson| (None, lesson)).chain(beside.map(|(position, lesson)| (Some(position), lesson)));
-    for (place, lesson) in places.chain(numbers.iter().map(|lesson| (None, lesson))) {
+    let numbers = if settings.model == Model::Roles { numbers(lessons.iter().copied(), |token, _| token) } else { vec![] };
+    for lesson in lessons.into_iter().chain(&numbers) {
         let sentence = model.hear(&lesson.command)?;
-        let is_learned = |position| model.read().learns_beside(own, position, starter.len(), sentence.iter().copied());
-        if !place.is_none_or(is_learned) {
-            model.forget_unlearned();
-            continue;
-        }
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
             .pairs
             .iter()
