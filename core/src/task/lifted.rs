@@ -162,14 +162,8 @@ impl LiftedTask {
     /// The task with one more clause of its way, about a proposition with this many alternatives. All but the last argument are variables
     /// of the task, if it has one of that class; the last is a new variable for each alternative.
     ///
-    /// ```
-    /// use goodbot::{home, task::{Clause, LiftedTask}};
-    /// let go = LiftedTask::parse("agentInRoom(?a, ?goal)", &home::SCHEMA)?;
-    /// let detour = go.with_clause(Clause::Through, home::AGENT_IN_ROOM, 2, &home::SCHEMA)?;
-    /// let text = "agentInRoom(?a, ?goal) through agentInRoom(?a, ?v) or agentInRoom(?a, ?w)";
-    /// assert_eq!(detour, LiftedTask::parse(text, &home::SCHEMA)?);
-    /// # Ok::<(), goodbot::task::TaskTextError>(())
-    /// ```
+    /// For example, `agentInRoom(?a, ?goal)` with a clause of two alternatives is `agentInRoom(?a, ?goal) through agentInRoom(?a, ?v) or
+    /// agentInRoom(?a, ?w)`.
     ///
     /// # Errors
     /// [`TaskTextError`].
