@@ -42,7 +42,8 @@ const UNBOUND: [u64; 3] = [u64::MAX; 3];
 /// The emulator's board for RISC-V, which needs an emulator of its own.
 const RISCV_BOARD: &str = "virt";
 
-/// The boards whose firmware is built, run and measured: one of each set of instructions, and those that are like one of them. The micro:bit computes floats in software, which takes flash and instructions.
+/// The boards whose firmware is built, run and measured: one of each set of instructions, and those that are like one of them. The micro:bit computes floats
+/// in software, which takes flash and instructions.
 pub const BOARDS: [Board; 6] = [
     AN386,
     Board { name: "mps2-an385", feature: "mps2-an385", processor: "Cortex-M3", target: CORTEX_M3, is_alike: true, most: UNBOUND, ..AN386 },

@@ -1,8 +1,8 @@
 //! Memory that the caller owns and lends for the length of each call, shaped by [`Capacities`](crate::Capacities).
 //!
 //! [`memory!`](crate::memory!) makes a struct of plain arrays, which a controller puts into a static; with the `alloc` feature,
-//! [`HeapMemory`](crate::HeapMemory) takes the same capacities at run time. Both have two parts: `home`, for a [`Home`](crate::home::Home), and `agent`, for
-//! an [`Agent`](crate::Agent). Either part may be moved in or lent:
+//! [`HeapMemory`](crate::HeapMemory) takes the same capacities at run time. Both have two parts: `home`, for a
+//! [`Home`](crate::home::Home), and `agent`, for an [`Agent`](crate::Agent). Either part may be moved in or lent:
 //!
 //! | memory handed over | who owns the tables |
 //! |---|---|

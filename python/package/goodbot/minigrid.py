@@ -34,6 +34,7 @@ except ImportError:
     raise ImportError("goodbot.minigrid needs MiniGrid: pip install 'goodbot[minigrid]'") from None
 
 from ._native import Agent, Trainer
+from .lesson import RESTS
 from .names import Feedback, Kind, Learner, Skill
 
 # A cell that can be walked on, a heading (0 is east, as in MiniGrid), and what was handled last, by its position among `Grid.handled`.
@@ -57,8 +58,6 @@ LEVELS: dict[str, tuple[Skill, ...]] = {
     "PutNextLocal": ("putnext",),
     "GoTo": ("goto",),
 }
-# Rests in a row at the goal after which a lesson ends.
-RESTS = 3
 
 
 class Vocabulary:

@@ -76,7 +76,7 @@ pub struct Options {
     /// Runs this step only; can be given more than once
     #[arg(long, value_name = "STEP")]
     only: Vec<Step>,
-    /// Also runs what is much like the rest: three more emulated boards, the Raspberry Pi Pico, the ESP32-C3, embassy, small C libraries, and calls with full tables
+    /// Also runs what is much like the rest: three more emulated boards, the Raspberry Pi Pico, the ESP32-C3, embassy, and small C libraries
     #[arg(long)]
     all_boards: bool,
     /// Succeeds although a step was left out, because this machine has no program for it and none can be had

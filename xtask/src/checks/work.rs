@@ -269,9 +269,6 @@ pub fn tick(run: &Run) -> Result<()> {
         }
         ensure!(missed == 0, "{name}: {missed} ticks were missed");
     }
-    if !run.all_boards {
-        return Ok(());
-    }
     let with_full_tables = run_alone(&full()?)?;
     println!("with full tables, the longest calls:");
     for call in ["build", "begin-hearing", "hear", "plan", "decide", "act", "finish", "learn", "save", "restore"] {
