@@ -147,7 +147,9 @@ impl<M: AgentMemory> Agent<M> {
             words = last;
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
         }
-        let parting = self.part(domain, words, context)?;
+        // The rest of a rest is shorter, so that an utterance that is heard part by part comes to an end.
+        let is_shorter = |parting: &Parting<'_>| words.get(parting.begin).is_some_and(|word| word.piece > 0);
+        let parting = self.part(domain, words, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
         self.judge_parted(domain, (words, sorts), explained, context, parting)
     }
 

@@ -48,3 +48,14 @@ fn the_robot_takes_each_sentence_as_the_page_tells() {
         assert!(what.is_none_or(|what| is == what), "{sentence}: {is}");
     }
 }
+
+#[test]
+fn an_utterance_that_turns_its_parts_round_is_turned_round_once() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let model = folder.path().join("zh.goodbot").to_str().expect("a name").to_owned();
+    assert_eq!(goodbot(&["learn", &format!("{ROOT}/lab/acts/lessons.zh.jsonl"), "--out", &model], b"").code, 0);
+    let home = format!("{ROOT}/lab/acts/home.json");
+    let sentences = "篮子没到蓝色房间你就别去绿色房间，送到了再去。\n绿色房间先别急着去，篮子放到黄色房间之后再去。\n";
+    let run = goodbot(&["ask", "--json", "--with", &model, "--environment", &home, "-"], sentences.as_bytes());
+    assert_eq!((run.code, run.output.lines().count()), (0, 2), "{}", run.messages);
+}
