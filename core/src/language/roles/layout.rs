@@ -36,9 +36,11 @@ const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 pub(super) const BESIDE_WORDS: usize = 2;
 /// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
-/// The weight of the roles *start* and *other* if tasks have ways. With 0.5, a home without a lesson is understood less by the layer, and
-/// more lessons make that worse.
-const OTHERS_WITH_WAYS: f32 = 0.05;
+/// The weight of the roles *start* and *other* before training, relative to 1 for a goal. It is the same for few lessons and many. If it
+/// grew with them to half a goal's, the words of a goal would be read as other things of the scene after a hundred lessons, although eight
+/// were enough to understand them. With .1, the first seven lessons of the paper's course in Chinese explain the scenery: 1,187 of its 1,200
+/// tests are right, and 1,198 with .05.
+const OTHERS: f32 = 0.05;
 
 /// The dimensions of the parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -334,14 +336,9 @@ impl Layout {
         if self.words == 0 { 0 } else { self.trellis_start().saturating_add(rows.saturating_mul(self.memories() + 1)) }
     }
 
-    /// The weight of a role in the prior, relative to 1 for a goal. If tasks have ways, people name the rooms of the way, and seldom
-    /// another one.
-    pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
-        match kind.is_of_task() {
-            true => 1.0,
-            false if self.has_ways() => OTHERS_WITH_WAYS,
-            false => 0.5 * self.many(),
-        }
+    /// The weight of a role in the prior, relative to 1 for a goal.
+    pub(super) const fn weight_of(kind: RoleKind) -> f32 {
+        if kind.is_of_task() { 1.0 } else { OTHERS }
     }
 
     /// How far the number of sessions counts as many, from 0 to 1.
