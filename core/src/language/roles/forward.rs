@@ -410,7 +410,7 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// A row of p0 for a lifted task that training has not seen.
     fn untrained_row(&self) -> Moves {
-        prior(self.present.iter().map(|present| present.kind()))
+        prior(self.layout, self.present.iter().map(|present| present.kind()))
     }
 
     /// Fills in the weights of background, a word of the task and each present role after a memory, with these lifts. Returns their scale,
@@ -493,11 +493,11 @@ impl<'t, 'd> Reader<'t, 'd> {
 }
 
 /// The probabilities of background, a word of the task and each of these roles before training.
-pub(super) fn prior(roles: impl Iterator<Item = RoleKind>) -> Moves {
+pub(super) fn prior(layout: &Layout, roles: impl Iterator<Item = RoleKind>) -> Moves {
     let mut prior: Moves = [0.0; MOST_ROLES + 2];
     let (mut count, [background, task, of_roles @ ..]) = (0_usize, &mut prior);
     for (slot, kind) in of_roles.iter_mut().zip(roles) {
-        *slot = Layout::weight_of(kind);
+        *slot = layout.weight_of(kind);
         count += 1;
     }
     (*background, *task) = (BACKGROUND, share_among(of_roles.get_mut(..count).unwrap_or(&mut [])));

@@ -175,7 +175,7 @@ impl Work<'_, '_> {
     }
 
     fn prior(&self) -> Moves {
-        prior(self.layout.roles().iter().map(|role| role.kind()))
+        prior(self.layout, self.layout.roles().iter().map(|role| role.kind()))
     }
 
     /// Does one part, or about `left` table cells of it if it can be cut. Returns the number of cells and the next part.
