@@ -36,11 +36,11 @@ const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 pub(super) const BESIDE_WORDS: usize = 2;
 /// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
-/// The weight of the roles *start* and *other* before training, relative to 1 for a goal. It is the same for few lessons and many. If it
-/// grew with them to half a goal's, the words of a goal would be read as other things of the scene after a hundred lessons, although eight
-/// were enough to understand them. From .05 to .1 most figures stay. But with .05, turk-original in a home without a lesson is understood
-/// less (207 of 240; 216 with .08), and with .1 the seven lessons of the paper's course in Chinese (1,187 of 1,200 tests; 1,193 with .08).
-const OTHERS: f32 = 0.08;
+/// The largest weight of the roles *start* and *other* before training, relative to 1 for a goal. It is reached after fifteen lessons,
+/// because the first ones must teach what goals are called: with all of it after two lessons in a flat of ten rooms, "green" is one of the
+/// nine other rooms. If it grew on, to half a goal's, the words of a goal would be read as other things of the scene after a hundred
+/// lessons, although eight were enough to understand them.
+const OTHERS: f32 = 0.1;
 /// The same if tasks have ways: people name the rooms of the way, and seldom another one.
 const OTHERS_WITH_WAYS: f32 = 0.05;
 
@@ -339,11 +339,11 @@ impl Layout {
     }
 
     /// The weight of a role in the prior, relative to 1 for a goal.
-    pub(super) const fn weight_of(&self, kind: RoleKind) -> f32 {
+    pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
         match kind.is_of_task() {
             true => 1.0,
             false if self.has_ways() => OTHERS_WITH_WAYS,
-            false => OTHERS,
+            false => (0.5 * self.many()).min(OTHERS),
         }
     }
 
