@@ -8,6 +8,8 @@ mod any_order;
 mod asking;
 mod bad_homes;
 mod ends_of_sessions;
+#[cfg(feature = "layer")]
+mod growth;
 #[cfg(feature = "alloc")]
 mod honest_evidence;
 #[cfg(feature = "alloc")]

@@ -27,7 +27,7 @@ fn rooms(widths: [i32; 3], lesson: usize, derived: bool) -> (Home<HomeHeap>, Hom
 }
 
 /// Teaches "leftmost" and "large" in six homes, twice in two wordings. Returns the probability of the room `meant` after a command in
-/// another home.
+/// another home, on average over its three colourings: so whoever knows of colours alone has at most the third of chance.
 fn understood(derived: bool, asked: &str, meant: &str) -> f32 {
     let mut agent = Agent::new(HeapMemory::new(&Capacities::STANDARD).agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     let homes = [[4, 6, 4], [4, 4, 8], [8, 4, 4], [4, 8, 6], [6, 4, 8], [8, 6, 4]];
@@ -44,16 +44,21 @@ fn understood(derived: bool, asked: &str, meant: &str) -> f32 {
         let _ = agent.finish(&home).unwrap();
         agent.learn_fully();
     }
-    let (home, start) = rooms([4, 4, 6], 0, derived);
-    agent.hear(&home, &start, asked).unwrap();
-    let is_meant = |task: &usize| home.objects().name(agent.tasks()[*task].bindings[1]) == meant;
-    (0..agent.tasks().len()).filter(is_meant).map(|task| agent.belief().probability(task)).sum()
+    let mut probability = |coloring| {
+        let (home, start) = rooms([4, 4, 6], coloring, derived);
+        agent.hear(&home, &start, asked).unwrap();
+        let is_meant = |task: &usize| home.objects().name(agent.tasks()[*task].bindings[1]) == meant;
+        let of_meant: f32 = (0..agent.tasks().len()).filter(is_meant).map(|task| agent.belief().probability(task)).sum();
+        agent.forget();
+        of_meant
+    };
+    (0..COLORS.len()).map(&mut probability).sum::<f32>() / COLORS.len() as f32
 }
 
 #[test]
 fn a_robot_learns_what_leftmost_and_large_mean_where_colours_tell_nothing() {
     for (command, room) in [("go to the large room", "third"), ("go to the leftmost room", "first")] {
         let (seeing, blind) = (understood(true, command, room), understood(false, command, room));
-        assert!(seeing > 0.45 && blind < 0.3, "{command}: {seeing}, without derived facts {blind}");
+        assert!(seeing > blind + 0.1 && blind < 0.34, "{command}: {seeing}, without derived facts {blind}");
     }
 }

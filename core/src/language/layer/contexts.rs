@@ -18,6 +18,8 @@ const MENTIONS: f32 = 0.3;
 const MOST_COUNTED: usize = 3;
 /// A value has a name if some word was taken for it in more than this share of the times it was heard.
 const HAS_NAME: f32 = 0.5;
+/// A command of at most this many words may be a name of the whole task, such as "hop". No context tells what its words mean.
+const OF_WHOLE_TASK: usize = 2;
 /// If tasks have ways: the farthest word between two mentions that counts for the second.
 const FARTHEST: usize = 6;
 /// Any word that names a value, and any new word, as neighbours of a mention. No word has these numbers.
@@ -98,7 +100,7 @@ impl<'s, 't> Command<'s, 't> {
                 (role, value)
             }
         };
-        if self.is_told {
+        if self.is_told || self.words.len() <= OF_WHOLE_TASK {
             tell(of_told(role, value, None), 1.0);
             self.all().for_each(|word| tell(of_told(role, value, Some(word)), 1.0));
         }

@@ -12,9 +12,9 @@
 //! value is, over the words with g > 0.05, a weight of the word, plus g times a weight for each feature of the word's context (`contexts`);
 //! all values of a role share the weights of contexts. So the layer learns "avoid" from one color and applies it to another. If the words
 //! in names are values, U of a value also has a constant and a weight for each word, whatever its g: with few meanings a word and a value
-//! often occur only together, and the role model takes the word for one of several. There, a meaning told n times teaches as much as the
-//! root of n, and with few meanings the layer is too sure where it is wrong: a fifth of each probability is the role model's (a linear
-//! pool).
+//! often occur only together, and the role model takes the word for one of several. So it has in commands of at most two words, which may
+//! name a whole task, such as "hop". Where the words in names are values, a meaning told n times teaches as much as the root of n, and with
+//! few meanings the layer is too sure where it is wrong: a fifth of each probability is the role model's (a linear pool).
 //!
 //! If tasks have ways, the goals of a task and its way are parts, too, and a value's contexts have a second weight for all roles of one kind
 //! (any place to go through), and a third for all roles of the task; so has whether the value is named. In these contexts all names are

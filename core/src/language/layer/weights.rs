@@ -16,7 +16,8 @@ const CONTEXTS: Range<usize> = VALUES.end..VALUES.end + 2_048;
 const CONSTANTS: Range<usize> = CONTEXTS.end..CONTEXTS.end + 64;
 /// a - 1, with a the exponent of the role model's posterior.
 pub(super) const TRUST: usize = CONSTANTS.end;
-/// In worlds that are told: a constant for each value in a role, and a weight of each word together with it.
+/// In worlds that are told, and for commands of one or two words: a constant for each value in a role, and a weight of each word together
+/// with it.
 const WORDS: Range<usize> = TRUST + 1..TRUST + 1 + 16_384;
 /// If tasks have ways: weights of contexts for all roles of one kind, and for all roles of a group of kinds.
 const KINDS_OF_ROLES: Range<usize> = WORDS.end..WORDS.end + 8_192;

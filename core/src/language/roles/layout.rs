@@ -36,8 +36,12 @@ const NAMING: usize = RoleKind::COUNT * SHARES_NAMED;
 pub(super) const BESIDE_WORDS: usize = 2;
 /// The number of sessions at which terms that grow with them reach half their size.
 const HALF_OF_MANY: f32 = 60.0;
-/// The weight of the roles *start* and *other* if tasks have ways. With 0.5, a home without a lesson is understood less by the layer, and
-/// more lessons make that worse.
+/// The largest weight of the roles *start* and *other* before training, relative to 1 for a goal. It is reached after fifteen lessons,
+/// because the first ones must teach what goals are called: with all of it after two lessons in a flat of ten rooms, "green" is one of the
+/// nine other rooms. If it grew on, to half a goal's, the words of a goal would be read as other things of the scene after a hundred
+/// lessons, although eight were enough to understand them.
+const OTHERS: f32 = 0.1;
+/// The same if tasks have ways: people name the rooms of the way, and seldom another one.
 const OTHERS_WITH_WAYS: f32 = 0.05;
 
 /// The dimensions of the parameters.
@@ -334,13 +338,12 @@ impl Layout {
         if self.words == 0 { 0 } else { self.trellis_start().saturating_add(rows.saturating_mul(self.memories() + 1)) }
     }
 
-    /// The weight of a role in the prior, relative to 1 for a goal. If tasks have ways, people name the rooms of the way, and seldom
-    /// another one.
+    /// The weight of a role in the prior, relative to 1 for a goal.
     pub(super) fn weight_of(&self, kind: RoleKind) -> f32 {
         match kind.is_of_task() {
             true => 1.0,
             false if self.has_ways() => OTHERS_WITH_WAYS,
-            false => 0.5 * self.many(),
+            false => (0.5 * self.many()).min(OTHERS),
         }
     }
 
