@@ -120,7 +120,12 @@ struct Writing {
     saving: Saving,
     buffer: *mut u8,
     bytes: usize,
+    /// How many bytes of the buffer are filled: a slice of uninitialized bytes is undefined behaviour.
+    filled: usize,
 }
+
+/// More bytes than the longest record has, and the checksum after the last one.
+const LONGEST_RECORD: usize = 1024;
 
 type OfSaving = Begun<Writing>;
 type OfRestoring = Begun<Restoring<'static>>;
@@ -154,11 +159,8 @@ pub unsafe extern "C" fn goodbot_begin_saving(saving: *mut GoodbotSaving, buffer
     if saving.is_null() || buffer.is_null() {
         return GoodbotStatus::Null;
     }
-    // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
-    unsafe {
-        buffer.write_bytes(0, bytes);
-        begin(saving.cast::<OfSaving>(), Writing { saving: Saving::new(), buffer, bytes });
-    }
+    // SAFETY: the caller's promise.
+    unsafe { begin(saving.cast::<OfSaving>(), Writing { saving: Saving::new(), buffer, bytes, filled: 0 }) };
     GoodbotStatus::Ok
 }
 
@@ -174,11 +176,15 @@ pub unsafe extern "C" fn goodbot_save_on(
     budget: u32,
     written: *mut usize,
 ) -> GoodbotStatus {
-    // SAFETY: the caller's promise; the bytes of the buffer were filled when saving began.
+    // SAFETY: the caller's promise; the bytes of the slice are filled.
     unsafe {
         with(robot, |robot| {
             let work = begun(saving.cast::<OfSaving>())?;
-            let buffer = core::slice::from_raw_parts_mut(work.buffer, work.bytes);
+            // Ahead of what this part writes, and in parts too, because a large buffer takes long.
+            let more = LONGEST_RECORD.saturating_add(budget as usize).min(work.bytes.saturating_sub(work.filled));
+            work.buffer.add(work.filled).write_bytes(0, more);
+            work.filled = work.filled.saturating_add(more);
+            let buffer = core::slice::from_raw_parts_mut(work.buffer, work.filled);
             match robot.agent.save_on(&mut work.saving, buffer, budget)? {
                 Some(length) => give(written, length),
                 None => Ok(GoodbotStatus::Working),

@@ -109,11 +109,15 @@ impl<'t> SymbolsRef<'t> {
 
     /// The symbol of `text`, if the table has it.
     pub fn find(self, text: &str) -> Option<Symbol> {
-        let wanted = text.as_bytes();
+        self.find_by(text.len(), |bytes| bytes == text.as_bytes())
+    }
+
+    /// The first text of this many bytes that is the wanted one.
+    pub(crate) fn find_by(self, length: usize, is_wanted: impl Fn(&[u8]) -> bool) -> Option<Symbol> {
         let mut start = 0;
         for (position, &end) in self.ends.iter().take(self.len).enumerate() {
             let end = end as usize;
-            if end.wrapping_sub(start) == wanted.len() && self.bytes.get(start..end) == Some(wanted) {
+            if end.wrapping_sub(start) == length && self.bytes.get(start..end).is_some_and(&is_wanted) {
                 return Some(Symbol(position as u16));
             }
             start = end;
@@ -178,6 +182,13 @@ impl<'t> Symbols<'t> {
         let symbol = Symbol(*self.len as u16);
         *self.len += 1;
         Ok(symbol)
+    }
+
+    /// Whether a new text of this many bytes would find room.
+    #[cfg(feature = "ways")]
+    pub(crate) fn has_room(&self, bytes: usize) -> bool {
+        let end = self.read().byte_len().saturating_add(bytes);
+        *self.len < self.ends.len().min(usize::from(u16::MAX) - 1) && end <= self.bytes.len().min(usize::from(u16::MAX))
     }
 
     /// Forgets one text. The later texts move up: each of their symbols decreases by one.

@@ -155,17 +155,28 @@ impl Example {
     /// Builds it. Returns its path.
     pub fn build(self) -> Result<PathBuf> {
         let Self { name, features, every_function } = self;
-        let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);
-        let binary = library.with_file_name(format!("{name}-{}{}.elf", features.len(), if every_function { "-all" } else { "" }));
-        let header = sh.read_file(HEADER)?;
+        let header = shell()?.read_file(HEADER)?;
         let linked = functions(&header).into_iter().filter(|_| every_function).map(|function| format!("-Wl,--undefined={function}"));
-        let processor = ["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"];
-        let sections = ["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=nano.specs", "--specs=rdimon.specs"];
-        let gcc = cmd!(sh, "{gcc} {WARNINGS...} {processor...} {sections...} -nostartfiles -I capi/include -T capi/examples/board/link.ld");
-        let gcc = gcc.arg(format!("capi/examples/{name}.c")).arg("capi/examples/board/start.c").arg(library);
-        gcc.arg("-o").arg(&binary).args(linked).run()?;
-        Ok(binary)
+        let binary = format!("{name}-{}{}.elf", features.len(), if every_function { "-all" } else { "" });
+        link(&format!("capi/examples/{name}.c"), features, &binary, &linked.collect::<Vec<_>>())
     }
+}
+
+/// The search for the longest calls, in this many worlds.
+pub fn search_program(trials: u32, seed: u32) -> Result<PathBuf> {
+    let numbers = [format!("-DTRIALS={trials}"), format!("-DSEED={seed}")];
+    link("capi/tests/worst.c", FEATURES_AND_TALK, &format!("worst-{trials}-{seed}.elf"), &numbers)
+}
+
+/// Links a program in C with a library of these features, for the Cortex-M4F.
+fn link(program: &str, features: &[&str], name: &str, options: &[String]) -> Result<PathBuf> {
+    let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);
+    let binary = library.with_file_name(name);
+    let processor = ["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"];
+    let sections = ["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=nano.specs", "--specs=rdimon.specs"];
+    let gcc = cmd!(sh, "{gcc} {WARNINGS...} {processor...} {sections...} -nostartfiles -I capi/include -T capi/examples/board/link.ld");
+    gcc.arg(program).arg("capi/examples/board/start.c").arg(library).arg("-o").arg(&binary).args(options).run()?;
+    Ok(binary)
 }
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator; those of small libraries, which have to be built for them, if `all` are meant.

@@ -63,6 +63,8 @@ const FULL: [(&str, &str); 10] = [
     ("save", "`save_on`, 1 byte"),
     ("restore", "`restore_on`, 1 entry"),
 ];
+/// The longest calls that `cargo xtask worst` found.
+const WORST: [(&str, &str); 1] = [("instructions", "instructions")];
 const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
 /// The lessons of those plans; the first two lessons share an environment.
 const LESSONS: [usize; 6] = [0, 2, 3, 4, 5, 6];
@@ -80,7 +82,8 @@ pub struct Options {
 
 /// Numbers by name, for each board and preset, or for each program.
 type Rows = BTreeMap<String, BTreeMap<String, u64>>;
-/// The numbers of one compiler: `rows` for the course, `programs` for other programs, `full` for the calls with full tables.
+/// The numbers of one compiler: `rows` for the course, `programs` for other programs, `full` for the calls with full tables, `worst` for
+/// those that a search found.
 type Footprint = BTreeMap<String, Rows>;
 /// The numbers of each compiler.
 type Kept = BTreeMap<String, Footprint>;
@@ -112,6 +115,15 @@ pub fn check(all_boards: bool) -> Result<()> {
     Ok(())
 }
 
+/// Writes the table of the longest calls that a search found.
+pub fn write_worst(found: impl Iterator<Item = (String, u64)>) -> Result<()> {
+    let (sh, mut kept) = (shell()?, kept()?);
+    let rows = found.map(|(call, most)| (call, BTreeMap::from([(WORST[0].0.to_owned(), most)]))).collect();
+    kept.entry(compiler()?).or_default().insert("worst".to_owned(), rows);
+    sh.write_file(NUMBERS, serde_json::to_string_pretty(&json!({ "version": 2, "compilers": kept }))? + "\n")?;
+    Ok(sh.write_file(PAGE, renewed(&sh.read_file(PAGE)?, &kept)?)?)
+}
+
 fn kept() -> Result<Kept> {
     let mut kept: Value = serde_json::from_str(&shell()?.read_file(NUMBERS)?)?;
     serde_json::from_value(kept.get_mut("compilers").map(Value::take).unwrap_or_default())
@@ -119,8 +131,11 @@ fn kept() -> Result<Kept> {
 }
 
 /// Stores the numbers of this compiler in place of those of its other versions.
-fn renew(kept: &mut Kept, compiler: &str, footprint: Footprint) {
+fn renew(kept: &mut Kept, compiler: &str, mut footprint: Footprint) {
     let kind = |name: &str| name.rsplit_once(' ').map(|(kind, _)| kind.to_owned());
+    // What a long search found stays until the next one.
+    let searched = kept.iter().find(|(name, _)| kind(name) == kind(compiler)).and_then(|(_, old)| old.get("worst"));
+    footprint.extend(searched.map(|rows| ("worst".to_owned(), rows.clone())));
     kept.retain(|name, _| kind(name) != kind(compiler));
     kept.insert(compiler.to_owned(), footprint);
 }
@@ -212,12 +227,13 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
 
 /// The page with its tables made from the numbers.
 fn renewed(page: &str, kept: &Kept) -> Result<String> {
-    let tables: [(&str, &str, &str, &Columns); 6] = [
+    let tables: [(&str, &str, &str, &Columns); 7] = [
         ("bytes", "rows", "board, preset", &BYTES),
         ("programs", "programs", "program", &PROGRAMS),
         ("instructions", "rows", "board, preset", &INSTRUCTIONS),
         ("calls", "rows", "board, preset", &CALLS),
         ("full", "full", "board", &FULL),
+        ("worst", "worst", "call", &WORST),
         ("plans", "rows", "board, preset", &PLANS),
     ];
     let rows = |footprint: &Footprint, kind| footprint.get(kind).cloned().unwrap_or_default();

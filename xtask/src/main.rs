@@ -16,6 +16,7 @@ mod process;
 mod programs;
 mod release;
 mod toolchain;
+mod worst;
 
 use anyhow::Result;
 use clap::Parser;
@@ -46,6 +47,8 @@ enum Task {
     Plot,
     /// Measures the robot's memory and instructions on each emulated board, and writes docs/footprint.md.
     Footprint(footprint::Options),
+    /// Searches for the input that takes the most instructions of each call in C, and writes it into docs/footprint.md.
+    Worst(worst::Options),
     /// Writes the C header capi/include/goodbot.h.
     Capi,
     /// Writes the file to drag onto a BBC micro:bit, `dist/goodbot.hex`.
@@ -78,6 +81,7 @@ fn run(task: Task) -> Result<()> {
         Task::Instructions { filter } => benches::instructions(&filter),
         Task::Plot => benches::plot(),
         Task::Footprint(options) => footprint::run(&options),
+        Task::Worst(options) => worst::run(&options),
         Task::Capi => capi::header(),
         Task::Microbit => firmware::deliver().map(drop),
         Task::Pico => firmware::deliver_pico().map(drop),

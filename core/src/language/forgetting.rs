@@ -131,6 +131,9 @@ impl Choice {
     }
 }
 
+/// How many machine tokens are looked for at once: a bit each.
+const TOKENS_AT_ONCE: usize = u32::BITS as usize;
+
 impl LanguageMut<'_> {
     /// Adds one session to the training data, as [`add_session`](Self::add_session) does. If memory is full, other sessions are forgotten:
     /// call again, with the same `step`, until room is found. Words that found no room when they were heard are left out.
@@ -255,10 +258,10 @@ impl LanguageMut<'_> {
             }
         }
         let unheard = self.with_room_alone(sentence);
-        let mut full = self.full_of_vocabulary(unheard);
-        if full.is_some() {
-            self.remove_unused_tokens(session_tokens);
-            full = self.full_of_vocabulary(unheard);
+        let full = self.full_of_vocabulary(unheard);
+        if full.is_some() && self.remove_unused_tokens(session_tokens) {
+            // Measured again in a part of its own.
+            return Ok(Room::Sought);
         }
         let newest = usize::from(sentence.iter().any(Option::is_some));
         let choice = full.and_then(|full| Choice::among(self.bitext.sessions().saturating_sub(newest), Want::Vocabulary, full));
@@ -270,7 +273,7 @@ impl LanguageMut<'_> {
     pub(crate) fn forget_unused(&mut self) {
         self.forget_unlearned();
         self.remove_unused_words(&mut []);
-        self.remove_unused_tokens(&mut []);
+        let _ = self.remove_unused_tokens(&mut []);
         // The vocabulary only shrank, so it fits.
         let _ = self.data_replaced();
         self.begin_training();
@@ -400,19 +403,37 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets the machine tokens that neither a machine command nor the new session uses.
-    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) {
-        for position in (0..self.tokens.len() as u16).rev() {
-            let token = Symbol(position);
-            if self.bitext.tokens_mut().contains(&token) || session_tokens.contains(&token) {
-                continue;
+    /// Forgets the machine tokens that neither a machine command nor the new session uses. Returns whether there were any.
+    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) -> bool {
+        let before = self.tokens.len();
+        let mut end = before;
+        while end > 0 {
+            // Which of these tokens are used: a search for each would go through all machine commands each time.
+            let first = end.saturating_sub(TOKENS_AT_ONCE);
+            let mut used = 0_u32;
+            for token in self.bitext.tokens_mut().iter().chain(&*session_tokens) {
+                let at = token.index().wrapping_sub(first);
+                if at < TOKENS_AT_ONCE {
+                    used |= 1 << at;
+                }
             }
-            #[cfg(feature = "layer")]
-            if let Some(layer) = &mut self.layer.room {
-                layer.remove_token(token);
+            for position in (first..end).rev() {
+                if used >> position.wrapping_sub(first) & 1 == 0 {
+                    self.remove_token(Symbol(position as u16), session_tokens);
+                }
             }
-            self.tokens.remove(token);
-            self.bitext.tokens_mut().iter_mut().chain(&mut *session_tokens).for_each(|other| close_up(other, token));
+            end = first;
         }
+        self.tokens.len() < before
+    }
+
+    /// Forgets a machine token that nothing uses. The later ones move up.
+    fn remove_token(&mut self, token: Symbol, session_tokens: &mut [Symbol]) {
+        #[cfg(feature = "layer")]
+        if let Some(layer) = &mut self.layer.room {
+            layer.remove_token(token);
+        }
+        self.tokens.remove(token);
+        self.bitext.tokens_mut().iter_mut().chain(session_tokens).for_each(|other| close_up(other, token));
     }
 }

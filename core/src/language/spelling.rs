@@ -71,6 +71,7 @@ pub(super) fn variant_on(
         return Some(Some(known));
     }
     if has_digit(word) {
+        *left = left.saturating_sub(1);
         return Some(None);
     }
     // A Korean character is a syllable, so two of them count as four letters; the rest is a particle or an ending.
@@ -92,6 +93,7 @@ pub(super) fn variant_on(
                 Alike::Slip => is_slip(known, word),
             };
             if is_alike && !has_digit(known) {
+                *left = left.saturating_sub(symbol.index().saturating_sub(first).saturating_add(1) as u32);
                 return Some(Some(symbol));
             }
         }
@@ -154,6 +156,8 @@ pub(crate) fn is_slip_of_any_length(one: &str, other: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::capacity::Capacity;
+    use crate::symbols::Symbols;
     use std::string::String;
     use std::vec::Vec;
 
@@ -173,6 +177,20 @@ mod tests {
             }
         }
         all
+    }
+
+    #[test]
+    fn every_search_takes_some_of_the_budget_so_that_a_part_hears_no_whole_command() {
+        let (mut bytes, mut ends, mut len) = ([0; 32], [0; 4], 0);
+        let mut words = Symbols::new(&mut bytes, &mut ends, &mut len, Capacity::Words, Capacity::WordBytes);
+        for word in ["purple", "orange"] {
+            words.intern(word).unwrap();
+        }
+        for word in ["orange", "oranges", "orage", "bay12", "green"] {
+            let mut left = 2;
+            let _ = variant_on(words.read(), 2, word, 5, &mut { Search::START }, &mut left);
+            assert!(left < 2, "{word}");
+        }
     }
 
     #[test]

@@ -89,10 +89,17 @@ impl Out<'_> {
     fn number(&mut self, number: u32) {
         let mut left = number;
         while left > 0x7f {
-            self.bytes(&[(left & 0x7f) as u8 | 0x80]);
+            self.byte((left & 0x7f) as u8 | 0x80);
             left >>= 7;
         }
-        self.bytes(&[left as u8]);
+        self.byte(left as u8);
+    }
+
+    fn byte(&mut self, byte: u8) {
+        if let Some(slot) = self.buffer.get_mut(self.length) {
+            *slot = byte;
+        }
+        self.length = self.length.saturating_add(1);
     }
 
     fn count(&mut self, count: usize) {

@@ -11,6 +11,8 @@
 //! so the order of the objects does not matter. Values without room in a description or in the vocabulary are left out, those of the other
 //! objects first.
 
+#[cfg(feature = "ways")]
+use super::machine_command::known_attribute_token;
 use super::machine_command::{Tokens, attribute_token};
 #[cfg(feature = "ways")]
 use super::role::VALUE_SORTS;
@@ -56,8 +58,12 @@ pub fn groups(description: &[Symbol]) -> impl Iterator<Item = Group<'_>> + Clone
 
 /// Whether the task itself, not its context, has a value.
 pub fn has_value(description: &[Symbol], value: Symbol) -> bool {
-    let of_task = |group: &Group<'_>| group.marker.role.kind().is_of_task() && group.marker.sort & 1 == 0;
-    groups(description).filter(of_task).any(|group| group.values.contains(&value))
+    groups(description).filter(is_of_task).any(|group| group.values.contains(&value))
+}
+
+/// Whether a group is of the task itself, not of its context.
+pub(crate) fn is_of_task(group: &Group<'_>) -> bool {
+    group.marker.role.kind().is_of_task() && group.marker.sort & 1 == 0
 }
 
 /// The token of a lifted task: the names of its propositions, with the numbers of their variables if there are several.
@@ -489,7 +495,11 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         let first = description.len() + 1;
         for object in objects.iter() {
             let mut tell = |fact: &str| {
-                let token = attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok();
+                // Most facts were told before, of other objects and in other tasks.
+                let known = known_attribute_token("is", fact, tokens.read());
+                let has_room = known.is_none() && tokens.has_room("is".len().saturating_add(fact.len()));
+                let new = has_room.then(|| attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok()).flatten();
+                let token = known.or(new);
                 let Some(token) = token.filter(|&token| !is_marker(token)) else { return };
                 if description.len() < first && description.push(marker.symbol()).is_err() {
                     return;

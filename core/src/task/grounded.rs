@@ -58,7 +58,10 @@ impl GroundedTask {
     /// `done(b) & done(a)`. With a single proposition, different objects are different tasks.
     fn is_same(&self, other: &Self, lifted: &LiftedTask) -> bool {
         let has = |task: &Self, part| task.parts(lifted).any(|own| own == part);
+        // The same propositions have the same objects in them. Their sum tells most tasks apart sooner than the propositions do.
+        let objects = |task: &Self| task.bindings.iter().map(|object| usize::from(object.0)).sum::<usize>();
         lifted.propositions().len() > 1
+            && objects(self) == objects(other)
             && self.parts(lifted).all(|part| has(other, part))
             && other.parts(lifted).all(|part| has(self, part))
     }

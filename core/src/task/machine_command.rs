@@ -191,3 +191,39 @@ pub(crate) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_B
     token.push_str(letters.as_str()).map_err(too_long)?;
     Ok(token)
 }
+
+/// The symbol of an [`attribute_token`] that is known, found without making its text.
+#[cfg(feature = "ways")]
+pub(super) fn known_attribute_token(prefix: &str, value: &str, tokens: crate::symbols::SymbolsRef<'_>) -> Option<Symbol> {
+    tokens.find_by(prefix.len().saturating_add(value.len()), |token| {
+        let Some((first, rest)) = token.strip_prefix(prefix.as_bytes()).and_then(<[u8]>::split_first) else { return false };
+        value.as_bytes().split_first().is_some_and(|(letter, letters)| letter.to_ascii_uppercase() == *first && letters == rest)
+    })
+}
+
+#[cfg(all(test, feature = "ways"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_known_token_is_found_without_its_text_as_with_it() {
+        let (mut bytes, mut ends, mut len) = ([0; 64], [0; 8], 0);
+        let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut len, Capacity::Tokens, Capacity::TokenBytes);
+        let values = ["leftmost", "first", "", "é", "fast", "Red", "red"];
+        for value in values {
+            assert_eq!(
+                known_attribute_token("is", value, tokens.read()),
+                tokens.read().find(&attribute_token("is", value).unwrap()),
+                "{value}"
+            );
+            tokens.intern(&attribute_token("is", value).unwrap()).unwrap();
+        }
+        for value in values.into_iter().filter(|value| !value.is_empty()) {
+            assert_eq!(
+                known_attribute_token("is", value, tokens.read()),
+                tokens.read().find(&attribute_token("is", value).unwrap()),
+                "{value}"
+            );
+        }
+    }
+}

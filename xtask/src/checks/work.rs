@@ -15,6 +15,7 @@ use crate::firmware::{
 use crate::process::{shell, target_dir};
 use crate::programs::{CHROMIUM, FIREFOX, NODE, QEMU, built_by_cargo, npm_packages, on_path, python_with};
 use crate::toolchain::{self, WASM, WINDOWS};
+use crate::worst;
 
 /// The crates that are checked and tested together. The page's builder is excluded: its dependencies, which no other crate has, take
 /// minutes to build, and making the page tests it.
@@ -276,7 +277,7 @@ pub fn tick(run: &Run) -> Result<()> {
         println!("  {longest} to {call}");
         ensure!(longest <= most, "with full tables, one call to {call} took {longest} instructions, and {most} are the most");
     }
-    Ok(())
+    worst::check()
 }
 
 /// Tests the file for the board itself.

@@ -1,6 +1,7 @@
 //! Pr(e|t), word by word.
 
 use super::layout::{KINDS, Layout, MOST_ROLES, SHARES_NAMED, cell, get};
+use crate::capacity::TOKENS_PER_COMMAND;
 use crate::probability::Scaled;
 use crate::symbols::Symbol;
 use crate::task::description::{form, groups};
@@ -249,6 +250,22 @@ impl<'t, 'd> Reader<'t, 'd> {
         cell(self.translations, row.saturating_add(word))
     }
 
+    /// The word's column, from the first value's row to the last's. It saves calls of [`value`](Self::value) in the common case.
+    fn column(&self, word: usize) -> &'t [f32] {
+        let (words, tokens) = (self.layout.words(), self.layout.tokens());
+        let first = words.saturating_add(word);
+        get(self.translations, first..if word < words { words.saturating_mul(tokens + 1) } else { 0 })
+    }
+
+    /// [`value`](Self::value), for a word whose column is known.
+    #[inline(always)]
+    fn value_in(&self, column: &[f32], token: Symbol, word: usize) -> f32 {
+        match column.get(token.index().wrapping_mul(self.layout.words())) {
+            Some(&probability) => probability,
+            None => self.value(token, word),
+        }
+    }
+
     /// F(w) of a new word.
     fn new_in_background(&self) -> f32 {
         #[cfg(feature = "talk")]
@@ -272,16 +289,9 @@ impl<'t, 'd> Reader<'t, 'd> {
     /// Pr(w | role) for each role present.
     pub fn emissions(&self, word: usize, emissions: &mut Roles) {
         emissions.iter_mut().take(self.present.len()).for_each(|slot| *slot = 0.0);
-        let (words, tokens) = (self.layout.words(), self.layout.tokens());
-        // The word's column, from the first value's row to the last's. It saves calls of `value` in the common case.
-        let first = words.saturating_add(word);
-        let last = if word < words { words.saturating_mul(tokens + 1) } else { 0 };
-        let column = get(self.translations, first..last);
+        let column = self.column(word);
         for group in &self.groups {
-            let translations = self.values(group).iter().map(|&value| match column.get(value.index().wrapping_mul(words)) {
-                Some(&probability) => probability,
-                None => self.value(value, word),
-            });
+            let translations = self.values(group).iter().map(|&value| self.value_in(column, value, word));
             let sum = translations.reduce(|sum, next| sum + next).unwrap_or(0.0);
             if let Some(slot) = emissions.get_mut(group.present()) {
                 *slot += group.share * sum;
@@ -308,17 +318,18 @@ impl<'t, 'd> Reader<'t, 'd> {
     /// Whether a word is likelier as a value of the description than as background or a word of the task.
     fn names(&self, word: usize) -> bool {
         let (background, task) = self.background_and_task(word);
-        let most = background.max(task);
-        word < self.layout.words() && self.groups.iter().any(|group| self.values(group).iter().any(|&value| self.value(value, word) > most))
+        let (most, column) = (background.max(task), self.column(word));
+        let names = |&value: &Symbol| self.value_in(column, value, word) > most;
+        word < self.layout.words() && self.groups.iter().any(|group| self.values(group).iter().any(names))
     }
 
-    /// The value that a word names, if that is likelier than background or a word of the task.
-    fn value_named(&self, word: usize) -> Option<Symbol> {
+    /// Which of these values a word names, if that is likelier than background or a word of the task.
+    fn value_named(&self, word: usize, values: &[Symbol]) -> Option<Symbol> {
         let (background, task) = self.background_and_task(word);
-        let (mut best, mut most) = (None, background.max(task));
-        for group in self.groups.iter().filter(|group| group.sort & 1 == 0 && word < self.layout.words()) {
-            for &value in self.values(group) {
-                let probability = self.value(value, word);
+        let (mut best, mut most, column) = (None, background.max(task), self.column(word));
+        if word < self.layout.words() {
+            for &value in values {
+                let probability = self.value_in(column, value, word);
                 if probability > most {
                     (best, most) = (Some(value), probability);
                 }
@@ -329,8 +340,22 @@ impl<'t, 'd> Reader<'t, 'd> {
 
     /// Calls `tell`, for each kind of role that the task has, with a column of `naming`: how much of it the words name.
     pub fn naming(&self, words: impl Iterator<Item = usize>, mut tell: impl FnMut(usize)) {
+        // Found once, for all words.
+        let mut values: Vec<Symbol, TOKENS_PER_COMMAND, u8> = Vec::new();
+        for group in self.groups.iter().filter(|group| group.sort & 1 == 0) {
+            // They are part of the description, so they fit.
+            let _ = values.extend_from_slice(self.values(group));
+        }
         let mut named: Vec<Symbol, 8, u8> = Vec::new();
-        for value in words.filter_map(|word| self.value_named(word)) {
+        // A word said again names nothing more. Only the first words of the vocabulary have a bit; others are looked up again.
+        let mut said = 0_u64;
+        let is_new = |word: &usize| {
+            let bit = u32::try_from(*word).ok().and_then(|word| 1_u64.checked_shl(word)).unwrap_or(0);
+            let is_new = said & bit == 0;
+            said |= bit;
+            is_new
+        };
+        for value in words.filter(is_new).filter_map(|word| self.value_named(word, &values)) {
             if !named.contains(&value) {
                 let _ = named.push(value);
             }
@@ -536,8 +561,9 @@ impl Reading {
     /// Before the first word.
     pub const START: Self = Self { words: 0, probability: Scaled::ONE };
 
-    /// Reads at most `most` more words. Returns `true` at the end of the command. `masses` keeps the probability of each memory between
-    /// calls; `tell` gets each word's position and its probability after the words before it.
+    /// Reads at most `most` more words. Returns `true` at the end of the command; where tasks have ways, the end is read in a part of its
+    /// own, because it looks at all words once more. `masses` keeps the probability of each memory between calls; `tell` gets each word's
+    /// position and its probability after the words before it.
     pub(super) fn go_on(
         &mut self,
         reader: &Reader<'_, '_>,
@@ -570,7 +596,8 @@ impl Reading {
             }
             self.words = self.words.saturating_add(1);
         }
-        if usize::from(self.words) < sentence.len() {
+        let read = usize::from(self.words).saturating_sub(first);
+        if usize::from(self.words) < sentence.len() || (read >= most && reader.layout.has_ways()) {
             masses.iter_mut().zip(&before).for_each(|(slot, mass)| *slot = *mass);
             return false;
         }

@@ -52,8 +52,8 @@ fn shares(layout: &Layout, alignments: &[f32], words: &[Symbol], length: f32) ->
     shares
 }
 
-/// The different words of a command.
-fn different(sentence: &[Symbol]) -> Vec<Symbol, WORDS_PER_COMMAND> {
+/// The different words of a command, in the order in which they are first said.
+pub(super) fn different(sentence: &[Symbol]) -> Vec<Symbol, WORDS_PER_COMMAND> {
     let mut different: Vec<Symbol, WORDS_PER_COMMAND> = Vec::new();
     // A bit for each word, which others may share, saves most searches.
     let mut seen = 0_u64;

@@ -9,11 +9,12 @@
 //!
 //! and likewise for each lifted task. If no word stands out, T[v] is the frequency of each word.
 
+use super::kind::different;
 use super::layout::{Layout, cell, get, get_mut};
 use crate::language::bitext::{BitextRef, Pair};
 use crate::language::tables::Cells;
 use crate::symbols::Symbol;
-use crate::task::description::{form, groups, has_value};
+use crate::task::description::{form, groups, has_value, is_of_task};
 
 const STANDING_OUT: f32 = 0.95;
 
@@ -30,21 +31,23 @@ pub(super) fn count(layout: &Layout, bitext: BitextRef<'_>, pair: &Pair, first: 
             }
         }
     }
+    // Once for all rows: to find a repetition, a word is compared with all before it.
+    let words = different(sentence);
     let mut add = |token: Option<Symbol>| {
         let counts = get_mut(t.counts, layout.row(token));
-        for (position, word) in sentence.iter().enumerate() {
-            let repeated = sentence.iter().take(position).any(|other| other == word);
-            if let Some(slot) = counts.get_mut(word.index()).filter(|_| !repeated) {
+        for word in &words {
+            if let Some(slot) = counts.get_mut(word.index()) {
                 *slot += weight;
             }
         }
     };
     add(None);
     add(form(description));
-    for (position, group) in groups(description).enumerate() {
-        for &value in group.values.iter().filter(|&&value| has_value(description, value)) {
-            let before = groups(description).take(position).any(|other| other.values.contains(&value));
-            if !before {
+    // A value of the task in several of its roles counts once.
+    let of_task = || groups(description).filter(is_of_task);
+    for (position, group) in of_task().enumerate() {
+        for &value in group.values {
+            if !of_task().take(position).any(|other| other.values.contains(&value)) {
                 add(Some(value));
             }
         }

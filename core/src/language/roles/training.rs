@@ -93,6 +93,8 @@ pub(crate) enum Part {
 /// The direction in which the words of a pair are read, and the next position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Pass {
+    /// How much of each role is named, where tasks have ways.
+    Named,
     /// Forward, from this word on.
     Forward(u8),
     /// Backward, from this word and this memory on.
@@ -100,8 +102,8 @@ pub(crate) enum Pass {
 }
 
 impl Pass {
-    /// The first word.
-    const START: Self = Self::Forward(0);
+    /// Nothing is done yet.
+    const START: Self = Self::Named;
 }
 
 /// The numbers of words seen with values, and with lifted tasks.
@@ -317,20 +319,22 @@ impl Work<'_, '_> {
         reader.take_groups();
         let weight = self.layout.weight(self.bitext, pair);
         let mut counts = Counts { reader: &reader, sentence, weight, t: &mut *self.t.counts, a: &mut *self.a.counts };
-        if reader.form.is_none() {
-            return (0, None);
-        }
-        if let Some(form) = reader.form.filter(|_| pass == Pass::START && self.layout.has_ways()) {
-            let row = get_mut(counts.a, self.layout.naming(form));
-            reader.naming(sentence.iter().map(|word| word.index()), |at| {
-                if let Some(slot) = row.get_mut(at) {
-                    *slot += weight;
-                }
-            });
-        }
+        let Some(form) = reader.form else { return (0, None) };
         let (mut cells, mut scratch) = (0_usize, Scratch::NEW);
         while cells < left {
             let next = match pass {
+                Pass::Named => {
+                    if self.layout.has_ways() {
+                        let row = get_mut(counts.a, self.layout.naming(form));
+                        reader.naming(sentence.iter().map(|word| word.index()), |at| {
+                            if let Some(slot) = row.get_mut(at) {
+                                *slot += weight;
+                            }
+                        });
+                        cells = cells.saturating_add(description.len().saturating_mul(sentence.len()));
+                    }
+                    Some(Pass::Forward(0))
+                }
                 Pass::Forward(word) if usize::from(word) < sentence.len() => {
                     cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
                     forward_word(&reader, sentence, usize::from(word), trellis, &mut scratch)

@@ -1,0 +1,139 @@
+//! `cargo xtask worst`: a search for the input that takes the most instructions of each call of the C interface.
+//!
+//! `capi/tests/worst.c` draws worlds, lessons and sentences on the emulated Cortex-M4F, and keeps what makes a call longer.
+
+use std::time::{Duration, Instant};
+
+use anyhow::{Result, ensure};
+use clap::Args;
+
+use crate::capi::search_program;
+use crate::emulated_boards::Report;
+use crate::firmware::run_alone;
+use crate::footprint;
+
+/// Worlds that one run of the program tries. It must end before the emulator's limit.
+const TRIALS: u32 = 40;
+/// Those of a check.
+const TRIALS_OF_A_CHECK: u32 = 12;
+/// The most instructions of a call with the smallest budget, as the header promises. The aim is 62,500: a quarter of a tick of 10 ms at 25 MHz.
+const MOST: u64 = 70_000;
+
+/// Calls of the search, by their names in C.
+const CALLS: [(&str, &str); 38] = [
+    ("begin_hearing", "goodbot_begin_hearing"),
+    ("hear_on", "goodbot_hear_on, budget 1"),
+    ("hear_again", "goodbot_hear_again"),
+    ("plan", "goodbot_plan, budget 1"),
+    ("decide", "goodbot_decide"),
+    ("done", "goodbot_done"),
+    ("feedback", "goodbot_feedback"),
+    ("trainer_ended", "goodbot_trainer_ended"),
+    ("demonstration", "goodbot_demonstration"),
+    ("remark", "goodbot_remark"),
+    ("begin_finishing", "goodbot_begin_finishing"),
+    ("finish_on", "goodbot_finish_on, budget 1"),
+    ("forget", "goodbot_forget"),
+    ("learn", "goodbot_learn, budget 1"),
+    ("learn-16", "goodbot_learn, budget 16"),
+    ("task_count", "goodbot_task_count"),
+    ("task_probability", "goodbot_task_probability"),
+    ("most_likely", "goodbot_most_likely"),
+    ("task_text", "goodbot_task_text"),
+    ("question", "goodbot_question (at once)"),
+    ("question_text", "goodbot_question_text"),
+    ("answer", "goodbot_answer"),
+    ("remember", "goodbot_remember"),
+    ("converse_anew", "goodbot_converse_anew"),
+    ("session_count", "goodbot_session_count"),
+    ("usage", "goodbot_usage"),
+    ("full", "goodbot_full"),
+    ("table_set_state", "goodbot_table_set_state"),
+    ("saved_size", "goodbot_saved_size"),
+    ("begin_saving", "goodbot_begin_saving"),
+    ("save_on", "goodbot_save_on, budget 1"),
+    ("begin_restoring", "goodbot_begin_restoring"),
+    ("restore_on", "goodbot_restore_on, budget 1"),
+    ("trainer", "goodbot_trainer"),
+    ("current_options", "goodbot_current_options"),
+    ("set_options", "goodbot_set_options"),
+    ("explain_word", "goodbot_explain_word (at once)"),
+    ("said", "goodbot_said (at once)"),
+];
+
+/// Calls that do all at once: the header says that a control loop does not call them.
+fn is_bounded(title: &str) -> bool {
+    !title.ends_with("(at once)")
+}
+
+/// How long to search.
+#[derive(Args)]
+pub struct Options {
+    /// For about this many minutes
+    #[arg(long, default_value_t = 10)]
+    minutes: u64,
+    /// The first seed; another one tries other inputs
+    #[arg(long, default_value_t = 1)]
+    seed: u32,
+}
+
+/// Searches, two seeds at a time, and writes the table of what was found.
+pub fn run(options: &Options) -> Result<()> {
+    let until = Instant::now() + Duration::from_secs(60 * options.minutes);
+    let (mut found, mut seed) = ([0; CALLS.len()], options.seed);
+    while seed == options.seed || Instant::now() < until {
+        let searches = [seed, seed + 1].map(|seed| std::thread::spawn(move || search(TRIALS, seed)));
+        for search in searches {
+            let report = search.join().unwrap_or_else(|_| Err(anyhow::anyhow!("a search could not be followed")))?;
+            for (most, (name, _)) in found.iter_mut().zip(CALLS) {
+                *most = report.number(name)?.max(*most);
+            }
+        }
+        seed += 2;
+    }
+    eprintln!("searched with the seeds {} to {}, {TRIALS} worlds each", options.seed, seed - 1);
+    footprint::write_worst(CALLS.iter().zip(found).map(|((_, title), most)| ((*title).to_owned(), most)))?;
+    within(CALLS.iter().zip(found).map(|((_, title), most)| (*title, most)))
+}
+
+/// A short search, which finds no call that is too long.
+pub fn check() -> Result<()> {
+    let report = search(TRIALS_OF_A_CHECK, 1)?;
+    let found = CALLS.iter().map(|(name, title)| Ok((*title, report.number(name)?))).collect::<Result<Vec<_>>>()?;
+    println!("the longest calls of {TRIALS_OF_A_CHECK} worlds:");
+    found.iter().for_each(|(title, most)| println!("  {most} {title}"));
+    within(found.into_iter())
+}
+
+fn search(trials: u32, seed: u32) -> Result<Report> {
+    run_alone(&search_program(trials, seed)?)
+}
+
+/// It is an error if a call that a control loop makes was never made, or is too long.
+fn within<'a>(found: impl Iterator<Item = (&'a str, u64)>) -> Result<()> {
+    for (title, most) in found {
+        ensure!(most > 0, "the search never called {title}");
+        ensure!(most <= MOST || !is_bounded(title), "{title} took {most} instructions, and {MOST} are the most");
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_call_of_a_control_loop_that_is_too_long_or_was_never_made_is_told() {
+        assert!(within([("goodbot_plan", MOST), ("goodbot_said (at once)", MOST + 1)].into_iter()).is_ok());
+        assert!(within([("goodbot_plan", MOST + 1)].into_iter()).is_err());
+        assert!(within([("goodbot_said (at once)", 0)].into_iter()).is_err());
+    }
+
+    #[test]
+    fn the_search_reports_each_call_that_is_told() {
+        let program = crate::process::shell().unwrap().read_file("capi/tests/worst.c").unwrap();
+        for (name, _) in CALLS {
+            assert!(program.contains(&format!("\"{name}\"")), "{name}");
+        }
+    }
+}
