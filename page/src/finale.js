@@ -7,6 +7,7 @@ import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { rename } from './roster.js';
+import { shareSecret } from './secret.js';
 import { sureness } from './silent.js';
 import { $, announce, isDrawn, make, state, tell } from './state.js';
 import { isMerry } from './stops.js';
@@ -65,7 +66,7 @@ export function renderFinale(over, score, stops) {
   $('card').hidden = !over;
   // With ways, there are more tasks in the tests' home than a robot has room for.
   $('worth').hidden = !over || world.ways();
-  if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways()])) return;
+  if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways(), state.tour.own])) return;
   card = null;
   if (!over) return;
   card = makeCard(score);
@@ -76,12 +77,13 @@ export function renderFinale(over, score, stops) {
   name.addEventListener('change', () => giveName(name.value));
   $('card').replaceChildren(
     make('div', { class: 'row' },
+      state.tour.own && isMerry() ? make('button', { type: 'button', class: 'primary', id: 'decode', onclick: shareSecret }, t('own.decode')) : null,
       guest ? null : make('div', { class: 'field grow' }, make('label', { for: 'robot-name' }, t('card.name')), name),
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
       canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
       make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
     make('p', {}, t('card.knows', { n: known.length })),
-    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
+    make('ul', { class: 'chips' }, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
   if (!world.ways()) renderWorth(stops);
 }
 

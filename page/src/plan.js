@@ -191,8 +191,9 @@ export function renderPlan() {
   $('textmap').textContent = scene.map;
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
-  const feeling = session?.feedback || (isMerry() ? 'reward' : '');
-  robot.setAttribute('class', 'robot ' + (isMerry() ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
+  const glad = isMerry() || state.phase === 'moment';
+  const feeling = session?.feedback || (glad ? 'reward' : '');
+  robot.setAttribute('class', 'robot ' + (glad ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
     (session && session.decided ? ' looks-' + session.decided.action : ''));
   robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
 }

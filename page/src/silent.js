@@ -4,7 +4,7 @@ import { state } from './state.js';
 import { inOwnWords } from './stops.js';
 import { askedIn, sceneOf, taskWords } from './words.js';
 
-/** @typedef {{ home: string, intended: string, test: boolean }} Stop */
+/** @typedef {{ home: string, intended: string, test: boolean, command?: string }} Stop */
 
 let [known, about] = [/** @type {[string, number, number][]} */ ([]), ''];
 
@@ -17,7 +17,7 @@ const sureOf = (tasks, { intended }) => tasks.find(task => task.name === intende
 export function sureness(stops) {
   const key = [state.robot.model, document.documentElement.lang].join();
   if (about === key) return known;
-  const commandOf = stop => inOwnWords(taskWords(stop.intended, sceneOf(JSON.parse(stop.home))));
+  const commandOf = stop => stop.command ?? inOwnWords(taskWords(stop.intended, sceneOf(JSON.parse(stop.home))));
   const silent = new Goodbot(state.settings.seed);
   for (const stop of stops.filter(({ test }) => !test)) {
     silent.setEnvironment(stop.home);

@@ -17,6 +17,8 @@ import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from '.
 const RESTS = 3;
 // The whole tour is watched in less than a minute.
 const WATCH_DELAY = 260;
+// The first lessons are short: three of them in less than a minute.
+const OWN_DELAY = 1000;
 // The verdict of a test is known at once; its way is only shown.
 const TEST_DELAY = 500;
 const MOST_STEPS = 300;
@@ -290,7 +292,8 @@ function waitOf(session, auto) {
   if (session.looking && state.mode === 'tour') return Math.min(delay, TEST_DELAY);
   if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(delay, 2600);
   if (action === 'noop') return Infinity;
-  return state.settings.speed === 'once' ? 120 : delay;
+  if (state.settings.speed === 'once') return 120;
+  return state.settings.speed === 'normal' && state.mode === 'tour' && state.tour.own ? Math.min(delay, OWN_DELAY) : delay;
 }
 
 // The core takes in the feedback to the last action. A robot that is only watched takes in nothing: silence would be evidence, and might
@@ -468,7 +471,7 @@ export async function finishSession() {
   state.session = null;
   state.phase = 'none';
   $('command').value = session.command;
-  if (!tellRest()) render();
+  if (!tellRest() && !session.onEnd) render();
   if (session.onEnd) session.onEnd();
   else if (learned) tell(t('learned.told', { text: learned }));
 }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { close, launch, open, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
+import { close, launch, open, openFirst, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -176,5 +176,45 @@ test('the dots lead to lessons and tests', async () => {
   assert.match(await page.textContent('#tour-title'), /Lesson 5 of 7/);
   await page.locator('#dots button').nth(0).click();
   assert.match(await page.textContent('#tour-title'), /Lesson 1 of 7/);
+  await close(page);
+});
+
+test('a success has its moment: the robot is glad where it has got to, a new word flies to the known ones, and the next lesson begins by itself', async () => {
+  const page = await openFirst(browser, { reducedMotion: 'no-preference' });
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    const at = await page.evaluate(() => JSON.parse(window.goodbot.scene()).agent.x);
+    const began = await page.evaluate(() => performance.now());
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+    assert.equal(await page.locator('#plan .robot.happy.dancing').count(), 1);
+    assert.equal(await page.evaluate(() => JSON.parse(window.goodbot.scene()).agent.x), at, 'it is still where it has got to');
+    assert.ok(await page.isHidden('#lesson') && await page.isVisible('#verdict'));
+    const flying = () => page.evaluate(() => document.getAnimations().filter(({ effect }) => effect.target.closest('#word-shelf')).length);
+    // One lesson cannot tell the words apart; with the second they are clear.
+    if (meant.test('blue')) assert.equal(await flying(), 2);
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+    const took = await page.evaluate(() => performance.now()) - began;
+    assert.ok(took > 1400 && took < 6000, took + ' ms');
+    assert.ok(await page.isVisible('#own-words'));
+  }
+  assert.deepEqual(await page.locator('#word-shelf b').allTextContents(), ['blip', 'zot']);
+  await close(page);
+});
+
+test('whoever goes elsewhere in the moment of a success stays there, and the tour has gone on', async () => {
+  const page = await open(browser, { reducedMotion: 'no-preference' });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
+  await page.click('#finish');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  await page.click('[data-mode=build]');
+  await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  assert.ok(await page.isVisible('#draft'));
+  await page.click('[data-mode=tour]');
+  assert.match(await page.textContent('#tour-title'), /Lesson 2 of 7/);
   await close(page);
 });
