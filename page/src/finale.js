@@ -15,6 +15,8 @@ import { logOf } from './store.js';
 import { quoted } from './words.js';
 
 const FILE = 'my-robot.png';
+// Whether a meaning is so probable that a test counts as understood.
+const counts = p => Math.round(p * 100) > 50;
 /** @type {Promise<{ link: string, file: File }> | null} */
 let card = null;
 
@@ -90,8 +92,12 @@ export function renderFinale(over, score, stops) {
 // The worth of the trainer's feedback and answers. Without any there is nothing to compare.
 function renderWorth(stops) {
   const isQuiet = !/"feedback":"[rp]|"type":"answer"/.test(logOf(state.robot));
-  const shown = isQuiet ? 2 : 3;
+  const all = sureness(stops);
+  const only = isQuiet ? [] : all.filter(({ sure, silent }) => counts(sure) && !counts(silent)).sort((a, b) => b.sure - b.silent - a.sure + a.silent).slice(0, 2);
+  const head = [t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), ...(isQuiet ? [] : [t('card.without')])];
+  const row = ({ command, sure, silent }) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...[sure, silent].slice(0, head.length - 1).map(share => make('td', {}, percent(share))));
   $('worth').replaceChildren(make('summary', {}, t(isQuiet ? 'card.quiet' : 'card.silent')), make('table', {},
-    make('thead', {}, make('tr', {}, ...[t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), t('card.without')].slice(0, shown).map(words => make('th', { scope: 'col' }, words)))),
-    make('tbody', {}, ...sureness(stops).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.slice(0, shown - 1).map(share => make('td', {}, percent(share))))))));
+    make('thead', {}, make('tr', {}, ...head.map(words => make('th', { scope: 'col' }, words)))),
+    only.length ? make('tbody', { id: 'only' }, make('tr', {}, make('th', { scope: 'rowgroup', colspan: head.length }, t('card.only', { n: only.length }))), ...only.map(row)) : null,
+    make('tbody', {}, ...all.filter(one => one.test && !only.includes(one)).map(row))));
 }

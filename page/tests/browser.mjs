@@ -45,7 +45,7 @@ export async function open(browser, options = {}, hash = '') {
 }
 
 // A first visit begins with an invented language; most tests take the paper's tour.
-async function takePaper(page) {
+export async function takePaper(page) {
   if (await page.isVisible('#own-words')) await page.evaluate(() => document.getElementById('other').click());
   return page;
 }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { close, launch, open, openFirst, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
+import { close, launch, open, openFirst, pass, sessions, stopTime, takePaper, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -126,6 +126,7 @@ test('from a server, the card has a code that a phone can read, and the systemâ€
   });
   await page.goto('http://127.0.0.1:' + port + '/');
   await page.waitForSelector('body.ready');
+  await takePaper(page);
   await finished(page);
   await page.click('#share-card');
   await page.waitForFunction(() => window.given);
