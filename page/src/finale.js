@@ -1,5 +1,4 @@
 // The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to share.
-import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
 import { percent, t } from './language.js';
@@ -12,6 +11,7 @@ import { sureness } from './silent.js';
 import { $, announce, isDrawn, make, state, tell } from './state.js';
 import { isMerry } from './stops.js';
 import { logOf } from './store.js';
+import { saveTable } from './tables.js';
 import { quoted } from './words.js';
 
 const FILE = 'my-robot.png';

@@ -57,6 +57,10 @@ export const askedFor = (own, at) => [
 /** Words for a lesson, for who writes none. */
 export const offered = at => t('own.words').split('|')[at] ?? '';
 
+/** What a link to an invented language has: it, and the home of its lessons, because there the robot can do whatever a word says.
+ * @param {Invention | null | undefined} own */
+export const inItsHome = own => (own?.take ? { own, home: JSON.parse(HOME) } : {});
+
 // Each sign of Chinese is a word: no dictionary knows where an invented word ends.
 /** @returns {string[]} */
 const wordsOf = written => spaced(written.replace(/\p{Script=Han}/gu, ' $& ')).match(/[\p{L}\p{M}\p{N}'’]+/gu) || [];

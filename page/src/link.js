@@ -59,7 +59,7 @@ function unchecked(text) {
 }
 
 /** The address of this page with this tab's robot: its model, name, home and settings.
- * @param {{ secret?: boolean, own?: import('./invention.js').Invention | null, session?: any[], starter?: string }} more `secret`: the visitor is to find out its words; `own`: an invented language; `session`: the records of a log, to be shown
+ * @param {{ secret?: boolean, own?: import('./invention.js').Invention | null, home?: object, session?: any[], starter?: string }} more `secret`: the visitor is to find out its words; `own`: an invented language; `home`: another home than the current one; `session`: the records of a log, to be shown
  * @param {string} known its model, as it is kept */
 export async function robotLink(more = {}, known = state.robot.model) {
   const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), starter: state.robot.starter, ...more }));

@@ -1,6 +1,7 @@
 // Sets up the page.
 import { drawnElsewhere, setUpBuild } from './build.js';
-import { saveTable, shareSession } from './charts.js';
+import { shareSession } from './charts.js';
+import { setUpCollector } from './collector.js';
 import { setUpSettings, setUpShortcuts } from './controls.js';
 import { attempt, startCore, whileLearning, world } from './core.js';
 import { speakLanguage, takeLanguages, writePage } from './language.js';
@@ -18,6 +19,7 @@ import * as shelf from './shelf.js';
 import { $, all, drawBy, render, state } from './state.js';
 import { enterStop } from './stops.js';
 import { enterMode, openLast, othersTaught, wouldBeLost } from './store.js';
+import { saveTable } from './tables.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
@@ -36,6 +38,7 @@ function setUp() {
   setUpNext();
   setUpOwnTests();
   setUpTabs();
+  setUpCollector();
   setUpTour();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));

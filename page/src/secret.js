@@ -1,7 +1,7 @@
 // The game of a secret language: a robot that was taught invented words comes by a link. Whoever opens the link finds out what each word
 // means, from the robot's actions. Until then the page does not show its thoughts.
 import { download } from './files.js';
-import { noWords, partsOf } from './invention.js';
+import { inItsHome, noWords, partsOf } from './invention.js';
 import { t } from './language.js';
 import { clearWords, ideaWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
@@ -25,7 +25,7 @@ let [began, score] = [0, ''];
 /** The link to this robot as a game. */
 export async function shareSecret() {
   if (!words().length) tell(t('secret.none'), true);
-  else share(await robotLink({ secret: true, own: state.robot.tour.own }), t('secret.title', state.robot), t('secret.link'));
+  else share(await robotLink({ secret: true, ...inItsHome(state.robot.tour.own) }), t('secret.title', state.robot), t('secret.link'));
 }
 
 async function sayWord(word) {

@@ -28,6 +28,8 @@ const DAYS_KEPT = 30;
  * @property {string} [rest] the log's lines that come again on the way forward
  */
 
+/** @typedef {{ after: number, home: object, command: string, meant: string, heard: number, understood: string, right: string, guess: string }} Asked a test: after how many lessons, what was meant, how sure of that the robot was, what it understood, and what the trainer guessed */
+
 /**
  * A robot as it is kept. Its log is kept separately.
  * @typedef {object} Robot
@@ -43,6 +45,8 @@ const DAYS_KEPT = 30;
  * @property {string} [starter] the language of the everyday sentences that it knows; its model is without them
  * @property {(number | null)[]} [scores] for each session, how sure it was of the taught task when it heard the command
  * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
+ * @property {string[]} [meant] for each session, the task that a tour meant
+ * @property {Asked[]} [asked] the tour's tests that it was asked
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
  * @property {{ id: string, consent: string }} [study] the condition of the study that it is for, and when its trainer agreed to take part
  * @property {Point[]} past

@@ -8,7 +8,7 @@ import { beginGuest, considerWays, endGuest, newRobot, takeTour } from './roster
 import { refresh, stopSession } from './session.js';
 import { $, all, announce, make, render, state, tell } from './state.js';
 import { commandOf, count, enterStop, inOwnWords, lengthOfCourse, rightTests, stopAt, stops } from './stops.js';
-import { keepTour, logOf } from './store.js';
+import { keepTour, logOf, patch } from './store.js';
 import { endWalk, leaveSession, startSession } from './training.js';
 import { quoted, spaced, taskWords, understands, unspaced } from './words.js';
 import { renderWordShelf } from './wordshelf.js';
@@ -78,6 +78,13 @@ export function attend(session) {
   session.onEnd = () => passStop(understands(session.heard[0], stopAt()?.intended), session);
 }
 
+// Keeps what a test has shown, for the table.
+function noteTest(stop, { command, heard }, understood) {
+  const sure = heard.find(task => task.name === stop.intended)?.probability ?? 0;
+  const test = { after: state.sessions, home: JSON.parse(stop.home), command, meant: stop.intended, heard: sure, understood: heard[0].name, right: understood ? 'yes' : 'no', guess: state.guess };
+  patch(state.robot, { asked: [...(state.robot.asked || []), test] });
+}
+
 // How many milliseconds a success is shown; who only watches is shown the next lesson or test after a shorter while.
 const [MOMENT, BETWEEN] = [1500, 900];
 
@@ -102,6 +109,7 @@ async function passStop(understood, session) {
   const astray = wentAstray(stop, session);
   state.tour.done[state.tour.at] = astray ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
   const { said } = state;
+  if (stop.test) noteTest(stop, session, understood);
   if (stops()[state.tour.at + 1]?.test) goOnUntilSure();
   const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: unspaced(session.command), task: session.took.words }) : verdictOf(stop, session);
   const told = [stop.test ? null : said, verdict, astray, astray || (stop.test && !understood)];

@@ -11,6 +11,7 @@ import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, 
 import { SPEEDS } from './settings.js';
 import { underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
+import { stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
 import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from './words.js';
 
@@ -459,6 +460,7 @@ export async function finishSession() {
       const { robot } = state;
       robot.scores = Object.assign([...(robot.scores || [])], { [world.sessions() - 1]: sure });
       robot.seeds = Object.assign([...(robot.seeds || [])], { [world.sessions() - 1]: state.settings.seed });
+      robot.meant = Object.assign([...(robot.meant || [])], { [world.sessions() - 1]: state.mode === 'tour' ? stopAt()?.intended ?? '' : '' });
       return own;
     });
   } catch (error) {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, eachTab, launch, linkOf, open, opened, openFirst, openIn, pass, play, reload, still, stopTime, toTheGoal } from './browser.mjs';
+import { address, close, downloaded, eachTab, launch, linkOf, open, opened, openFirst, openIn, pass, play, reload, still, stopTime, toTheGoal } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -59,6 +59,11 @@ test('axe finds nothing to object to in an invented language, from its second le
   await friend.locator('#secret-buttons .quiet').click();
   await checkTab(friend, 'after the game');
   await close(friend);
+  await page.click('#close-link');
+  const { bytes } = await downloaded(page, '#tour-table');
+  await page.setInputFiles('#open-class', ['one.csv', 'two.csv'].map(name => ({ name, mimeType: 'text/csv', buffer: bytes })));
+  await page.locator('#class[open]').waitFor();
+  await checkTab(page, 'a class');
   await close(page);
 });
 

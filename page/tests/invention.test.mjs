@@ -175,6 +175,16 @@ test('who gets the link finds out the words, gets a time, and invents a language
   assert.equal(await page.textContent('#shared-title'), 'The secret language of Robot 1');
   const friend = await open(browser, {}, hash);
   assert.deepEqual(await friend.locator('#secret-words button').allTextContents(), ['fimo', 'sabbel', 'ka tu', 'wor lun']);
+  // Who says a word sees what it means.
+  await friend.selectOption('#speed', 'once');
+  for (const [at, east] of [[0, false], [1, true]]) {
+    await friend.locator('#secret-words button').nth(at).click();
+    await friend.waitForFunction(isEast => {
+      const { agent } = JSON.parse(window.goodbot.scene());
+      return isEast ? agent.x > 7 : agent.x < 3;
+    }, east);
+    await friend.waitForFunction(() => !document.body.hasAttribute('data-session'));
+  }
   const choose = (at, idea) => friend.locator('#secret-words select').nth(at).selectOption({ label: idea });
   await choose(0, 'the colour red');
   await choose(1, 'the colour blue');
