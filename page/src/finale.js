@@ -1,6 +1,7 @@
 // The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to share.
 import { world } from './core.js';
 import { download } from './files.js';
+import { inItsHome, partsOf } from './invention.js';
 import { percent, t } from './language.js';
 import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
@@ -17,14 +18,22 @@ import { quoted } from './words.js';
 const FILE = 'my-robot.png';
 // Whether a meaning is so probable that a test counts as understood.
 const counts = p => Math.round(p * 100) > 50;
-/** @type {Promise<{ link: string, file: File }> | null} */
+/** @type {Promise<{ link: string, file: File, address: string }> | null} */
 let card = null;
 
 // A link to a file on this machine is of no use to others.
 async function makeCard(score) {
-  const link = location.protocol === 'file:' ? '' : await robotLink();
-  const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot), isMerry());
-  return { link, file: new File([blob], FILE, { type: 'image/png' }) };
+  const { own } = state.tour;
+  // The card of an invented language is a riddle.
+  const link = location.protocol === 'file:' ? '' : await robotLink(own ? { secret: true, ...inItsHome(own) } : {});
+  const blob = own ? await picture(state.robot.name, t('own.decode'), partsOf(own).map(([word]) => [word, '']), link, t('own.decode'), isMerry())
+    : await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot), isMerry());
+  const address = await new Promise(done => {
+    const reader = new FileReader();
+    reader.onload = () => done(reader.result);
+    reader.readAsDataURL(blob);
+  });
+  return { link, file: new File([blob], FILE, { type: 'image/png' }), address };
 }
 
 async function keepCard() {
@@ -65,14 +74,16 @@ async function giveName(name) {
  * @param {string} score
  * @param {{ home: string, intended: string, test: boolean }[]} stops the tour's lessons and tests */
 export function renderFinale(over, score, stops) {
-  $('card').hidden = !over;
+  $('card').hidden = $('preview').hidden = !over;
   // With ways, there are more tasks in the tests' home than a robot has room for.
   $('worth').hidden = !over || world.ways();
   if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways(), state.tour.own])) return;
   card = null;
   if (!over) return;
-  card = makeCard(score);
-  card.catch(error => tell(error.message, true));
+  const made = card = makeCard(score);
+  made.then(({ address }) => {
+    if (made === card) $('preview').replaceChildren(make('img', { src: address, alt: t('card.save') }));
+  }, error => tell(error.message, true));
   const known = clearWords();
   const guest = state.robot.log !== undefined;
   const name = make('input', { id: 'robot-name', 'aria-label': t('card.name'), value: state.robot.name, maxlength: 40, autocomplete: 'off' });

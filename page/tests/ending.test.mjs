@@ -219,3 +219,36 @@ test('whoever goes elsewhere in the moment of a success stays there, and the tou
   assert.match(await page.textContent('#tour-title'), /Lesson 2 of 7/);
   await close(page);
 });
+
+test('the card is seen before it is saved, and a long name fits on it; that of an invented language is a riddle', async () => {
+  const page = await openFirst(browser);
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/, /bag to the red/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  }
+  await page.click('#lesson');
+  await page.getByText('Skip the walk').waitFor();
+  await page.click('#lesson');
+  const seen = () => page.getAttribute('#preview img', 'src');
+  await page.locator('#preview img').waitFor();
+  const before = await seen();
+  await page.fill('#robot-name', 'W'.repeat(40));
+  await page.press('#robot-name', 'Enter');
+  await page.waitForFunction(src => document.querySelector('#preview img').getAttribute('src') !== src, before);
+  // Between the edge of the card and its frame nothing is drawn, nor is there within the frame where the name ends.
+  const dark = await page.evaluate(async () => {
+    const image = document.querySelector('#preview img');
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    const count = (x, width) => [...context.getImageData(x, 500, width, 110).data].filter((value, at) => at % 4 === 0 && value < 120).length;
+    return [count(34, 40), count(540, 400), count(image.naturalWidth - 74, 40)];
+  });
+  assert.equal(dark[0] + dark[2], 0, 'the name is cut off: ' + dark);
+  assert.ok(dark[1] > 0, 'the name is there');
+  await close(page);
+});
