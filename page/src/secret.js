@@ -9,23 +9,23 @@ import { picture } from './picture.js';
 import { takeTour } from './roster.js';
 import { share } from './share.js';
 import { $, announce, isDrawn, make, render, state, tell } from './state.js';
+import { rightTests } from './stops.js';
 import { leaveSession, startSession } from './training.js';
 
 const MOST_WORDS = 12;
 
 // The words to find out, each with its idea. Of an invented language they are its parts.
-const words = () => {
-  const { own } = state.robot.tour;
-  return own?.take ? partsOf(own) : clearWords().slice(0, MOST_WORDS);
-};
+const words = (own = state.robot.tour.own) => (own?.take ? partsOf(own) : clearWords().slice(0, MOST_WORDS));
 
 // When the game began, and its score.
 let [began, score] = [0, ''];
 
 /** The link to this robot as a game. */
 export async function shareSecret() {
-  if (!words().length) tell(t('secret.none'), true);
-  else share(await robotLink({ secret: true, ...inItsHome(state.robot.tour.own) }), t('secret.title', state.robot), t('secret.link'));
+  // A robot that has not understood its invented language has a riddle only of the words that it knows.
+  const own = rightTests() ? state.tour.own : null;
+  if (!words(own).length) tell(t('secret.none'), true);
+  else share(await robotLink({ secret: true, ...inItsHome(own) }), t('secret.title', state.robot), t('secret.link'));
 }
 
 async function sayWord(word) {
