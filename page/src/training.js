@@ -11,7 +11,7 @@ import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, 
 import { SPEEDS } from './settings.js';
 import { underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
-import { stopAt } from './stops.js';
+import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
 import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from './words.js';
 
@@ -121,6 +121,8 @@ export function showSession(records) {
 /** Whether the session under way may be left: asks, if the trainer has said something in it. */
 export async function leaveSession() {
   const { session } = state;
+  // The moment of a success ends, and the tour goes on.
+  if (state.phase === 'moment') enterStop(state.tour.at);
   if (state.phase === 'learning') {
     tell(t('judge.learning'));
     return false;

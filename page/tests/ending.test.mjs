@@ -217,6 +217,22 @@ test('whoever goes elsewhere in the moment of a success stays there, and the tou
   assert.ok(await page.isVisible('#draft'));
   await page.click('[data-mode=tour]');
   assert.match(await page.textContent('#tour-title'), /Lesson 2 of 7/);
+  // So does who changes the robot in that moment, also if it then learns for longer.
+  await page.click('#lesson');
+  await toTheGoal(page, /red/, good => page.click(good ? '#good' : '#bad'));
+  await page.click('#finish');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  await page.evaluate(() => {
+    const robot = Object.getPrototypeOf(window.goodbot);
+    const { learn } = robot;
+    const until = performance.now() + 2000;
+    robot.learn = function (budget) { return performance.now() > until && learn.call(this, budget); };
+    document.getElementById('set-ways').click();
+  });
+  await page.waitForTimeout(4000);
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'none');
+  assert.match(await page.textContent('#tour-title'), /Lesson 3 of 7/);
+  assert.match(await page.evaluate(() => window.goodbot.environment()), /"color":"blue"/, 'it is in the home of that lesson');
   await close(page);
 });
 
