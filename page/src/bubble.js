@@ -20,7 +20,8 @@ export function speech() {
     // A robot that is only shown has no name of its own.
     if (isOver()) return [t(state.robot.log === undefined ? 'say.iAm' : 'say.thanks', state.robot), ''];
     if (state.said) return /** @type {[string, string]} */ (state.said);
-    if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), t('say.helloMore')];
+    // What to do in a first visit stands beside the plan.
+    if (state.sessions === 0) return [t(knowsWords() ? 'say.ready' : 'say.hello'), state.mode === 'tour' && state.tour.own ? '' : t('say.helloMore')];
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
   }
   const best = ranked()[0];

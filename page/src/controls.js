@@ -2,7 +2,7 @@
 import { answer } from './asking.js';
 import { CHOICES, expectTrainer, expectedNow } from './believes.js';
 import { attempt, world } from './core.js';
-import { download } from './files.js';
+import { download, fileName } from './files.js';
 import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, robotLink } from './link.js';
 import { toMicrobit } from './microbit.js';
@@ -163,9 +163,6 @@ export function setUpSettings() {
   $('keep-guest').addEventListener('click', keepGuest);
   $('end-guest').addEventListener('click', endGuest);
 }
-
-// The robot's name, made fit for a file's name.
-const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
 
 // Single keys, while no field has the focus.
 const KEYS_PRESSED = {

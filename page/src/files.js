@@ -1,5 +1,8 @@
 // Saves and opens files.
-import { make } from './state.js';
+import { make, state } from './state.js';
+
+/** The robot's name, made fit for a file's name. */
+export const fileName = () => state.robot.name.replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '') || 'robot';
 
 /** @param {string} name
  * @param {BlobPart} content

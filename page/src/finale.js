@@ -1,27 +1,39 @@
 // The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to share.
-import { saveTable } from './charts.js';
 import { world } from './core.js';
 import { download } from './files.js';
+import { inItsHome, partsOf } from './invention.js';
 import { percent, t } from './language.js';
 import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
 import { rename } from './roster.js';
+import { shareSecret } from './secret.js';
 import { sureness } from './silent.js';
 import { $, announce, isDrawn, make, state, tell } from './state.js';
 import { isMerry } from './stops.js';
 import { logOf } from './store.js';
+import { saveTable } from './tables.js';
 import { quoted } from './words.js';
 
 const FILE = 'my-robot.png';
-/** @type {Promise<{ link: string, file: File }> | null} */
+// Whether a meaning is so probable that a test counts as understood.
+const counts = p => Math.round(p * 100) > 50;
+/** @type {Promise<{ link: string, file: File, address: string }> | null} */
 let card = null;
 
 // A link to a file on this machine is of no use to others.
 async function makeCard(score) {
-  const link = location.protocol === 'file:' ? '' : await robotLink();
-  const blob = await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot), isMerry());
-  return { link, file: new File([blob], FILE, { type: 'image/png' }) };
+  const { own } = state.tour;
+  // The card of an invented language is a riddle.
+  const link = location.protocol === 'file:' ? '' : await robotLink(own ? { secret: true, ...inItsHome(own) } : {});
+  const blob = own ? await picture(state.robot.name, t('own.decode'), partsOf(own).map(([word]) => [word, '']), link, t('own.decode'), isMerry())
+    : await picture(state.robot.name, score, clearWords(), link, t('link.meet', state.robot), isMerry());
+  const address = await new Promise(done => {
+    const reader = new FileReader();
+    reader.onload = () => done(reader.result);
+    reader.readAsDataURL(blob);
+  });
+  return { link, file: new File([blob], FILE, { type: 'image/png' }), address };
 }
 
 async function keepCard() {
@@ -62,34 +74,41 @@ async function giveName(name) {
  * @param {string} score
  * @param {{ home: string, intended: string, test: boolean }[]} stops the tour's lessons and tests */
 export function renderFinale(over, score, stops) {
-  $('card').hidden = !over;
+  $('card').hidden = $('preview').hidden = !over;
   // With ways, there are more tasks in the tests' home than a robot has room for.
   $('worth').hidden = !over || world.ways();
-  if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways()])) return;
+  if (isDrawn('card', over && [state.robot.id, state.robot.name, state.robot.model, score, world.ways(), state.tour.own])) return;
   card = null;
   if (!over) return;
-  card = makeCard(score);
-  card.catch(error => tell(error.message, true));
+  const made = card = makeCard(score);
+  made.then(({ address }) => {
+    if (made === card) $('preview').replaceChildren(make('img', { src: address, alt: t('card.save') }));
+  }, error => tell(error.message, true));
   const known = clearWords();
   const guest = state.robot.log !== undefined;
   const name = make('input', { id: 'robot-name', 'aria-label': t('card.name'), value: state.robot.name, maxlength: 40, autocomplete: 'off' });
   name.addEventListener('change', () => giveName(name.value));
   $('card').replaceChildren(
     make('div', { class: 'row' },
+      state.tour.own && isMerry() ? make('button', { type: 'button', class: 'primary', id: 'decode', onclick: shareSecret }, t('own.decode')) : null,
       guest ? null : make('div', { class: 'field grow' }, make('label', { for: 'robot-name' }, t('card.name')), name),
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
       canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
       make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
     make('p', {}, t('card.knows', { n: known.length })),
-    make('ul', {}, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
+    make('ul', { class: 'chips' }, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
   if (!world.ways()) renderWorth(stops);
 }
 
 // The worth of the trainer's feedback and answers. Without any there is nothing to compare.
 function renderWorth(stops) {
   const isQuiet = !/"feedback":"[rp]|"type":"answer"/.test(logOf(state.robot));
-  const shown = isQuiet ? 2 : 3;
+  const all = sureness(stops);
+  const only = isQuiet ? [] : all.filter(({ sure, silent }) => counts(sure) && !counts(silent)).sort((a, b) => b.sure - b.silent - a.sure + a.silent).slice(0, 2);
+  const head = [t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), ...(isQuiet ? [] : [t('card.without')])];
+  const row = ({ command, sure, silent }) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...[sure, silent].slice(0, head.length - 1).map(share => make('td', {}, percent(share))));
   $('worth').replaceChildren(make('summary', {}, t(isQuiet ? 'card.quiet' : 'card.silent')), make('table', {},
-    make('thead', {}, make('tr', {}, ...[t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), t('card.without')].slice(0, shown).map(words => make('th', { scope: 'col' }, words)))),
-    make('tbody', {}, ...sureness(stops).map(([command, ...shares]) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...shares.slice(0, shown - 1).map(share => make('td', {}, percent(share))))))));
+    make('thead', {}, make('tr', {}, ...head.map(words => make('th', { scope: 'col' }, words)))),
+    only.length ? make('tbody', { id: 'only' }, make('tr', {}, make('th', { scope: 'rowgroup', colspan: head.length }, t('card.only', { n: only.length }))), ...only.map(row)) : null,
+    make('tbody', {}, ...all.filter(one => one.test && !only.includes(one)).map(row))));
 }

@@ -1,6 +1,7 @@
 // Sets up the page.
 import { drawnElsewhere, setUpBuild } from './build.js';
-import { saveTable, shareSession } from './charts.js';
+import { shareSession } from './charts.js';
+import { setUpCollector } from './collector.js';
 import { setUpSettings, setUpShortcuts } from './controls.js';
 import { attempt, startCore, whileLearning, world } from './core.js';
 import { speakLanguage, takeLanguages, writePage } from './language.js';
@@ -18,10 +19,11 @@ import * as shelf from './shelf.js';
 import { $, all, drawBy, render, state } from './state.js';
 import { enterStop } from './stops.js';
 import { enterMode, openLast, othersTaught, wouldBeLost } from './store.js';
+import { saveTable } from './tables.js';
 import { setUpTabs } from './tabs.js';
 import { judge } from './talk.js';
 import { renderHeat } from './thoughts.js';
-import { attend, beginAppendix, beginStop, restartTour, setUpTour, watchTour } from './tour.js';
+import { attend, beginAppendix, beginStop, changeTour, restartTour, setUpTour, watchTour } from './tour.js';
 import { finishSession, finishWithoutLearning, leaveSession, pick, showSession, stepOnce, takeUpSession, thatWasIt, togglePause } from './training.js';
 import { setUpSpeech } from './voice.js';
 
@@ -36,13 +38,14 @@ function setUp() {
   setUpNext();
   setUpOwnTests();
   setUpTabs();
+  setUpCollector();
   setUpTour();
   watchSize();
   for (const button of all('button[data-mode]')) button.addEventListener('click', () => setMode(button.dataset.mode));
   for (const [id, action] of Object.entries({
     good: () => judge('reward'), bad: () => judge('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
-    again: restartTour, amend: () => undo('past'), onward: () => setMode('play'), appendix: beginAppendix,
+    again: restartTour, other: changeTour, amend: () => undo('past'), onward: () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);
@@ -74,7 +77,7 @@ async function takeOver() {
   if (taught) takeStock();
   const { at, done } = state.robot.tour;
   if (at === state.tour.at && done.join() === state.tour.done.join()) return;
-  state.tour.done = [...done];
+  Object.assign(state.tour, { done: [...done], own: state.robot.tour.own ?? null });
   if (state.mode === 'tour') enterStop(at);
   else state.tour.at = at;
 }

@@ -26,13 +26,17 @@ const idle = () => !state.session && state.phase === 'none';
 async function run() {
   const of = knowledge();
   const verdicts = [];
+  /** @type {import('./store.js').Asked[]} */
+  const asked = [];
   let right = 0;
   await inParts(() => {
     const test = tests()[verdicts.length];
     if (!test || !idle()) return true;
-    const best = likeliest(askedIn(test.home, test.command));
+    const tasks = askedIn(test.home, test.command);
+    const best = likeliest(tasks);
     const understood = understands(best, test.meant);
     right += Number(understood);
+    asked.push({ after: state.sessions, ...test, heard: tasks.find(({ name }) => name === test.meant)?.probability ?? 0, understood: best.name, right: understood ? 'yes' : 'no', guess: '' });
     verdicts.push(t(understood ? 'tour.starTest' : best.name === test.meant ? 'tour.luckyTest' : 'tour.wrongTest', {
       name: t('tour.test', { n: verdicts.length + 1 }), task: taskWords(best.name, sceneOf(test.home)), sure: percent(best.probability),
     }));
@@ -40,6 +44,7 @@ async function run() {
   });
   if (of !== knowledge() || verdicts.length < tests().length) return;
   results = { of, verdicts, right };
+  await patch(state.robot, { asked: [...(state.robot.asked || []), ...asked] });
   render();
   tell($('tests-score').textContent);
 }

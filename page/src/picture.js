@@ -4,39 +4,49 @@ import { robotDrawing } from './robot.js';
 import { squares } from './share.js';
 import { draw } from './state.js';
 
-const STYLE = 'text{font-family:Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif;fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
+const FONT = 'Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif';
+const STYLE = 'text{font-family:' + FONT + ';fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
 const [WIDTH, MIDDLE, EDGE] = [1080, 540, 64];
 const CONFETTI = ['#d8504d', '#4c9f6b', '#4a80c4', '#e6b840', '#8f64b3', '#e2863c'];
 // Pixels of each square of the code: a phone reads it from a screen.
 const SQUARE = 4;
 
-// About how wide a text is; a sign of Chinese is as wide as it is high.
-const widthOf = (text, size) => [...text].reduce((sum, sign) => sum + (sign > '\u2e80' ? 1 : 0.57), 0) * size;
+const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement('canvas').getContext('2d'));
 
-const line = (text, y, size, weight = 400) => draw('text', { x: MIDDLE, y, 'text-anchor': 'middle', 'font-size': Math.min(size, size * (WIDTH - 3 * EDGE) / widthOf(text, size)), 'font-weight': weight }, text);
+/** How wide a text is. */
+function widthOf(text, size, weight = 400) {
+  pen.font = weight + ' ' + size + 'px ' + FONT;
+  return pen.measureText(text).width;
+}
+
+// As large as there is room for.
+const fitted = (size, room, width) => Math.min(size, size * room / width);
+const line = (text, y, size, weight = 400) => draw('text', { x: MIDDLE, y, 'text-anchor': 'middle', 'font-size': fitted(size, WIDTH - 3 * EDGE, widthOf(text, size, weight)), 'font-weight': weight }, text);
 
 /** Words and their ideas in rows, each word in a frame.
  * @param {[string, string][]} known
  * @param {number} top */
 function chips(known, top) {
   const [size, high] = [30, 62];
-  const rows = /** @type {{ width: number, chips: { word: string, idea: string, width: number }[] }[]} */ ([]);
+  const rows = /** @type {{ width: number, chips: { word: string, idea: string, width: number, letters: number }[] }[]} */ ([]);
   for (const [word, token] of known) {
-    const idea = meaning(word, token);
-    const width = Math.min(WIDTH - 2 * EDGE, widthOf(word + idea, size) + 40);
+    // In a riddle the words stand alone.
+    const idea = token && meaning(word, token);
+    const wide = widthOf(word, size, 700) + widthOf(idea, size);
+    const width = Math.min(WIDTH - 2 * EDGE, wide + 40);
     if (!rows.length || rows[rows.length - 1].width + width > WIDTH - 2 * EDGE) rows.push({ width: 0, chips: [] });
     const row = rows[rows.length - 1];
-    row.chips.push({ word, idea, width });
+    row.chips.push({ word, idea, width, letters: fitted(size, width - 40, wide) });
     row.width += width + 14;
   }
   return {
     height: rows.length * (high + 14),
     drawn: rows.flatMap((row, at) => {
       let x = MIDDLE - (row.width - 14) / 2;
-      return row.chips.map(({ word, idea, width }) => {
+      return row.chips.map(({ word, idea, width, letters }) => {
         const y = top + at * (high + 14);
         const chip = draw('g', {}, draw('rect', { x, y, width, height: high, rx: 20, fill: '#fffdf7', stroke: '#d9cfba', 'stroke-width': 3 }),
-          draw('text', { x: x + width / 2, y: y + 41, 'text-anchor': 'middle', 'font-size': size }, draw('tspan', { 'font-weight': 700 }, word), idea));
+          draw('text', { x: x + width / 2, y: y + 41, 'text-anchor': 'middle', 'font-size': letters }, draw('tspan', { 'font-weight': 700 }, word), idea));
         x += width + 14;
         return chip;
       });
@@ -46,7 +56,7 @@ function chips(known, top) {
 
 /** @param {string} name
  * @param {string} score
- * @param {[string, string][]} known words and their ideas
+ * @param {[string, string][]} known words and their ideas; without these it is a riddle
  * @param {string} [link] the address where others meet this robot, for a QR code
  * @param {string} [meet] the text above the code
  * @param {boolean} [merry] whether there is something to celebrate

@@ -180,6 +180,8 @@ export function renderPlan() {
     for (const block of scene.blocks) plan.things.set(block.name, thingDrawing(plan.frame, block, false));
     plan.asked = draw('g', {});
     root.append(...plan.things.values(), plan.asked);
+    // Another home may be of another scale in a plan of the same size.
+    fitNames(root);
   }
   for (const thing of [...scene.blocks, scene.agent]) {
     plan.things.get(thing.name).style.transform = 'translate(' + plan.frame.x(thing.x) + 'px,' + plan.frame.y(thing.y) + 'px)';
@@ -191,8 +193,9 @@ export function renderPlan() {
   $('textmap').textContent = scene.map;
   const robot = plan.things.get(scene.agent.name);
   const session = state.session;
-  const feeling = session?.feedback || (isMerry() ? 'reward' : '');
-  robot.setAttribute('class', 'robot ' + (isMerry() ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
+  const glad = isMerry() || state.phase === 'moment';
+  const feeling = session?.feedback || (glad ? 'reward' : '');
+  robot.setAttribute('class', 'robot ' + (glad ? 'dancing ' : '') + ({ reward: 'happy', punish: 'sad' }[feeling] || '') + (state.phase === 'learning' || state.phase === 'planning' ? ' thinking' : '') +
     (session && session.decided ? ' looks-' + session.decided.action : ''));
   robot.style.setProperty('--sure', session && session.decided ? session.decided.confidence.toFixed(2) : 0);
 }
@@ -249,18 +252,19 @@ function renderAhead() {
   plan.ahead.replaceChildren(draw('path', { d: prints, class: 'prints' }), ...ghosts);
 }
 
-/** Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels, and more in the class view. */
+// Keeps the names on a drawing readable, however small it is on the screen: at least 12 pixels, and more in the class view.
+/** @param {SVGSVGElement} root */
+function fitNames(root) {
+  const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
+  const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
+  if (scale > 0) root.style.setProperty('--name', Math.max(11, parseFloat(getComputedStyle(document.documentElement).fontSize) * 0.75 / scale).toFixed(1) + 'px');
+  root.classList.toggle('short', scale < 0.6);
+  root.classList.toggle('tiny', scale < 0.5);
+}
+
+/** Fits names and plan to the screen whenever their sizes change. */
 export function watchSize() {
-  const sizes = new ResizeObserver(entries => {
-    for (const { target } of entries) {
-      const root = /** @type {SVGSVGElement} */ (target);
-      const [shown, drawn] = [root.getBoundingClientRect(), root.viewBox.baseVal];
-      const scale = Math.min(shown.width / (drawn?.width || 1), shown.height / (drawn?.height || 1));
-      if (scale > 0) root.style.setProperty('--name', Math.max(11, parseFloat(getComputedStyle(document.documentElement).fontSize) * 0.75 / scale).toFixed(1) + 'px');
-      root.classList.toggle('short', scale < 0.6);
-      root.classList.toggle('tiny', scale < 0.5);
-    }
-  });
+  const sizes = new ResizeObserver(entries => { for (const { target } of entries) fitNames(/** @type {SVGSVGElement} */ (target)); });
   for (const id of ['plan', 'draft']) sizes.observe($(id));
   // The bubble has another width at each step; the end of the plan depends only on heights.
   const heights = new Map();

@@ -3,6 +3,7 @@ import { expectTrainer, expectedNow } from './believes.js';
 import { attempt, learn, whileLearning, world } from './core.js';
 import { ask } from './dialog.js';
 import { download, readFile } from './files.js';
+import { noWords } from './invention.js';
 import { listed, t } from './language.js';
 import { readRobot, readStudy } from './link.js';
 import { learnFrom } from './logs.js';
@@ -11,7 +12,7 @@ import { keepSetting } from './settings.js';
 import { put, refused } from './shelf.js';
 import { $, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
-import { add, change, copy, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
+import { add, change, copy, enterMode, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
 import { isShown } from './tabs.js';
 import { leaveSession } from './training.js';
 import { sessionsWord, unspaced } from './words.js';
@@ -128,10 +129,11 @@ function restart() {
   world.setWays(false);
 }
 
-/** A new robot, which has learned nothing, becomes the one of this tab. The others stay. */
+/** A new robot, which has learned nothing, becomes the one of this tab, for the same kind of tour. The others stay. */
 export async function newRobot() {
   restart();
   const robot = newRecord(freeName(t('robots.first')));
+  robot.tour.own = state.tour.own && noWords();
   add(robot);
   await open(robot);
   shown();
@@ -158,6 +160,7 @@ export async function meet() {
     state.mode = 'play';
     await takeModel(visitor.model, visitor.ways, visitor.starter);
     Object.assign(state.robot, newRecord(visitor.name), { log: '', starter: visitor.starter });
+    state.robot.tour.own = visitor.own;
     state.settings.pull = visitor.pull;
     world.setEnvironment(JSON.stringify(visitor.home));
     world.setPulls(visitor.pull);
@@ -190,6 +193,7 @@ export async function joinStudy() {
   }
   for (const [name, value] of Object.entries(settings)) keepSetting(name, value);
   state.mode = 'tour';
+  state.tour.own = null;
   await newRobot();
   await patch(state.robot, { study: { id, consent: new Date().toISOString() } });
   return true;
@@ -203,10 +207,22 @@ export async function endGuest() {
   tell(t('robots.isHere', state.robot));
 }
 
+/** Begins a tour: that of an invented language, or the paper's. A robot that has learned something stays as it is, and a new one takes the tour.
+ * @param {import('./invention.js').Invention | null} own */
+export async function takeTour(own) {
+  if (!await leaveSession()) return;
+  if (state.robot.log !== undefined && state.mine) await open(state.mine);
+  await enterMode('tour');
+  state.tour = { at: 0, done: [], said: {}, own, watching: false };
+  if (state.sessions) await newRobot();
+  enterStop(0);
+  $(own ? 'own-words' : 'lesson').focus();
+}
+
 /** Keeps a robot that was only shown. */
 export async function keepGuest() {
   const log = logOf(state.robot);
-  const robot = { ...state.robot, name: freeName(state.robot.name), tour: { at: state.tour.at, done: [...state.tour.done] } };
+  const robot = { ...state.robot, name: freeName(state.robot.name), tour: { at: state.tour.at, done: [...state.tour.done], own: state.tour.own } };
   add(robot, log);
   await open(robot);
   render();

@@ -1,23 +1,31 @@
 // The game of a secret language: a robot that was taught invented words comes by a link. Whoever opens the link finds out what each word
 // means, from the robot's actions. Until then the page does not show its thoughts.
 import { download } from './files.js';
+import { inItsHome, noWords, partsOf } from './invention.js';
 import { t } from './language.js';
 import { clearWords, ideaWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
+import { takeTour } from './roster.js';
 import { share } from './share.js';
 import { $, announce, isDrawn, make, render, state, tell } from './state.js';
+import { rightTests } from './stops.js';
 import { leaveSession, startSession } from './training.js';
 
 const MOST_WORDS = 12;
 
-// The words to find out, each with its idea.
-const words = () => clearWords().slice(0, MOST_WORDS);
+// The words to find out, each with its idea. Of an invented language they are its parts.
+const words = (own = state.robot.tour.own) => (own?.take ? partsOf(own) : clearWords().slice(0, MOST_WORDS));
+
+// When the game began, and its score.
+let [began, score] = [0, ''];
 
 /** The link to this robot as a game. */
 export async function shareSecret() {
-  if (!words().length) tell(t('secret.none'), true);
-  else share(await robotLink({ secret: true }), t('secret.title', state.robot), t('secret.link'));
+  // A robot that has not understood its invented language has a riddle only of the words that it knows.
+  const own = rightTests() ? state.tour.own : null;
+  if (!words(own).length) tell(t('secret.none'), true);
+  else share(await robotLink({ secret: true, ...inItsHome(own) }), t('secret.title', state.robot), t('secret.link'));
 }
 
 async function sayWord(word) {
@@ -34,6 +42,7 @@ function check() {
   for (const [at, select] of chosen.entries()) select.closest('li').classList.toggle('right', right[at]);
   const n = right.filter(Boolean).length;
   $('secret-say').textContent = t('secret.found', { n, of: all.length });
+  score = t('secret.score', { n, of: all.length, seconds: Math.round((performance.now() - began) / 1000) });
   announce($('secret-say').textContent);
   if (n === all.length) reveal();
 }
@@ -50,10 +59,13 @@ export function renderSecret() {
   if (!state.secret || isDrawn('secret', state.secret, state.robot.id)) return;
   const all = words();
   const told = state.secret === 'told';
-  $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length });
+  if (!told) [began, score] = [performance.now(), ''];
+  $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length }) + (told && score ? ' ' + score : '');
   if (told) {
     $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token))));
-    $('secret-buttons').replaceChildren(make('button', { type: 'button', class: 'small', onclick: async () => download('secret-language.png', await picture(state.robot.name, $('secret-say').textContent, all), 'image/png') }, t('card.save')));
+    $('secret-buttons').replaceChildren(
+      make('button', { type: 'button', class: 'primary', onclick: () => takeTour(noWords()) }, t('own.begin')),
+      make('button', { type: 'button', class: 'small', onclick: async () => download('secret-language.png', await picture(state.robot.name, $('secret-say').textContent, all), 'image/png') }, t('card.save')));
     return;
   }
   const ideas = [...new Set((state.heat.now?.tokens || []))].map(token => [token, ideaWords(token)]).sort((a, b) => a[1].localeCompare(b[1]));

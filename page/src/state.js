@@ -55,7 +55,7 @@ export const state = {
   belief: /** @type {Belief} */ (/** @type {unknown} */ ({ tasks: [] })),
   support: /** @type {Support | null} */ (null),
   heat: { now: /** @type {Heat | null} */ (null), before: /** @type {Heat | null} */ (null) },
-  // none, planning, asking, waiting, paused or learning
+  // none, planning, asking, waiting, paused, learning or moment: a success is shown
   phase: 'none',
   session: /** @type {Session | null} */ (null),
   evidence: /** @type {Evidence[]} */ ([]),
@@ -84,7 +84,8 @@ export const state = {
   // The progress of long learning, as a text.
   progress: '',
   sessions: 0,
-  tour: { at: 0, done: /** @type {string[]} */ ([]), said: /** @type {Record<string, string>} */ ({}), watching: false },
+  // `own` is the language that the visitor invents; without one it is the paper's tour.
+  tour: { at: 0, done: /** @type {string[]} */ ([]), said: /** @type {Record<string, string>} */ ({}), own: /** @type {import('./invention.js').Invention | null} */ (null), watching: false },
   // Whether the trainer thinks that the next test will be understood: yes, no, or nothing yet.
   guess: '',
   settings: /** @type {Record<string, any>} */ ({

@@ -3,6 +3,7 @@
 import { fromBase64, toBase64 } from './base64.js';
 import { expectedNow } from './believes.js';
 import { heatNow, learn, whileLearning, world } from './core.js';
+import { noWords } from './invention.js';
 import { t } from './language.js';
 import * as shelf from './shelf.js';
 import { state, tell } from './state.js';
@@ -11,19 +12,23 @@ const VERSION = 2;
 const MOST_STEPS_BACK = 30;
 const DAYS_KEPT = 30;
 
+/** @typedef {{ at: number, done: string[], said?: Record<string, string>, own?: import('./invention.js').Invention | null }} Tour the progress of a tour, the user's own words for its commands, and an invented language */
+
 /**
  * A point to which one can go back, or forward again.
  * @typedef {object} Point
  * @property {string} what the change after it, in words
  * @property {string} model
  * @property {number} sessions
- * @property {{ at: number, done: string[], said?: Record<string, string> }} tour
+ * @property {Tour} tour
  * @property {boolean} [ways]
  * @property {string} [starter]
  * @property {string} [had] the starter that it had in the change: none in the tour
  * @property {number} length how long the log is there
  * @property {string} [rest] the log's lines that come again on the way forward
  */
+
+/** @typedef {{ after: number, home: object, command: string, meant: string, heard: number, understood: string, right: string, guess: string }} Asked a test: after how many lessons, what was meant, how sure of that the robot was, what it understood, and what the trainer guessed */
 
 /**
  * A robot as it is kept. Its log is kept separately.
@@ -35,11 +40,13 @@ const DAYS_KEPT = 30;
  * @property {number} deleted when it was deleted, or 0
  * @property {string} model
  * @property {number} sessions
- * @property {{ at: number, done: string[], said?: Record<string, string> }} tour the progress of the tour, and the user's own words for its commands
+ * @property {Tour} tour
  * @property {boolean} [ways] whether commands to it may say how
  * @property {string} [starter] the language of the everyday sentences that it knows; its model is without them
  * @property {(number | null)[]} [scores] for each session, how sure it was of the taught task when it heard the command
  * @property {(number | null)[]} [seeds] for each session, the seed of the robot's choices
+ * @property {string[]} [meant] for each session, the task that a tour meant
+ * @property {Asked[]} [asked] the tour's tests that it was asked
  * @property {import('./owntests.js').OwnTest[]} [tests] commands that it is tested by
  * @property {{ id: string, consent: string }} [study] the condition of the study that it is for, and when its trainer agreed to take part
  * @property {Point[]} past
@@ -86,7 +93,10 @@ function writeLog(robot, log) {
   else shelf.put('log.' + robot.id, log || null);
 }
 
-const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said } });
+const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said }, own: state.tour.own && { ...state.tour.own } });
+
+/** @param {Robot} robot */
+const tourOf = ({ tour }) => ({ at: tour.at, done: [...tour.done], said: { ...tour.said }, own: tour.own ? { ...tour.own } : null });
 
 /** @returns {Point} */
 const pointNow = what => ({ what, model: state.robot.model, sessions: state.robot.sessions, tour: tourNow(), ways: world.ways(), starter: state.robot.starter, had: world.starter(), length: logOf(state.robot).length });
@@ -191,7 +201,7 @@ export async function travel(from) {
     robot.sessions = state.sessions;
     robot.tour = point.tour;
     Object.assign(robot, { ways: point.ways, starter: point.starter || '' });
-    Object.assign(state.tour, { at: point.tour.at, done: [...point.tour.done] });
+    Object.assign(state.tour, tourOf(robot), { said: state.tour.said });
     write(robot);
     what = point.what;
   });
@@ -215,7 +225,7 @@ export async function open(robot) {
   await takeModel(fromBase64(robot.model), robot.ways === true, robot.starter);
   state.robot = robot;
   state.secret = '';
-  state.tour = { at: robot.tour.at, done: [...robot.tour.done], said: { ...robot.tour.said }, watching: false };
+  state.tour = { ...tourOf(robot), watching: false };
   if (robot.log !== undefined) return;
   shelf.ofTab.put('robot', robot.id);
   shelf.put('last', robot.id);
@@ -285,6 +295,7 @@ export async function openLast() {
     }
   }
   const fresh = newRecord(freeName(t('robots.first')));
+  fresh.tour.own = noWords();
   add(fresh);
   await open(fresh);
 }

@@ -11,12 +11,15 @@ import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, 
 import { SPEEDS } from './settings.js';
 import { underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
+import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
 import { acted, beliefNow, quoted, ranked, spaced, taskWords, unspaced } from './words.js';
 
 const RESTS = 3;
 // The whole tour is watched in less than a minute.
 const WATCH_DELAY = 260;
+// The first lessons are short: three of them in less than a minute.
+const OWN_DELAY = 1000;
 // The verdict of a test is known at once; its way is only shown.
 const TEST_DELAY = 500;
 const MOST_STEPS = 300;
@@ -118,6 +121,8 @@ export function showSession(records) {
 /** Whether the session under way may be left: asks, if the trainer has said something in it. */
 export async function leaveSession() {
   const { session } = state;
+  // The moment of a success ends, and the tour goes on.
+  if (state.phase === 'moment') enterStop(state.tour.at);
   if (state.phase === 'learning') {
     tell(t('judge.learning'));
     return false;
@@ -290,7 +295,8 @@ function waitOf(session, auto) {
   if (session.looking && state.mode === 'tour') return Math.min(delay, TEST_DELAY);
   if (auto) return state.settings.speed === 'step' ? Infinity : Math.min(delay, 2600);
   if (action === 'noop') return Infinity;
-  return state.settings.speed === 'once' ? 120 : delay;
+  if (state.settings.speed === 'once') return 120;
+  return state.settings.speed === 'normal' && state.mode === 'tour' && state.tour.own ? Math.min(delay, OWN_DELAY) : delay;
 }
 
 // The core takes in the feedback to the last action. A robot that is only watched takes in nothing: silence would be evidence, and might
@@ -456,6 +462,7 @@ export async function finishSession() {
       const { robot } = state;
       robot.scores = Object.assign([...(robot.scores || [])], { [world.sessions() - 1]: sure });
       robot.seeds = Object.assign([...(robot.seeds || [])], { [world.sessions() - 1]: state.settings.seed });
+      robot.meant = Object.assign([...(robot.meant || [])], { [world.sessions() - 1]: state.mode === 'tour' ? stopAt()?.intended ?? '' : '' });
       return own;
     });
   } catch (error) {
@@ -468,7 +475,7 @@ export async function finishSession() {
   state.session = null;
   state.phase = 'none';
   $('command').value = session.command;
-  if (!tellRest()) render();
+  if (!tellRest() && !session.onEnd) render();
   if (session.onEnd) session.onEnd();
   else if (learned) tell(t('learned.told', { text: learned }));
 }

@@ -1,7 +1,7 @@
 // The visible parts of the page on screens of every size.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { address, close, launch, learned, open, play, second, still } from './browser.mjs';
+import { address, close, launch, learned, open, openFirst, play, second, still } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -57,9 +57,9 @@ for (const [width, height] of [[320, 568], [320, 256], [640, 480], [640, 900], [
   });
 }
 
-for (const locale of ['de', 'es']) test('on the smallest phone no name lies over another or over a wall: ' + locale, async () => {
-  const page = await open(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
-  await page.locator('#dots button.test').first().click();
+for (const first of [true, false]) for (const locale of ['de', 'es']) test('on the smallest phone no name lies over another or over a wall, in ' + (first ? 'the first visit: ' : 'the tests: ') + locale, async () => {
+  const page = await (first ? openFirst : open)(browser, { viewport: { width: 320, height: 568 }, locale, isMobile: true, hasTouch: true });
+  if (!first) await page.locator('#dots button.test').first().click();
   await still(page);
   const over = await page.evaluate(() => {
     const names = [...document.querySelectorAll('#plan :is(.roomname, .blockname)')].filter(name => name.getBoundingClientRect().width);
@@ -98,22 +98,23 @@ const seen = (page, ids) => page.evaluate(names => ({
   })),
 }), ids);
 
-for (const [width, height, least, settings] of [[320, 568, 180, '{}'], [360, 640, 200, '{}'], [390, 844, 300, '{}'], [1280, 720, 400, '{}'], [1280, 720, 500, '{"presenter":true}'], [1920, 1080, 700, '{}']]) {
-  test('on arrival at ' + width + ' by ' + height + ' pixels, what begins and the plan are seen whole, and Good and Bad where they are not in the way' + (settings === '{}' ? '' : ', in the class view too'), async () => {
-    const page = await open(browser, { viewport: { width, height } });
+// The home of the first visit is twice as wide as it is high.
+for (const first of [true, false]) for (const [width, height, least, settings] of [[320, 568, 180, '{}'], [360, 640, 200, '{}'], [390, 844, 300, '{}'], [1280, 720, 400, '{}'], [1280, 720, 500, '{"presenter":true}'], [1920, 1080, 700, '{}']]) {
+  test('on arrival at ' + width + ' by ' + height + ' pixels, what begins and the plan are seen whole, and Good and Bad where they are not in the way' + (settings === '{}' ? '' : ', in the class view too') + (first ? '' : ', and in the tour of the paper'), async () => {
+    const page = await (first ? openFirst : open)(browser, { viewport: { width, height } });
     await page.evaluate(kept => localStorage.setItem('goodbot.settings', kept), settings);
     await page.reload();
     await page.waitForSelector('body.ready');
     await still(page);
     // On a phone there is nothing to judge yet.
     const wide = width > 860;
-    const { scroll, boxes } = await seen(page, ['lesson', 'plan', ...(wide ? ['good', 'bad'] : [])]);
+    const { scroll, boxes } = await seen(page, ['lesson', ...(first ? ['own-words'] : []), 'plan', ...(wide ? ['good', 'bad'] : [])]);
     assert.equal(await page.isVisible('#good'), wide);
     assert.ok(scroll <= width, 'the page is ' + scroll + ' pixels wide');
     for (const [id, box] of Object.entries(boxes)) assert.ok(box.left >= 0 && box.right <= width && box.top >= 0 && box.bottom <= height && !box.covered, id + ': ' + JSON.stringify(box));
     const { plan, good } = boxes;
     assert.ok(!good || plan.bottom <= good.top || plan.right <= good.left, 'the plan is above the buttons or beside them: ' + JSON.stringify(boxes));
-    assert.ok(plan.bottom - plan.top >= least, 'the plan is ' + (plan.bottom - plan.top) + ' pixels high');
+    assert.ok(plan.bottom - plan.top >= (first && !wide ? 0.45 * width : least), 'the plan is ' + (plan.bottom - plan.top) + ' pixels high');
     await close(page);
   });
 }
@@ -144,8 +145,11 @@ test('the class view fits on the screen, whatever its size', async () => {
 });
 
 test('on arrival there are three lines to read at most, and the foot of the page is seen whole, in every language', async () => {
-  const page = await open(browser, { viewport: { width: 1280, height: 720 } });
-  for (const language of ['en', 'de', 'es', 'fr', 'zh']) {
+  const page = await openFirst(browser, { viewport: { width: 1280, height: 720 } });
+  const languages = ['en', 'de', 'es', 'fr', 'zh'];
+  // At last in the tour of the paper.
+  for (const [at, language] of [...languages, ...languages].entries()) {
+    if (at === languages.length) await page.click('#other');
     await page.selectOption('#language', language);
     await still(page);
     const { lines, bottom } = await page.evaluate(() => {

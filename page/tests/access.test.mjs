@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, eachTab, launch, open, opened, openIn, pass, play, reload, still, stopTime } from './browser.mjs';
+import { address, close, downloaded, eachTab, launch, linkOf, open, opened, openFirst, openIn, pass, play, reload, still, stopTime, toTheGoal } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -35,9 +35,43 @@ async function checkTab(page, where) {
   }
 }
 
-test('axe finds nothing to object to, light and dark, wide and narrow', async () => {
-  const page = await open(browser, { bypassCSP: true, reducedMotion: 'no-preference' });
+test('axe finds nothing to object to in an invented language, from its second lesson to its end, and in the game that it makes', async () => {
+  const page = await openFirst(browser, { bypassCSP: true });
   await page.addScriptTag({ path: axe });
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/, /bag to the red/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+    if (!meant.test('red')) await checkTab(page, 'the third lesson');
+  }
+  await page.click('#lesson');
+  await page.getByText('Skip the walk').waitFor();
+  await checkTab(page, 'the test');
+  await page.click('#lesson');
+  await page.locator('#decode').waitFor();
+  await checkTab(page, 'the end');
+  const { hash } = new URL(await linkOf(page, '#decode'));
+  const friend = await open(browser, { bypassCSP: true }, hash);
+  await friend.addScriptTag({ path: axe });
+  await checkTab(friend, 'the game');
+  await friend.locator('#secret-buttons .quiet').click();
+  await checkTab(friend, 'after the game');
+  await close(friend);
+  await page.click('#close-link');
+  const { bytes } = await downloaded(page, '#tour-table');
+  await page.setInputFiles('#open-class', ['one.csv', 'two.csv'].map(name => ({ name, mimeType: 'text/csv', buffer: bytes })));
+  await page.locator('#class[open]').waitFor();
+  await checkTab(page, 'a class');
+  await close(page);
+});
+
+test('axe finds nothing to object to, light and dark, wide and narrow', async () => {
+  const page = await openFirst(browser, { bypassCSP: true, reducedMotion: 'no-preference' });
+  await page.addScriptTag({ path: axe });
+  await check(page, 'first visit');
+  await page.click('#other');
   await check(page, 'tour');
   await page.selectOption('#speed', 'once');
   await page.click('#watch');

@@ -41,9 +41,20 @@ export function takeFirefox() {
 // A new page with its own storage. `complaints` has its errors. Nothing is animated in it, except in tests of animations: animations take
 // a tenth of a core for each page.
 export async function open(browser, options = {}, hash = '') {
+  return takePaper(await openFirst(browser, options, hash));
+}
+
+// A first visit begins with an invented language; most tests take the paper's tour.
+export async function takePaper(page) {
+  if (await page.isVisible('#own-words')) await page.evaluate(() => document.getElementById('other').click());
+  return page;
+}
+
+// The same as a first visitor sees it.
+export async function openFirst(browser, options = {}, hash = '') {
   // Firefox cannot lay out a page as a phone does; it only has the size.
   const { isMobile, ...others } = options;
-  return openIn(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...others, ...(second ? {} : { isMobile }) }), hash);
+  return visit(await browser.newContext({ viewport: { width: 1280, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...others, ...(second ? {} : { isMobile }) }), hash);
 }
 
 // Questions would interrupt most tests: the tests of questions switch them on. The storage itself must not be read so early: on a slow
@@ -55,6 +66,10 @@ const WITHOUT_QUESTIONS = () => {
 
 // One more tab of the same browser. `prepare` runs in it before the page does.
 export async function openIn(context, hash = '', prepare = null) {
+  return takePaper(await visit(context, hash, prepare));
+}
+
+async function visit(context, hash = '', prepare = null) {
   const page = await context.newPage();
   // Several test files run at once, and on a slow machine the whole tour takes long.
   page.setDefaultTimeout(60000);

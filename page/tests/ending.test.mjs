@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { close, launch, open, pass, sessions, stopTime, toTheGoal } from './browser.mjs';
+import { close, launch, open, openFirst, pass, sessions, stopTime, takePaper, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -126,6 +126,7 @@ test('from a server, the card has a code that a phone can read, and the systemâ€
   });
   await page.goto('http://127.0.0.1:' + port + '/');
   await page.waitForSelector('body.ready');
+  await takePaper(page);
   await finished(page);
   await page.click('#share-card');
   await page.waitForFunction(() => window.given);
@@ -176,5 +177,94 @@ test('the dots lead to lessons and tests', async () => {
   assert.match(await page.textContent('#tour-title'), /Lesson 5 of 7/);
   await page.locator('#dots button').nth(0).click();
   assert.match(await page.textContent('#tour-title'), /Lesson 1 of 7/);
+  await close(page);
+});
+
+test('a success has its moment: the robot is glad where it has got to, a new word flies to the known ones, and the next lesson begins by itself', async () => {
+  const page = await openFirst(browser, { reducedMotion: 'no-preference' });
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    const at = await page.evaluate(() => JSON.parse(window.goodbot.scene()).agent.x);
+    const began = await page.evaluate(() => performance.now());
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+    assert.equal(await page.locator('#plan .robot.happy.dancing').count(), 1);
+    assert.equal(await page.evaluate(() => JSON.parse(window.goodbot.scene()).agent.x), at, 'it is still where it has got to');
+    assert.ok(await page.isHidden('#lesson') && await page.isVisible('#verdict'));
+    const flying = () => page.evaluate(() => document.getAnimations().filter(({ effect }) => effect.target.closest('#word-shelf')).length);
+    // One lesson cannot tell the words apart; with the second they are clear.
+    if (meant.test('blue')) assert.equal(await flying(), 2);
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+    const took = await page.evaluate(() => performance.now()) - began;
+    assert.ok(took > 1400 && took < 6000, took + ' ms');
+    assert.ok(await page.isVisible('#own-words'));
+  }
+  assert.deepEqual(await page.locator('#word-shelf b').allTextContents(), ['blip', 'zot']);
+  await close(page);
+});
+
+test('whoever goes elsewhere in the moment of a success stays there, and the tour has gone on', async () => {
+  const page = await open(browser, { reducedMotion: 'no-preference' });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
+  await page.click('#finish');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  await page.click('[data-mode=build]');
+  await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  assert.ok(await page.isVisible('#draft'));
+  await page.click('[data-mode=tour]');
+  assert.match(await page.textContent('#tour-title'), /Lesson 2 of 7/);
+  // So does who changes the robot in that moment, also if it then learns for longer.
+  await page.click('#lesson');
+  await toTheGoal(page, /red/, good => page.click(good ? '#good' : '#bad'));
+  await page.click('#finish');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  await page.evaluate(() => {
+    const robot = Object.getPrototypeOf(window.goodbot);
+    const { learn } = robot;
+    const until = performance.now() + 2000;
+    robot.learn = function (budget) { return performance.now() > until && learn.call(this, budget); };
+    document.getElementById('set-ways').click();
+  });
+  await page.waitForTimeout(4000);
+  assert.equal(await page.evaluate(() => document.body.dataset.phase), 'none');
+  assert.match(await page.textContent('#tour-title'), /Lesson 3 of 7/);
+  assert.match(await page.evaluate(() => window.goodbot.environment()), /"color":"blue"/, 'it is in the home of that lesson');
+  await close(page);
+});
+
+test('the card is seen before it is saved, and a long name fits on it; that of an invented language is a riddle', async () => {
+  const page = await openFirst(browser);
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/, /bag to the red/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  }
+  await page.click('#lesson');
+  await page.getByText('Skip the walk').waitFor();
+  await page.click('#lesson');
+  const seen = () => page.getAttribute('#preview img', 'src');
+  await page.locator('#preview img').waitFor();
+  const before = await seen();
+  await page.fill('#robot-name', 'W'.repeat(40));
+  await page.press('#robot-name', 'Enter');
+  await page.waitForFunction(src => document.querySelector('#preview img').getAttribute('src') !== src, before);
+  // Between the edge of the card and its frame nothing is drawn, nor is there within the frame where the name ends.
+  const dark = await page.evaluate(async () => {
+    const image = document.querySelector('#preview img');
+    await image.decode();
+    const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+    const context = canvas.getContext('2d', { willReadFrequently: true });
+    context.drawImage(image, 0, 0);
+    const count = (x, width) => [...context.getImageData(x, 500, width, 110).data].filter((value, at) => at % 4 === 0 && value < 120).length;
+    return [count(34, 40), count(540, 400), count(image.naturalWidth - 74, 40)];
+  });
+  assert.equal(dark[0] + dark[2], 0, 'the name is cut off: ' + dark);
+  assert.ok(dark[1] > 0, 'the name is there');
   await close(page);
 });

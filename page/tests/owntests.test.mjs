@@ -73,6 +73,11 @@ test('commands of one’s own show at any time what the robot understands, and t
   await page.click('[aria-label="Delete march to the green room"]');
   await page.waitForFunction(() => document.querySelectorAll('#tests li').length === 2);
   assert.equal(await page.inputValue('#test-command'), 'march to the green room', 'what is taken off the list can be put on it again');
+  // The robot's table has what was asked, and when: before the first lesson, and after the last, twice.
+  await opened(page, 'Charts');
+  const lines = String(await saved(page, '#save-table')).trim().split('\r\n');
+  assert.deepEqual(lines.map((line, at) => [/,test,/.test(line), at]).filter(([isTest]) => isTest).map(([, at]) => at), [1, 2, 3, ...Array.from({ length: 6 }, (_, at) => lines.length - 6 + at)]);
+  assert.match(lines[3], /^3,test,march to the green room,A,"agentInRoom\(agent0,room\d\)",0\.\d+,/);
   await opened(page, 'Your robots');
   await page.click('#new-robot');
   await page.getByText('A new robot, ').first().waitFor();

@@ -86,8 +86,8 @@ test('the table has the seed of each session, the version and what to cite', asy
   await page.selectOption('#speed', 'once');
   await lesson(page, 1);
   await page.click('#tab-steps');
-  const [head, first] = (await saved(page, '#save-table')).toString().split('\r\n');
-  assert.equal(head, 'session,command,heard,step,action,feedback,seed,version,citation,condition,consent');
+  const [head, first] = (await saved(page, '#save-table')).toString().trim().split('\r\n');
+  assert.equal(head, 'session,kind,command,home,meant,heard,understood,right,guess,step,action,feedback,robot,seed,version,citation,condition,consent');
   assert.match(first, /,2014,goodbot \d+\.\d+\.\d+,MacGlashan et al\./);
   await close(page);
 });

@@ -48,8 +48,8 @@ test('the bars are sorted, sum to a hundred, are marked by each step’s evidenc
   await learned(page, 1);
   assert.match(await page.getAttribute('#chart-score', 'aria-label'), /: \d+%$/);
   const table = (await saved(page, '#save-table')).toString().trim().split('\r\n');
-  assert.equal(table[0], 'session,command,heard,step,action,feedback,seed,version,citation,condition,consent');
-  assert.match(table[1], new RegExp('^1,' + start + ',0\\.\\d+,1,(north|south|east|west|noop),punish,2014,goodbot '));
+  assert.equal(table[0], 'session,kind,command,home,meant,heard,understood,right,guess,step,action,feedback,robot,seed,version,citation,condition,consent');
+  assert.match(table[1], new RegExp('^1,lesson,' + start + ',\\w*,"?[^"]*"?,0\\.\\d+,,,,1,(north|south|east|west|noop),punish,Robot 1,2014,goodbot '));
   await close(page);
 });
 

@@ -125,12 +125,13 @@ test('what feedback was worth is seen at the end, and all steps are a table with
   const worth = page.locator('#tour table');
   assert.ok(await worth.isVisible(), 'nobody has to unfold it');
   assert.match(await worth.locator('thead').textContent(), /with you.*without a word/);
-  const rows = await worth.locator('tbody tr').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => parseInt(cell.textContent, 10))));
+  const rows = await worth.locator('tbody tr:has(td)').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => parseInt(cell.textContent, 10))));
   const sum = column => rows.reduce((total, row) => total + row[column], 0);
   assert.ok(sum(0) > sum(1), JSON.stringify(rows));
   const table = (await saved(page, '#tour-table')).toString().trim().split('\r\n');
-  assert.equal(table[0], 'session,command,heard,step,action,feedback,seed,version,citation,condition,consent');
-  assert.match(table.at(-1), /^7,/, 'all seven lessons');
+  assert.equal(table[0], 'session,kind,command,home,meant,heard,understood,right,guess,step,action,feedback,robot,seed,version,citation,condition,consent');
+  assert.equal(new Set(table.filter(line => /^\d+,lesson,/.test(line)).map(line => parseInt(line, 10))).size, 7, 'all seven lessons');
+  assert.match(table.at(-1), /^12,test,/, 'and five tests');
   await close(page);
 });
 
@@ -180,7 +181,7 @@ test('the table has every session, also those that were ended at their first ste
   await opened(page, 'Charts');
   const lines = String(await saved(page, '#save-table')).trim().split('\r\n');
   assert.equal(lines.length, 8);
-  assert.match(lines[1], /^1,go to the green room,0\.\d+,,,,2014,goodbot /);
+  assert.match(lines[1], /^1,lesson,go to the green room,A,"agentInRoom\(agent0,room\d\)",0\.\d+,,,,,,,Robot 1,2014,goodbot /);
   await close(page);
 });
 

@@ -37,7 +37,7 @@ test('a site hears what its robot believes and when it has learned', async () =>
   await page.waitForFunction(() => window.heard.some(([name]) => name === 'ready'));
   assert.deepEqual(await heard(page, 'ready'), [{ sessions: 0 }]);
   const inside = page.frameLocator('goodbot-trainer iframe');
-  assert.match(await inside.locator('#lesson').textContent(), /„geh in den grünen Raum“/, 'in the language that the site asks for');
+  assert.match(await inside.locator('#tour-hint').textContent(), /„geh in den roten Raum“/, 'in the language that the site asks for');
   await inside.locator('#lesson').click();
   await page.waitForFunction(() => window.heard.some(([name, { tasks }]) => name === 'belief' && tasks.length > 1));
   const before = (await heard(page, 'belief')).length;

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, learned, linkOf, model, open, opened, play, reload } from './browser.mjs';
+import { close, launch, learned, linkOf, model, open, openFirst, opened, play, reload } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -17,7 +17,7 @@ test('the tour to its end with the auto-trainer: five of five', async () => {
 });
 
 test('a session by keyboard alone teaches the robot', async () => {
-  const page = await open(browser);
+  const page = await openFirst(browser);
   const focus = async id => {
     for (let press = 0; press < 60; press += 1) {
       if (await page.evaluate(() => document.activeElement.id) === id) return;

@@ -190,3 +190,16 @@ test('a room that is moved takes its doors along and what stands in it, and room
   assert.match(await page.textContent('#build-error'), /cannot get into the red room/);
   await close(page);
 });
+
+test('the ending shows two commands that only feedback could tell, and says why', async () => {
+  const page = await open(browser);
+  await page.selectOption('#speed', 'once');
+  await page.click('#watch');
+  await page.getByText('The tour is over').first().waitFor();
+  const only = page.locator('#only');
+  assert.match(await only.textContent(), /Only your words could tell these: in the lessons more than one thing could be meant/);
+  const rows = await only.locator('tr:has(td)').evaluateAll(all => all.map(row => [...row.cells].slice(1).map(cell => parseInt(cell.textContent, 10))));
+  assert.equal(rows.length, 2);
+  for (const [taught, silent] of rows) assert.ok(taught > 50 && silent <= 50, JSON.stringify(rows));
+  await close(page);
+});
