@@ -184,7 +184,7 @@ test('a log of commands that say how teaches the command line what it taught the
     await learned(page, lesson);
   }
   const kept = (await saved(page, '#save-log')).toString();
-  const asked = 'go to the purple room, but not through the red room';
+  const asked = 'go to the purple room through the red room';
   const environment = await page.evaluate(() => JSON.parse(window.goodbot.environment()));
   const here = await heard(page, asked);
   const question = { type: 'session', version: 1, id: 'asked', kind: 'feedback', environment, command: asked };

@@ -108,7 +108,7 @@ pub struct Reading<'r> {
     /// The probability that it is what was meant.
     pub probability: f32,
     /// Why.
-    pub clues: &'r Clues,
+    pub clues: &'r Clues<'r>,
 }
 
 /// The verdict on an utterance.
@@ -181,7 +181,7 @@ impl<M: AgentMemory> Agent<M> {
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
             let done = self.done(domain);
             let clues = Clues {
-                sorts: *sorts,
+                sorts,
                 hypothesis,
                 first,
                 share,

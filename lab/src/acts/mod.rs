@@ -9,12 +9,13 @@ pub mod readings;
 pub mod sets;
 
 use clap::{Args, ValueHint};
-use fit::{Example, Fitted};
+use fit::{Example, Fitted, Prices};
 use goodbot::talk::{ACTS_FROM, CLUES, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
-use readings::Said;
+use rayon::prelude::*;
+use readings::{Read, Said};
 use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
@@ -22,12 +23,19 @@ use std::path::PathBuf;
 /// The weights in a file are whole numbers up to this.
 const MOST: f64 = 127.0;
 
+/// Before the name of an author whose sentences are for training alone.
+const FOR_TRAINING: char = '+';
+
+/// The probabilities above which robots are tried.
+const ABOVE: [f64; 6] = [0.6, 0.7, ACTS_FROM as f64, 0.8, 0.85, 0.9];
+
 /// The options of `goodbot acts`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 SETS has a line for each set of sentences, with five columns parted by tabs: its author, its language, a model that `goodbot learn` wrote, a home,
 and a file of sentences. A sentence's line has its kind, its words, and its meaning: `none`, or tasks joined by ` then ` (in this order) or ` and `
-(in any order); ` or ` parts meanings of which each is right. Words before ` ||| ` were said and followed before.
+(in any order); ` or ` parts meanings of which each is right. Words before ` ||| ` were said and followed before. The sentences of an author whose
+name begins with `+` are for training alone.
 
 A robot with the model reads each sentence in the home. The weights are fitted to tell its right readings from the others. The table is of weights
 fitted without the sentences of their author: \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
@@ -45,9 +53,12 @@ pub struct ActsOptions {
     /// Print the weights, the largest first
     #[arg(long)]
     explain: bool,
-    /// The price of a weight: larger prices leave fewer weights
-    #[arg(long, value_name = "PRICE", default_value = "2")]
+    /// The price of the square of a weight: larger prices make smaller weights
+    #[arg(long, value_name = "PRICE", default_value = "3")]
     price: f64,
+    /// How many weights there may be
+    #[arg(long, value_name = "NUMBER", default_value = "2500")]
+    most: usize,
     /// Print lines of JSON
     #[arg(long)]
     json: bool,
@@ -73,37 +84,45 @@ struct Figures {
 pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     let sets = sets::read(&options.sets)?;
     let progress = bar(sets.len(), "reading sentences");
-    let mut said: Vec<Said> = Vec::new();
-    for set in &sets {
-        said.extend(readings::of(set)?);
-        progress.inc(1);
-    }
+    let read = |set| readings::of(set).inspect(|_| progress.inc(1));
+    let said: Vec<Said> = sets.par_iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
     progress.finish_and_clear();
+    let prices = Prices { square: options.price, most: options.most };
     let mut out = output::text(&[])?;
-    let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).collect();
+    let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).filter(|author| !author.starts_with(FOR_TRAINING)).collect();
     authors.sort_unstable();
     authors.dedup();
-    let mut all = Figures::default();
     if authors.len() > 1 {
         let progress = bar(authors.len(), "leaving out one author at a time");
-        for author in &authors {
-            let fitted = fit::fit(&examples(&said, &|it| it.author != *author), CLUES, options.price);
+        let without = |author: &&str| {
+            let fitted = fit::fit(&examples(&said, &|it| it.author != *author), CLUES, prices);
             progress.inc(1);
+            fitted
+        };
+        let fitted: Vec<Fitted> = authors.par_iter().map(without).collect();
+        progress.finish_and_clear();
+        let of = |author: &str, language: &str, fitted: &Fitted, above: f64| {
+            figures(said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language)), fitted, above)
+        };
+        for (author, fitted) in authors.iter().zip(&fitted) {
             let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
             languages.sort_unstable();
             languages.dedup();
-            for language in languages {
-                let figures = figures(said.iter().filter(|it| it.author == *author && it.language == language), &fitted);
-                tell(&mut out, options.json, author, language, &figures)?;
-                all = all.and(&figures);
+            for (language, above) in languages.iter().flat_map(|language| ABOVE.map(|above| (language, above))) {
+                if options.json || above == f64::from(ACTS_FROM) {
+                    tell(&mut out, options.json, (author, language, above), &of(author, language, fitted, above))?;
+                }
             }
         }
-        progress.finish_and_clear();
-        tell(&mut out, options.json, "all", "left out", &all)?;
+        for above in ABOVE {
+            let each = authors.iter().zip(&fitted).map(|(author, fitted)| of(author, "", fitted, above));
+            let all = each.fold(Figures::default(), |all, figures| all.and(&figures));
+            tell(&mut out, options.json, ("left out", "", above), &all)?;
+        }
     }
-    let fitted = fit::fit(&examples(&said, &|_| true), CLUES, options.price);
+    let fitted = fit::fit(&examples(&said, &|_| true), CLUES, prices);
     let (scale, weights) = packed(&fitted);
-    tell(&mut out, options.json, "all", "fitted", &figures(said.iter(), &fitted))?;
+    tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
     if options.explain {
         let mut largest = weights.clone();
         largest.sort_by_key(|&(clue, weight)| (-i32::from(weight).abs(), clue));
@@ -120,11 +139,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
 }
 
 fn examples<'s>(said: &'s [Said], is_in: &dyn Fn(&Said) -> bool) -> Vec<Example<'s>> {
-    said.iter()
-        .filter(|it| is_in(it))
-        .flat_map(|it| &it.readings)
-        .map(|reading| Example { clues: &reading.clues, holds: reading.is_right })
-        .collect()
+    said.iter().filter(|it| is_in(it)).flat_map(|it| &it.readings).map(Read::example).collect()
 }
 
 impl Figures {
@@ -141,15 +156,15 @@ impl Figures {
     }
 }
 
-/// The figures of sentences, by these weights.
-fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted) -> Figures {
+/// The figures of sentences, by these weights, if the robot acts above this probability.
+fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64) -> Figures {
     let mut figures = Figures::default();
     for sentence in said {
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
-        let weighed = sentence.readings.iter().map(|reading| (fitted.probability(&reading.clues), reading));
+        let weighed = sentence.readings.iter().map(|reading| (fitted.probability(&reading.example()), reading));
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
-        if probability > f64::from(ACTS_FROM) {
+        if probability > above {
             figures.acted += 1;
             figures.right += usize::from(best.is_right);
             figures.said += probability;
@@ -160,20 +175,20 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted) -> Figures
     figures
 }
 
-fn tell(out: &mut impl Write, json: bool, author: &str, language: &str, figures: &Figures) -> Result<(), Failure> {
+fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
     let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
     let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
     let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));
     if json {
         let line = json!({
-            "author": author, "language": language, "sentences": figures.sentences, "meant": figures.meant, "helpful": helpful,
+            "author": author, "language": language, "above": above, "sentences": figures.sentences, "meant": figures.meant, "helpful": helpful,
             "harmful": harmful, "acted": figures.acted, "mean_probability": said, "right": right,
         });
         writeln!(out, "{line}")?;
     } else {
         writeln!(
             out,
-            "{author:10} {language:9} {:6} sentences  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
+            "{author:10} {language:8} above {above:.2} {:6} sentences  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
             figures.sentences,
             100.0 * helpful,
             100.0 * harmful,
@@ -195,15 +210,12 @@ fn packed(fitted: &Fitted) -> (f64, Vec<(u16, i8)>) {
 
 /// The weights as a file of the library.
 fn text(scale: f64, bias: f64, weights: &[(u16, i8)]) -> String {
-    let mut text = format!(
-        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The value of a weight of 1.\npub const SCALE: f32 = {scale:.7};\n/// The weight of every \
-         reading.\npub const BIAS: f32 = {bias:.7};\n/// Clues and their weights, by clue.\n#[rustfmt::skip]\npub const WEIGHTS: [(u16, i8); {}] = [\n",
-        weights.len()
-    );
-    for row in weights.chunks(12) {
-        let row: Vec<String> = row.iter().map(|(clue, weight)| format!("({clue}, {weight})")).collect();
-        text.push_str(&format!("    {},\n", row.join(", ")));
-    }
-    text.push_str("];\n");
-    text
+    let rows = |numbers: Vec<String>| numbers.chunks(24).map(|row| format!("    {},\n", row.join(", "))).collect::<String>();
+    let (count, keys) = (weights.len(), rows(weights.iter().map(|(clue, _)| clue.to_string()).collect()));
+    let weights = rows(weights.iter().map(|(_, weight)| weight.to_string()).collect());
+    format!(
+        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The value of a weight of 1.\npub const SCALE: f32 = {scale:.7};\n/// The weight of \
+         every reading.\npub const BIAS: f32 = {bias:.7};\n/// The clues that have a weight, in order.\n#[rustfmt::skip]\npub const KEYS: [u16; {count}] = \
+         [\n{keys}];\n/// The weight of each of them.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; {count}] = [\n{weights}];\n"
+    )
 }

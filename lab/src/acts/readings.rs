@@ -1,5 +1,6 @@
 //! A robot's readings of sentences, and which of them are right.
 
+use super::fit::Example;
 use super::sets::{Meaning, Sentence, Set};
 use goodbot::home::{Home, HomeState, Moves, paper_tasks};
 use goodbot::memory::{AgentHeap, HomeHeap};
@@ -31,17 +32,30 @@ pub struct Said {
 /// A reading.
 #[derive(Clone, Debug)]
 pub struct Read {
-    /// Its clues, with their values.
-    pub clues: Vec<(u16, f32)>,
+    /// Its clues.
+    pub clues: Vec<u16>,
+    /// Their values.
+    pub values: Vec<f32>,
+    /// The distance from each clue to that for its kind of reading alone.
+    pub to_kind: u16,
     /// Whether it is what was meant.
     pub is_right: bool,
     /// Whether it asks for what is so already.
     pub is_done: bool,
 }
 
+impl Read {
+    /// The reading as an example to learn from.
+    pub fn example(&self) -> Example<'_> {
+        Example { clues: &self.clues, values: &self.values, to_kind: self.to_kind, holds: self.is_right }
+    }
+}
+
 /// A reading before it is compared with the meaning.
 struct Weighed {
-    clues: Vec<(u16, f32)>,
+    clues: Vec<u16>,
+    values: Vec<f32>,
+    to_kind: u16,
     hypothesis: Hypothesis,
     tasks: TaskSet,
     is_negated: bool,
@@ -84,10 +98,13 @@ fn readings(
     }
     let weighed = RefCell::new(Vec::new());
     let observe = |reading: &Reading<'_>| {
-        let mut clues = Vec::new();
-        reading.clues.for_each(&mut |clue, value| clues.push((clue, value)));
+        let (mut clues, mut values) = (Vec::new(), Vec::new());
+        reading.clues.for_each(&mut |clue, value| {
+            clues.push(clue);
+            values.push(value);
+        });
         let &Reading { hypothesis, tasks, is_negated, .. } = reading;
-        weighed.borrow_mut().push(Weighed { clues, hypothesis, tasks, is_negated });
+        weighed.borrow_mut().push(Weighed { clues, values, to_kind: reading.clues.to_kind(), hypothesis, tasks, is_negated });
     };
     let _ = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
     let read = |weighed: Weighed| {
@@ -100,7 +117,7 @@ fn readings(
         let asked: Vec<String> =
             tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        Read { clues: weighed.clues, is_right, is_done }
+        Read { clues: weighed.clues, values: weighed.values, to_kind: weighed.to_kind, is_right, is_done }
     };
     Ok(weighed.into_inner().into_iter().map(read).collect())
 }

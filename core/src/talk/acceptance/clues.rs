@@ -3,6 +3,7 @@
 use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
 use super::super::verdict::Doubts;
+use super::order::{ORDERS, Order, order_name};
 use crate::voice::classes::Class;
 
 /// The sorts of words: 32 closed classes of new words, the same of words that lessons had, then the sorts below.
@@ -34,14 +35,25 @@ const WORDS: usize = NAMES + 6;
 const RIVALS: usize = 7;
 const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
+/// Each number once more, as one of [`STEPS`] steps, or none.
+const STEPS_OF: usize = FIRST + RIVALS;
+/// The order of the words.
+const ORDER: usize = STEPS_OF + NUMBERS * STEPS;
 
-/// The number of features, each of which counts for all readings, and again for each [kind](Kind) of reading.
-const FEATURES: usize = FIRST + RIVALS;
+/// The upper ends of the steps of a number, without the last.
+const ENDS: [f32; 9] = [-1.5, -1.0, -0.6, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5];
+const STEPS: usize = ENDS.len() + 2;
+/// The value of a feature of a step or of the order, of which many hold at once.
+const ONE_OF_MANY: f32 = 0.5;
+
+/// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
+const FEATURES: usize = ORDER + ORDERS;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
 /// The kinds of readings with weights of their own: a command, a prohibition, several, all.
 const KINDS: usize = 4;
+const _: () = assert!(CLUES <= u16::MAX as usize);
 
 /// The kind of a reading that asks for something, from 1.
 const fn kind(hypothesis: Hypothesis) -> Option<usize> {
@@ -87,6 +99,7 @@ pub(in super::super) struct Sorts {
     new: usize,
     names: usize,
     words: usize,
+    order: Order,
 }
 
 impl Sorts {
@@ -113,7 +126,13 @@ impl Sorts {
                 *slot |= sorts;
             }
         }
-        Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1) }
+        Self {
+            places,
+            new,
+            names: words().filter(|&pair| is_name(pair)).count(),
+            words: end.saturating_add(1),
+            order: Order::of(said, mended),
+        }
     }
 }
 
@@ -134,8 +153,8 @@ fn sorts(said: &Heard, mended: &Heard) -> u128 {
 
 /// The clues to whether a reading is meant.
 #[derive(Clone, Copy)]
-pub struct Clues {
-    pub(in super::super) sorts: Sorts,
+pub struct Clues<'s> {
+    pub(in super::super) sorts: &'s Sorts,
     pub(in super::super) hypothesis: Hypothesis,
     /// Of several commands, what the first is.
     pub(in super::super) first: Option<Hypothesis>,
@@ -151,29 +170,35 @@ pub struct Clues {
     pub(in super::super) doubts: Doubts,
 }
 
-impl Clues {
+impl Clues<'_> {
     /// Whether nothing speaks against the reading, and the words make it probable.
     pub(in super::super) fn is_clear(&self) -> bool {
         self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
     }
 
-    /// Passes each clue that holds, by its number below [`CLUES`], with its value.
+    /// The distance from a clue to the same clue for this kind of reading alone: both are below [`CLUES`], and have weights of their own.
+    pub fn to_kind(&self) -> u16 {
+        (kind(self.hypothesis).unwrap_or(0) * FEATURES) as u16
+    }
+
+    /// Passes each clue that holds, by its number, with its value.
     pub fn for_each(&self, take: &mut dyn FnMut(u16, f32)) {
-        let kind = kind(self.hypothesis).unwrap_or(0);
-        let mut add = |feature: usize, value: f32| {
-            take(feature as u16, value);
-            take((kind * FEATURES + feature) as u16, value);
-        };
+        let mut add = |feature: usize, value: f32| take(feature as u16, value);
         let (other, share) = self.rival;
         let is_top = self.share >= share;
         add(KIND, 1.0);
-        add(0, odds(self.share));
-        add(1, odds(self.of_tasks));
-        add(2, odds(self.share * self.of_tasks));
-        if is_top {
-            add(3, odds(self.share / (self.share + share)));
+        let against = Some(odds(self.share / (self.share + share))).filter(|_| is_top);
+        let both = odds(self.share * self.of_tasks);
+        let numbers =
+            [Some(odds(self.share)), Some(odds(self.of_tasks)), Some(both), against, Some(libm::logf(1.0 + self.lessons as f32) / 5.0)];
+        for (at, number) in numbers.into_iter().enumerate() {
+            let step = number.map_or(ENDS.len() + 1, |number| ENDS.iter().filter(|&&end| end < number).count());
+            add(STEPS_OF + at * STEPS + step, ONE_OF_MANY);
+            if let Some(number) = number {
+                add(at, number);
+            }
         }
-        add(4, libm::logf(1.0 + self.lessons as f32) / 5.0);
+        self.sorts.order.for_each(&mut |feature| add(ORDER + feature, ONE_OF_MANY));
         let mut mark = |feature: usize, holds: bool| {
             if holds {
                 add(feature, 1.0);
@@ -202,12 +227,14 @@ impl Clues {
     }
 }
 
-/// The name of a clue, in words: the kind of reading for which it counts, the place of a word, what is there, and whether lessons had it.
+/// The name of a clue, in words: the kind of reading for which it counts, then for most clues the place of a word, what is there, and
+/// whether lessons had it.
 pub fn clue_name(clue: u16) -> [&'static str; 4] {
     const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all"];
     const OTHERS: [&str; RIVALS] = ["command", "prohibition", "several", "all", "nothing", "absent", "talk"];
     const WHERE: [&str; PLACES] = ["before names", "between names", "after names", "first", "last"];
     const FEW: [&str; 7] = ["0", "1", "2", "3", "4", "5", "6"];
+    const AT: [&str; STEPS] = ["lowest", "1", "2", "3", "4", "5", "6", "7", "8", "highest", "none"];
     const SINGLE: [&str; TOP + 1] = [
         "odds of the hypothesis",
         "odds of the tasks",
@@ -243,7 +270,15 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
             [name(&WHERE, place), sort]
         }
         KIND => ["", "always"],
-        _ => ["the first is", name(&OTHERS, feature - FIRST)],
+        _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
+        _ if feature < ORDER => {
+            let (number, step) = ((feature - STEPS_OF) / STEPS, (feature - STEPS_OF) % STEPS);
+            return [name(&READINGS, reading), "step", name(&SINGLE, number), name(&AT, step)];
+        }
+        _ => {
+            let [how, one, other] = order_name(feature - ORDER);
+            return [name(&READINGS, reading), how, one, other];
+        }
     };
     let is_of_lessons = (WORDS..KIND).contains(&feature) && (CLASSES..NAME).contains(&((feature - WORDS) % SORTS));
     [name(&READINGS, reading), place, what, if is_of_lessons { "of the lessons" } else { "" }]

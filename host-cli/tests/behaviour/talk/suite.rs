@@ -2,7 +2,7 @@
 //! settings: the homes with even numbers, and the first, third and so on of each kind of sentence. The other half is kept aside: homes with
 //! odd numbers, and the sentences between.
 
-use super::{COLORS, Home, SHAPES, asked_with, go, not, take, then};
+use super::{COLORS, Home, SHAPES, asked_with, go, keep, not, take, then};
 use crate::program::goodbot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -333,6 +333,10 @@ fn judge(language: &str, text: &'static str, lessons: usize, half: Half, table: 
         let home = home(&mut numbers);
         let said = said(&wording, &home, half, &mut numbers);
         let sentences: Vec<String> = said.iter().map(|said| said.text.clone()).collect();
+        if half == Half::Tuning && table == Table::Of5Languages {
+            let meaning = |said: &Said| said.meant.as_ref().map_or_else(|| "none".to_owned(), |meant| then(meant));
+            keep(language, &model, &home, &said.iter().map(|said| (said.kind, &*said.text, meaning(said))).collect::<Vec<_>>());
+        }
         for (said, answer) in said.iter().zip(asked_with(options, &model, &home, &sentences)) {
             let is_sure = answer["verdict"] == "sure" || answer["verdict"] == "done";
             let is_right =
@@ -418,13 +422,13 @@ fn the_half_that_was_kept_aside_is_followed_in_five_languages() {
     check(Half::KeptAside, [80, 74]);
 }
 
-/// A robot without closed words is sure of a wrong meaning in at most 2 of 25 answers, and follows at least a tenth. The tuning half, which
+/// A robot without closed words is sure of a wrong meaning in at most 2 of 25 answers, and follows at least a fifteenth. The tuning half, which
 /// is better, would take as long again.
 #[test]
 #[ignore = "takes half a minute of a processor"]
 fn without_closed_words_little_harm_is_done() {
     for (name, lessons, tally) in judge_all(Half::KeptAside, Table::Empty, &[120], HOMES) {
-        assert!(tally.helpful * 10 >= tally.follow, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
+        assert!(tally.helpful * 15 >= tally.follow, "{name}, {lessons} lessons: {} of {}", tally.helpful, tally.follow);
         assert!(tally.harmful * 25 <= tally.all * 2, "{name}, {lessons} lessons: harmful {} of {}", tally.harmful, tally.all);
     }
 }
