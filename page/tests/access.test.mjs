@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { address, close, downloaded, eachTab, launch, linkOf, open, opened, openFirst, openIn, pass, play, reload, still, stopTime, toTheGoal } from './browser.mjs';
+import { address, close, downloaded, eachTab, launch, linkOf, open, opened, openFirst, openIn, pass, play, reload, still, stopTime, teachInvention } from './browser.mjs';
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 let browser;
@@ -38,14 +38,9 @@ async function checkTab(page, where) {
 test('axe finds nothing to object to in an invented language, from its second lesson to its end, and in the game that it makes', async () => {
   const page = await openFirst(browser, { bypassCSP: true });
   await page.addScriptTag({ path: axe });
-  await page.selectOption('#speed', 'step');
-  for (const meant of [/red/, /blue/, /bag to the red/]) {
-    await page.click('#lesson');
-    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
-    await page.click('#finish');
-    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  await teachInvention(page, async meant => {
     if (!meant.test('red')) await checkTab(page, 'the third lesson');
-  }
+  });
   await page.click('#lesson');
   await page.getByText('Skip the walk').waitFor();
   await checkTab(page, 'the test');

@@ -146,6 +146,18 @@ export async function toTheGoal(page, meant, judge) {
   assert.fail('the robot did not get there');
 }
 
+// The three lessons of an invented language, judged step by step; `after` each of them gets what was meant.
+export async function teachInvention(page, after = async () => {}) {
+  await page.selectOption('#speed', 'step');
+  for (const meant of [/red/, /blue/, /bag to the red/]) {
+    await page.click('#lesson');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+    await after(meant);
+  }
+}
+
 // Free play in the home of that name.
 export async function play(page, home) {
   await page.click('[data-mode=play]');

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { close, launch, open, openFirst, pass, sessions, stopTime, takePaper, toTheGoal } from './browser.mjs';
+import { close, launch, open, openFirst, pass, sessions, stopTime, takePaper, teachInvention, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -238,13 +238,7 @@ test('whoever goes elsewhere in the moment of a success stays there, and the tou
 
 test('the card is seen before it is saved, and a long name fits on it; that of an invented language is a riddle', async () => {
   const page = await openFirst(browser);
-  await page.selectOption('#speed', 'step');
-  for (const meant of [/red/, /blue/, /bag to the red/]) {
-    await page.click('#lesson');
-    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
-    await page.click('#finish');
-    await page.waitForFunction(() => document.body.dataset.phase === 'none');
-  }
+  await teachInvention(page);
   await page.click('#lesson');
   await page.getByText('Skip the walk').waitFor();
   await page.click('#lesson');

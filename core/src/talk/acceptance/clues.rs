@@ -110,6 +110,7 @@ impl Sorts {
         let first = words().position(is_name).unwrap_or(usize::MAX);
         let last = words().enumerate().filter(|&(_, pair)| is_name(pair)).map(|(at, _)| at).next_back();
         let (mut places, mut new, end) = ([0_u128; PLACES], 0_usize, words().count().saturating_sub(1));
+        let mut order = Order::NEW;
         for (at, (said, mended)) in words().enumerate() {
             let sorts = sorts(said, mended);
             new = new.saturating_add((sorts >> NEW & 1) as usize);
@@ -125,14 +126,10 @@ impl Sorts {
             {
                 *slot |= sorts;
             }
+            order.take(said, mended, place);
         }
-        Self {
-            places,
-            new,
-            names: words().filter(|&pair| is_name(pair)).count(),
-            words: end.saturating_add(1),
-            order: Order::of(said, mended),
-        }
+        order.end();
+        Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), order }
     }
 }
 

@@ -3,8 +3,8 @@
 //! "Turn left after lunch" and "turn left after the table" differ in no rule that is short; what people mean by such words is learned from
 //! sentences instead. A log-linear model (Berger, Della Pietra and Della Pietra 1996, *A maximum entropy approach to natural language
 //! processing*) weighs each [reading](super::Reading) of an utterance: P = 1 / (1 + exp(-(b + sum of w f))), with the features f of
-//! [`Clues`]. They are classes of words, their places and their order, never words themselves, so one model serves all worlds and languages. The robot
-//! takes the most probable reading, and acts on it if P is above [`ACTS_FROM`].
+//! [`Clues`]. They are classes of words, their places and their order, never words themselves, so one model serves all worlds and languages.
+//! The robot takes the most probable reading, and acts on it if P is above [`ACTS_FROM`].
 //!
 //! - `clues`: the features; `order`: those of the order of words; `weights`: the trained weights, which `goodbot acts` writes.
 

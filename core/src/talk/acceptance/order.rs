@@ -66,25 +66,27 @@ pub(super) struct Order {
     /// For each sort, the sorts of words next to it, and those of words anywhere behind it.
     next: [u64; SORTS + 1],
     behind: [u64; SORTS],
+    /// The sorts of the last word so far, and of all words so far.
+    before: u64,
+    earlier: u64,
 }
 
 impl Order {
-    /// Of an utterance: the words as they were said, and as they were mended.
-    pub fn of(said: &[Heard], mended: &[Heard]) -> Self {
-        let first = mended.iter().position(|word| word.is_name).unwrap_or(usize::MAX);
-        let last = mended.iter().rposition(|word| word.is_name);
-        let mut order = Self { places: [0; 3], next: [0; SORTS + 1], behind: [0; SORTS] };
-        let (mut before, mut earlier) = (1_u64 << BORDER, 0_u64);
-        for (at, (said, mended)) in said.iter().zip(mended).enumerate() {
-            let sorts = sorts(said, mended);
-            let place = usize::from(at >= first) + usize::from(at >= first && last.is_none_or(|last| at > last));
-            order.places.iter_mut().skip(place).take(1).for_each(|slot| *slot |= sorts);
-            join(&mut order.next, before, sorts);
-            join(&mut order.behind, earlier, sorts);
-            (before, earlier) = (sorts, earlier | sorts);
-        }
-        join(&mut order.next, before, 1 << BORDER);
-        order
+    /// Before the first word.
+    pub const NEW: Self = Self { places: [0; 3], next: [0; SORTS + 1], behind: [0; SORTS], before: 1 << BORDER, earlier: 0 };
+
+    /// Takes the next word, as it was said and as it was mended. It stands before names, between names or after names: 0, 1 or 2.
+    pub fn take(&mut self, said: &Heard, mended: &Heard, place: usize) {
+        let sorts = sorts(said, mended);
+        self.places.iter_mut().skip(place).take(1).for_each(|slot| *slot |= sorts);
+        join(&mut self.next, self.before, sorts);
+        join(&mut self.behind, self.earlier, sorts);
+        (self.before, self.earlier) = (sorts, self.earlier | sorts);
+    }
+
+    /// Takes the end of the utterance.
+    pub fn end(&mut self) {
+        join(&mut self.next, self.before, 1 << BORDER);
     }
 
     /// Passes each feature that holds, by its number below [`ORDERS`].
