@@ -38,7 +38,8 @@ and a file of sentences. A sentence's line has its kind, its words, and its mean
 name begins with `+` are for training alone.
 
 A robot with the model reads each sentence in the home. The weights are fitted to tell its right readings from the others. The table is of weights
-fitted without the sentences of their author: \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
+fitted without the sentences of their author: \"read\" is the share of sentences with a meaning that have a right reading, \"first\" of those where it is
+the most probable, \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
 share of all sentences on which it would act wrongly.
 
 Example:
@@ -69,6 +70,9 @@ pub struct ActsOptions {
 struct Figures {
     sentences: usize,
     meant: usize,
+    /// Of those with a meaning: how many have a right reading, and how many one that is the most probable.
+    read: usize,
+    first: usize,
     helpful: usize,
     harmful: usize,
     /// Of the sentences that the robot acts on: the sum of its probabilities, and how many it understood.
@@ -147,6 +151,8 @@ impl Figures {
         Self {
             sentences: self.sentences + other.sentences,
             meant: self.meant + other.meant,
+            read: self.read + other.read,
+            first: self.first + other.first,
             helpful: self.helpful + other.helpful,
             harmful: self.harmful + other.harmful,
             said: self.said + other.said,
@@ -162,8 +168,10 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
     for sentence in said {
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
+        figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
         let weighed = sentence.readings.iter().map(|reading| (fitted.probability(&reading.example()), reading));
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+        figures.first += usize::from(sentence.is_meant && best.is_right);
         if probability > above {
             figures.acted += 1;
             figures.right += usize::from(best.is_right);
@@ -178,18 +186,21 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
 fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
     let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
     let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
+    let (read, first) = (share(figures.read, figures.meant), share(figures.first, figures.meant));
     let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));
     if json {
         let line = json!({
-            "author": author, "language": language, "above": above, "sentences": figures.sentences, "meant": figures.meant, "helpful": helpful,
+            "author": author, "language": language, "above": above, "sentences": figures.sentences, "meant": figures.meant, "read": read, "first": first, "helpful": helpful,
             "harmful": harmful, "acted": figures.acted, "mean_probability": said, "right": right,
         });
         writeln!(out, "{line}")?;
     } else {
         writeln!(
             out,
-            "{author:10} {language:8} above {above:.2} {:6} sentences  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
+            "{author:10} {language:8} above {above:.2} {:6} sentences  read {:5.1} %  first {:5.1} %  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
             figures.sentences,
+            100.0 * read,
+            100.0 * first,
             100.0 * helpful,
             100.0 * harmful,
             figures.acted,
