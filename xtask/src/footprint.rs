@@ -239,9 +239,17 @@ fn renewed(page: &str, kept: &Kept) -> Result<String> {
     })
 }
 
-/// The rows that the page has.
+/// The rows that the page has: of the calls the long ones, and of boards that run the same firmware the first.
 fn shown(kind: &str, mut rows: Rows) -> Rows {
-    rows.retain(|_, numbers| kind != "worst" || numbers.values().any(|&number| number >= LONG));
+    let mut before = None;
+    rows.retain(|_, numbers| {
+        let is_told = before.replace(numbers.clone()).as_ref() == Some(numbers);
+        match kind {
+            "rows" => !is_told,
+            "worst" => numbers.values().any(|&number| number >= LONG),
+            _ => true,
+        }
+    });
     rows
 }
 
@@ -327,15 +335,15 @@ mod tests {
     }
 
     #[test]
-    fn the_page_lists_the_long_calls_alone_and_every_row_of_the_other_tables() {
-        let rows = || {
-            Rows::from(
-                [("long", LONG), ("short", LONG - 1)]
-                    .map(|(call, most)| (call.to_owned(), of("instructions", most)["rows"]["board"].clone())),
-            )
+    fn the_page_lists_the_long_calls_alone_and_boards_with_the_same_numbers_once() {
+        let rows = |numbers: [u64; 3]| -> Rows {
+            let named = ["a", "b", "c"].into_iter().zip(numbers);
+            named.map(|(row, number)| (row.to_owned(), BTreeMap::from([("instructions".to_owned(), number)]))).collect()
         };
-        assert!(shown("worst", rows()).into_keys().eq(["long"]));
-        assert_eq!(shown("full", rows()).len(), 2);
+        assert!(shown("worst", rows([LONG, LONG - 1, LONG + 1])).into_keys().eq(["a", "c"]));
+        assert!(shown("rows", rows([1, 1, 2])).into_keys().eq(["a", "c"]));
+        assert_eq!(shown("rows", rows([1, 2, 1])).len(), 3);
+        assert_eq!(shown("programs", rows([1, 1, 1])).len(), 3);
     }
 
     #[test]
