@@ -1,7 +1,7 @@
 //! The kinds of task that a model was trained for, in a record after the model's bytes.
 //!
-//! The model itself has no room for them: a controller is compiled with its kinds, and skips the record. `docs/files.md` gives the meaning
-//! of each byte.
+//! The model itself has no room for them: a controller is compiled with its kinds, and skips the record. The documentation of
+//! `goodbot::snapshot` gives the meaning of each byte.
 
 use goodbot::oomdp::Schema;
 use goodbot::snapshot::KINDS_MAGIC;

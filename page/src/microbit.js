@@ -1,5 +1,5 @@
 // To a micro:bit: the program that `cargo xtask microbit` makes, with this robot's model, its home if there is room, and the commands
-// that it was taught. `formats/src/microbit.rs` has the layout of the flash, `docs/files.md` that of a slot.
+// that it was taught. `formats/src/microbit.rs` has the layout of the flash, `core/src/storage/mod.rs` that of a slot.
 import { world } from './core.js';
 import { download, readFile } from './files.js';
 import { t } from './language.js';

@@ -1,5 +1,5 @@
 // A micro:bit at the USB cable, by Web Serial: it goes along in each lesson of the page, and its own lessons can be fetched. Its requests are
-// in `docs/robot.md`.
+// in `firmware/microbit/src/request.rs`.
 import { learn, whileLearning, world } from './core.js';
 import { t } from './language.js';
 import { homeRequests } from './microbit.js';

@@ -39,8 +39,8 @@ mod tests {
     #[test]
     fn each_direct_dependency_has_its_reason_and_no_reason_is_left_over() {
         let document = std::fs::read_to_string(root().join("docs/appendix/dependencies.md")).unwrap();
-        let row = |line: &str| line.strip_prefix("| `")?.split_once('`').map(|(name, _)| name.to_owned());
-        let explained: BTreeSet<String> = document.lines().filter_map(row).collect();
+        let reason = |line: &str| line.strip_prefix("- `")?.split_once('`').map(|(name, _)| name.to_owned());
+        let explained: BTreeSet<String> = document.lines().filter_map(reason).collect();
         let direct = direct().unwrap();
         let unexplained: Vec<_> = direct.iter().filter(|(name, _)| !explained.contains(*name)).collect();
         assert!(unexplained.is_empty(), "say in docs/appendix/dependencies.md why they are there: {unexplained:?}");

@@ -27,14 +27,8 @@ type Columns = [(&'static str, &'static str)];
 /// The page's tables, for each compiler.
 const BYTES: [(&str, &str); 4] =
     [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack"), ("statics+stack", "RAM in all")];
-const PROGRAMS: [(&str, &str); 6] = [
-    ("flash", "flash"),
-    ("statics", "static RAM"),
-    ("stack", "deepest stack"),
-    ("instructions", "instructions"),
-    ("hear", "hearing a command"),
-    ("first-plan", "the first plan"),
-];
+const PROGRAMS: [(&str, &str); 4] =
+    [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack"), ("instructions", "instructions")];
 const INSTRUCTIONS: [(&str, &str); 6] = [
     ("hear", "hearing a command"),
     ("act", "one action with feedback"),
@@ -65,7 +59,10 @@ const FULL: [(&str, &str); 10] = [
 ];
 /// The longest calls that `cargo xtask worst` found.
 const WORST: [(&str, &str); 1] = [("instructions", "instructions")];
-const PLANS: [(&str, &str); 6] = [("plan-a", "A"), ("plan-b", "B"), ("plan-c", "C"), ("plan-d", "D"), ("plan-e", "E"), ("plan-f", "F")];
+/// The page lists those of at least so many instructions: a reader plans for them. The check needs the others, too.
+const LONG: u64 = 20_000;
+/// The first plans of the lessons' homes, which only the check needs.
+const PLANS: [&str; 6] = ["plan-a", "plan-b", "plan-c", "plan-d", "plan-e", "plan-f"];
 /// The lessons of those plans; the first two lessons share an environment.
 const LESSONS: [usize; 6] = [0, 2, 3, 4, 5, 6];
 
@@ -152,7 +149,7 @@ fn measure(trials: &[Trial], is_check: bool) -> Result<Footprint> {
             row.insert(name.to_owned(), tick.number(name.trim_start_matches("longest-").trim_end_matches("-call"))?);
         }
         let plans = course.all("first-plan");
-        for ((name, _), lesson) in PLANS.into_iter().zip(LESSONS) {
+        for (name, lesson) in PLANS.into_iter().zip(LESSONS) {
             row.insert(name.to_owned(), *plans.get(lesson).context("a lesson's plan is missing")?);
         }
         rows.insert(format!("{} ({}), {}", image.board.name, image.board.processor, image.board.preset), row);
@@ -227,20 +224,33 @@ fn risen(now: &Footprint, before: &Footprint, more: u64) -> Vec<String> {
 
 /// The page with its tables made from the numbers.
 fn renewed(page: &str, kept: &Kept) -> Result<String> {
-    let tables: [(&str, &str, &str, &Columns); 7] = [
+    let tables: [(&str, &str, &str, &Columns); 6] = [
         ("bytes", "rows", "board, preset", &BYTES),
         ("programs", "programs", "program", &PROGRAMS),
         ("instructions", "rows", "board, preset", &INSTRUCTIONS),
         ("calls", "rows", "board, preset", &CALLS),
         ("full", "full", "board", &FULL),
         ("worst", "worst", "call", &WORST),
-        ("plans", "rows", "board, preset", &PLANS),
     ];
-    let rows = |footprint: &Footprint, kind| footprint.get(kind).cloned().unwrap_or_default();
+    let rows = |footprint: &Footprint, kind| shown(kind, footprint.get(kind).cloned().unwrap_or_default());
     tables.into_iter().try_fold(page.to_owned(), |page, (mark, kind, head, columns)| {
         let each = kept.iter().map(|(compiler, footprint)| format!("{compiler}:\n\n{}", table(head, &rows(footprint, kind), columns)));
         with_table(&page, mark, &each.collect::<Vec<_>>().join("\n"))
     })
+}
+
+/// The rows that the page has: of the calls the long ones, and of boards that run the same firmware the first.
+fn shown(kind: &str, mut rows: Rows) -> Rows {
+    let mut before = None;
+    rows.retain(|_, numbers| {
+        let is_told = before.replace(numbers.clone()).as_ref() == Some(numbers);
+        match kind {
+            "rows" => !is_told,
+            "worst" => numbers.values().any(|&number| number >= LONG),
+            _ => true,
+        }
+    });
+    rows
 }
 
 /// A text whose part between the marks is replaced by this table.
@@ -322,6 +332,18 @@ mod tests {
         let readme = "# Title\n<!-- footprint -->\n| old |\n<!-- /footprint -->\nThe end.\n";
         assert_eq!(with_table(readme, "footprint", "| new |\n").unwrap(), readme.replace("old", "new"));
         assert!(with_table("# Title\n", "footprint", "").is_err());
+    }
+
+    #[test]
+    fn the_page_lists_the_long_calls_alone_and_boards_with_the_same_numbers_once() {
+        let rows = |numbers: [u64; 3]| -> Rows {
+            let named = ["a", "b", "c"].into_iter().zip(numbers);
+            named.map(|(row, number)| (row.to_owned(), BTreeMap::from([("instructions".to_owned(), number)]))).collect()
+        };
+        assert!(shown("worst", rows([LONG, LONG - 1, LONG + 1])).into_keys().eq(["a", "c"]));
+        assert!(shown("rows", rows([1, 1, 2])).into_keys().eq(["a", "c"]));
+        assert_eq!(shown("rows", rows([1, 2, 1])).len(), 3);
+        assert_eq!(shown("programs", rows([1, 1, 1])).len(), 3);
     }
 
     #[test]

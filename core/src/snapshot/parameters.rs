@@ -1,6 +1,6 @@
 //! The learned parameters alone, for a robot that only obeys: it neither trains nor keeps sessions.
 //!
-//! Such a file has the role model's words, machine tokens and parameters, to the bit. `docs/files.md` describes every byte.
+//! Such a file has the role model's words, machine tokens and parameters, to the bit. The documentation of `snapshot` describes every byte.
 
 #[cfg(feature = "learning")]
 use super::error::SaveError;

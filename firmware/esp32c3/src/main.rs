@@ -1,4 +1,5 @@
 //! The paper's course on an ESP32-C3: it begins at power-on, and reports on the serial line of GPIO21, at 115,200 baud.
+//! In `firmware`: `cargo build --release --package goodbot-esp32c3 --target riscv32imc-unknown-none-elf`, then Espressif's `espflash`.
 
 #![no_std]
 #![no_main]

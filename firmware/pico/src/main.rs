@@ -1,4 +1,5 @@
 //! The paper's course on a Raspberry Pi Pico: it begins at power-on, and reports on the serial line of GP0, at 115,200 baud.
+//! `cargo xtask pico` writes `dist/goodbot.uf2`: hold the button while you connect the board, and drag the file onto it.
 
 #![no_std]
 #![no_main]

@@ -1,4 +1,4 @@
-//! A model file, read by `docs/files.md` alone: no type of the library and no decoder, only bytes.
+//! A model file, read by the documentation of `goodbot::snapshot` alone: no type of the library and no decoder, only bytes.
 
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
