@@ -15,7 +15,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use std::path::Path;
 
-/// The agents in the tables of all trainers. Without an inference, what trainers say makes no difference.
+/// The agents in the tables of the other trainers. Without an inference, what trainers say makes no difference.
 const TRAINED: [&str; 5] = ["this+roles", "sabl+roles", "tamer+roles", "coach+roles", "shaping+roles"];
 /// The columns of these tables.
 const SHOWN: [Column; 3] = [Column::Tests, Column::Steps, Column::WronglyCertain];
@@ -134,15 +134,15 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         }
     }
     text += &format!(
-        "\n## All trainers, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
+        "\n## The other trainers, steps and wrong certainty, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
          than {:.0} %. A lesson that ends before the goal counts as {MOST_STEPS} steps.\n",
         plan.courses.first().map_or("", |course| course.name()),
         100.0 * CERTAIN,
     );
     let agents: Vec<&str> = TRAINED.into_iter().filter(|name| plan.agents.iter().any(|agent| agent.name == *name)).collect();
     for column in SHOWN {
-        // The course's own table has the tests of the compared trainers.
-        let is_shown = |name: &str| column != Column::Tests || !COMPARED.contains(&name);
+        // The course's own table has the tests of the compared trainers; of the others it is enough to know these.
+        let is_shown = |name: &str| COMPARED.contains(&name) != (column == Column::Tests);
         let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).filter(|name| is_shown(name)).collect();
         if trainers.is_empty() {
             continue;
