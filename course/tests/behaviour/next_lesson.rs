@@ -1,6 +1,6 @@
 //! The benefit of the proposed lessons: robots that are taught the proposals, against others, until they understand 24 commands.
 //!
-//! `GOODBOT_ROBOTS=200 cargo test --workspace --test behaviour next_lesson:: -- --nocapture` writes the table of docs/teach.md. The rule
+//! `GOODBOT_ROBOTS=200 cargo test --workspace --test behaviour next_lesson:: -- --nocapture` prints the figures of docs/teach.md. The rule
 //! was chosen in the homes as drawn; it is judged in random homes, different ones for each robot.
 
 use goodbot::feedback::{SimulatedTrainer, Strategy};

@@ -5,6 +5,7 @@ use super::runs::Run;
 use super::summary::{self, Column, Row};
 use super::{StudyOptions, likeness, picture};
 use crate::mean::Mean;
+use crate::study::agent::language::Language;
 use crate::study::agent::{Contestant, Learns};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trial::{CERTAIN, MOST_STEPS, TEST_STEPS};
@@ -14,8 +15,8 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use std::path::Path;
 
-/// The agents in the tables of all trainers.
-const TRAINED: [&str; 6] = ["this+roles", "sabl+roles", "tamer+roles", "coach+roles", "shaping+roles", "none+roles"];
+/// The agents in the tables of the other trainers. Without an inference, what trainers say makes no difference.
+const TRAINED: [&str; 5] = ["this+roles", "sabl+roles", "tamer+roles", "coach+roles", "shaping+roles"];
 /// The columns of these tables.
 const SHOWN: [Column; 3] = [Column::Tests, Column::Steps, Column::WronglyCertain];
 /// The trainers in the picture.
@@ -46,21 +47,20 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
 fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Option<&str>) -> String {
     let (first, last) = (plan.seed, plan.seed_at(plan.runs - 1));
     let program = plan.agents.iter().find_map(Contestant::program);
-    let language = program.map_or("", |_| " a program,");
     let mut program = program.map_or_else(String::new, |command| format!(" --program \"{command}\""));
     let mut fewer = String::new();
     if plan.program_runs < plan.runs {
         program += &format!(" --program-runs {}", plan.program_runs);
-        fewer = format!(" The program's rows cover the first {} seeds, to save time.", plan.program_runs);
+        fewer = format!(" Agents with a program have the first {} seeds, to save time.", plan.program_runs);
     }
     let mut text = format!(
         "# Comparison with other agents\n\n\
          Do people's words teach goodbot more than they teach other learners? An agent here has two parts: an *inference* finds the task \
-         that a command means, and a *language* learns words from it. So `tamer+roles` is TAMER with goodbot's role model. Up to {} kinds \
-         of simulated trainers teach every pair, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of its \
-         95 % interval; a seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
-         `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page. With `--shard PART/OF --json` several machines \
-         share the work, and `--merge` joins their parts to the same bytes.\n\n",
+         that a command means, and a *language* learns words from it, so that `tamer+roles` is TAMER with goodbot's role model. Up to {} \
+         kinds of simulated trainers teach every pair, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of \
+         its 95 % interval; a seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
+         `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page, and `--csv` prints all figures. With \
+         `--shard PART/OF --json` several machines share the work, and `--merge` joins their parts to the same bytes.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
@@ -69,14 +69,12 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     );
     text += &format!(
         "## Limitations\n\
-         - No human took part: the trainers are simulated. `population` and `leaving` are fitted to recorded sessions of twelve people, \
-         with four commands only. A simulated trainer never tires or changes its mind. The trainer page has [what a study with people \
-         needs](../teach.md).\n\
+         - No human took part. `population` and `leaving` are fitted to recorded sessions of twelve people, with four commands only, and \
+         `this` expects trainers that were fitted to the same sessions. A simulated trainer never tires or changes its mind.\n\
          - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
          language's probabilities, and have goodbot's exact planner.\n\
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
          the end as evidence.\n\
-         - `this` expects trainers that were fitted to the same recorded sessions as `population`.\n\
          - Three of the five tests of the `paper` course repeat a lesson word for word in a new home.\n\n\
          ## What is compared\n\
          | course | description |\n|---|---|\n"
@@ -84,18 +82,12 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     for course in &plan.courses {
         text += &format!("| `{}` | {} |\n", course.name(), course.is());
     }
-    text += "\nIn `told` all lessons are in one home, all tests in another, and the robot and both blocks begin in the yellow room, so that \
-             the same nine tasks are possible each time.\n\n\
-             | agent | description | settings |\n|---|---|---|\n";
-    for agent in plan.agents.iter().filter(|agent| is_described(agent.name, &agent.learns)) {
-        text += &format!("| `{}` | {} | {} |\n", agent.name, agent.is, agent.learns);
-    }
+    text += &compared(plan);
     text += &format!(
-        "\nLanguages: goodbot's role model, the paper's IBM Model 2, a log-linear model of words and facts,{language} and none. All agents learn \
-         from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if they can. \
-         `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings of \
-         TAMER, COACH, policy shaping and the log-linear model (as {}), by the highest share of tests right minus steps a lesson / \
-         {MOST_STEPS}. It used seeds {} to {} of the `paper` course, with the trainers {}.\n\n",
+        "All agents learn from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if \
+         they can. `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings \
+         of {}, by the highest share of tests right minus steps a lesson / {MOST_STEPS}, on seeds {} to {} of the `paper` course, with the \
+         trainers {}.\n\n",
         TUNED.map(|name| format!("`{name}`")).join(", "),
         SEEDS.start,
         SEEDS.end - 1,
@@ -104,14 +96,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
              each of the `tasks`; it alone is answered, by one list of log likelihoods. `learn` also has `beliefs`. \
              [gru.py](../../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
-    let mut told: Vec<&str> = Vec::new();
-    for agent in &plan.agents {
-        let Learns::Factors(inference, _) = agent.learns else { continue };
-        let Some((name, source, simpler)) = inference.source().filter(|(name, ..)| !told.contains(name)) else { continue };
-        told.push(name);
-        text += &format!("- {name}: {source}. Simpler here: {simpler}.\n");
-    }
-    text += "\n| trainer | behaviour |\n|---|---|\n";
+    text += "| trainer | behaviour |\n|---|---|\n";
     for trainer in &plan.trainers {
         text += &format!("| `{}` | {} |\n", trainer.name, trainer.does);
     }
@@ -121,42 +106,63 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
          without feedback. `mute`, `contrary` and `shuffled` are controls. *Due to feedback* is the difference between `balanced` and \
          `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
     );
+    let others = plan.agents.iter().filter(|agent| language(agent).is_some());
+    let inferences = once(others.clone().filter_map(|agent| Some(agent.name.split_once('+')?.0)));
+    let languages = once(others.filter_map(language));
     for (at, course) in plan.courses.iter().enumerate() {
         text += &format!("\n### Course {}\n| agent |", course.name());
         let shown: Vec<&str> = COMPARED.into_iter().filter(|name| position(plan, name).is_some()).collect();
         shown.iter().for_each(|name| text += &format!(" {name} |"));
         text += &format!(" due to feedback |\n|---|{}---:|\n", "---:|".repeat(shown.len()));
-        for (agent, contestant) in plan.agents.iter().enumerate() {
+        for (agent, contestant) in plan.agents.iter().enumerate().filter(|(_, agent)| language(agent).is_none()) {
             text += &format!("| `{}` |", contestant.name);
             for trainer in &shown {
                 text += &format!(" {} |", cell(rows, *course, trainer, contestant.name, Column::Tests));
             }
             text += &format!(" {} |\n", due(plan, runs, at, agent).map_or("-".to_owned(), short));
         }
+        let Some(trainer) = shown.first().filter(|_| !languages.is_empty()) else { continue };
+        text += &format!("\n| other languages, {trainer} |");
+        languages.iter().for_each(|language| text += &format!(" {language} |"));
+        text += &format!("\n|---|{}\n", "---:|".repeat(languages.len()));
+        for inference in &inferences {
+            text += &format!("| `{inference}` |");
+            for language in &languages {
+                text += &format!(" {} |", cell(rows, *course, trainer, &format!("{inference}+{language}"), Column::Tests));
+            }
+            text += "\n";
+        }
     }
     text += &format!(
-        "\n## All trainers, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
+        "\n## The other trainers, steps and wrong certainty, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
          than {:.0} %. A lesson that ends before the goal counts as {MOST_STEPS} steps.\n",
         plan.courses.first().map_or("", |course| course.name()),
         100.0 * CERTAIN,
     );
     let agents: Vec<&str> = TRAINED.into_iter().filter(|name| plan.agents.iter().any(|agent| agent.name == *name)).collect();
     for column in SHOWN {
+        // The course's own table has the tests of the compared trainers; of the others it is enough to know these.
+        let is_shown = |name: &str| COMPARED.contains(&name) != (column == Column::Tests);
+        let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).filter(|name| is_shown(name)).collect();
+        if trainers.is_empty() {
+            continue;
+        }
         text += &format!("\n| {} |", column.head());
         agents.iter().for_each(|name| text += &format!(" {name} |"));
         text += &format!("\n|---|{}\n", "---:|".repeat(agents.len()));
-        for trainer in &plan.trainers {
-            text += &format!("| `{}` |", trainer.name);
+        for trainer in trainers {
+            text += &format!("| `{trainer}` |");
             for agent in &agents {
-                text += &format!(" {} |", cell(rows, plan.courses[0], trainer.name, agent, column));
+                text += &format!(" {} |", cell(rows, plan.courses[0], trainer, agent, column));
             }
             text += "\n";
         }
     }
     if let Some(checks) = checks {
         text += &format!(
-            "\n## Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions. `goodbot study --fit \
-             feedback.jsonl --runs {}`; the recorded sessions are not in this repository.\n\n{checks}",
+            "\n## Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions, which are not in this \
+             repository. Their words after right and wrong actions were fitted; these figures were not (`goodbot study --fit feedback.jsonl --runs \
+             {}` prints both):\n\n{checks}",
             plan.runs
         );
     }
@@ -164,9 +170,51 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text + "\n"
 }
 
-/// Whether an agent has a line of its own in the description: goodbot as it is used, and one of each inference and language.
-fn is_described(name: &str, learns: &Learns) -> bool {
-    matches!(learns, Learns::Whole(_)) || name.ends_with("+roles") || name == TUNED[3] || name == "sabl+program"
+/// The name of an agent's language, if it is not goodbot's own.
+fn language(agent: &Contestant) -> Option<&'static str> {
+    agent.name.split_once('+').map(|(_, language)| language).filter(|language| *language != "roles")
+}
+
+/// What is compared: each agent as it is used, each inference with its settings and source, and the languages in one sentence.
+fn compared(plan: &Plan) -> String {
+    let mut text = "\n".to_owned();
+    for agent in &plan.agents {
+        if let Learns::Whole(settings) = agent.learns {
+            text += &format!("- `{}`: {} ({settings}).\n", agent.name, agent.is);
+        }
+    }
+    let inferences = plan.agents.iter().filter_map(|agent| {
+        let Learns::Factors(inference, _) = agent.learns else { return None };
+        let (name, is) = (agent.name.split_once('+')?.0, agent.is.split_once("; ")?.0);
+        let source = inference.source().map_or(String::new(), |(source, simpler)| format!(" {source}. Simpler here: {simpler}."));
+        Some(format!("- `{name}`: {is} ({inference}).{source}\n"))
+    });
+    text += &once(inferences).concat();
+    let languages = plan.agents.iter().filter_map(|agent| {
+        let Learns::Factors(_, language) = agent.learns else { return None };
+        let (name, is) = (agent.name.split_once('+')?.1, agent.is.split_once("; ")?.1);
+        Some(match language {
+            Language::LogLinear(settings) => format!("`{name}` ({is}: {settings})"),
+            Language::Program(settings) => format!("`{name}` ({is}: `{}`)", settings.command),
+            Language::Roles | Language::ModelTwo | Language::Nothing => format!("`{name}` ({is})"),
+        })
+    });
+    let languages = once(languages);
+    text.push('\n');
+    if !languages.is_empty() {
+        text += &format!("The languages are {}. ", languages.join(", "));
+    }
+    text
+}
+
+/// Each thing once, in the order of its first place.
+fn once<T: PartialEq>(things: impl Iterator<Item = T>) -> Vec<T> {
+    things.fold(Vec::new(), |mut found, thing| {
+        if !found.contains(&thing) {
+            found.push(thing);
+        }
+        found
+    })
 }
 
 fn position(plan: &Plan, trainer: &str) -> Option<usize> {

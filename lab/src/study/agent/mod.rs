@@ -209,8 +209,8 @@ agents! {
     "asking" "goodbot that expects people, and asks" whole::ASKING,
     "paper" "goodbot with the paper's settings" whole::PAPER,
     factors:
-    "this" "goodbot's inference, which expects people" Inference::This,
-    "sabl" "SABL, which expects a balanced trainer" Inference::Sabl,
+    "this" "goodbot's inference" Inference::This,
+    "sabl" "the paper's inference, SABL" Inference::Sabl,
     "tamer" "TAMER" Inference::Tamer(tamer::CHOSEN),
     "coach" "COACH" Inference::Coach(coach::CHOSEN),
     "shaping" "policy shaping" Inference::Shaping(shaping::CHOSEN),

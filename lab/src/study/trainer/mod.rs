@@ -42,7 +42,7 @@ pub enum Who {
 pub const TRAINERS: [Trainer; 12] = [
     Trainer {
         name: "balanced",
-        does: "is silent seven times out of ten, and takes right for wrong or wrong for right one time in ten",
+        does: "is silent seven times out of ten, and mistaken one time in ten",
         who: Who::Course(CourseTrainer::BALANCED),
     },
     Trainer {
@@ -62,7 +62,7 @@ pub const TRAINERS: [Trainer; 12] = [
     Trainer { name: "mistaken", does: "is as balanced, but is mistaken 45 times out of 100", who: Who::Even(0.7, 0.45) },
     Trainer {
         name: "population",
-        does: "is another person for each seed, drawn from a fit to twelve real trainers, but stays to the end of each lesson",
+        does: "is another person for each seed, like twelve real trainers, but stays to the end of each lesson",
         who: Who::Population { leaves: false },
     },
     Trainer {

@@ -89,12 +89,12 @@ impl Inference {
         }
     }
 
-    /// The name of the method, its source, and the simplification here.
-    pub const fn source(self) -> Option<(&'static str, &'static str, &'static str)> {
+    /// The method's source, and the simplification here.
+    pub const fn source(self) -> Option<(&'static str, &'static str)> {
         match self {
-            Self::Tamer(_) => Some(("TAMER", tamer::SOURCE, tamer::SIMPLER)),
-            Self::Coach(_) => Some(("COACH", coach::SOURCE, coach::SIMPLER)),
-            Self::Shaping(_) => Some(("policy shaping", shaping::SOURCE, shaping::SIMPLER)),
+            Self::Tamer(_) => Some((tamer::SOURCE, tamer::SIMPLER)),
+            Self::Coach(_) => Some((coach::SOURCE, coach::SIMPLER)),
+            Self::Shaping(_) => Some((shaping::SOURCE, shaping::SIMPLER)),
             Self::This | Self::Sabl | Self::Nothing => None,
         }
     }
