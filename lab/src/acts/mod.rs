@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, CLUES_OF_BLOCK, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -222,11 +222,16 @@ fn packed(fitted: &Fitted) -> (f64, Vec<(u16, i8)>) {
 /// The weights as a file of the library.
 fn text(scale: f64, bias: f64, weights: &[(u16, i8)]) -> String {
     let rows = |numbers: Vec<String>| numbers.chunks(24).map(|row| format!("    {},\n", row.join(", "))).collect::<String>();
-    let (count, keys) = (weights.len(), rows(weights.iter().map(|(clue, _)| clue.to_string()).collect()));
+    let (count, blocks) = (weights.len(), CLUES.div_ceil(CLUES_OF_BLOCK) + 1);
+    let before = |block: usize| weights.iter().filter(|(clue, _)| usize::from(*clue) < block * CLUES_OF_BLOCK).count();
+    let starts = rows((0..blocks).map(|block| before(block).to_string()).collect());
+    let keys = rows(weights.iter().map(|(clue, _)| (usize::from(*clue) % CLUES_OF_BLOCK).to_string()).collect());
     let weights = rows(weights.iter().map(|(_, weight)| weight.to_string()).collect());
     format!(
         "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The value of a weight of 1.\npub const SCALE: f32 = {scale:.7};\n/// The weight of \
-         every reading.\npub const BIAS: f32 = {bias:.7};\n/// The clues that have a weight, in order.\n#[rustfmt::skip]\npub const KEYS: [u16; {count}] = \
-         [\n{keys}];\n/// The weight of each of them.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; {count}] = [\n{weights}];\n"
+         every reading.\npub const BIAS: f32 = {bias:.7};\n/// Where the clues of each block of {CLUES_OF_BLOCK} begin among those that have a \
+         weight.\n#[rustfmt::skip]\npub const STARTS: [u16; {blocks}] = [\n{starts}];\n/// The clues that have a weight, in order: their places in their \
+         blocks.\n#[rustfmt::skip]\npub const KEYS: [u8; {count}] = [\n{keys}];\n/// The weight of each of them.\n#[rustfmt::skip]\npub const WEIGHTS: \
+         [i8; {count}] = [\n{weights}];\n"
     )
 }
