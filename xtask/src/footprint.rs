@@ -30,12 +30,8 @@ const BYTES: [(&str, &str); 4] =
 const PROGRAMS: [(&str, &str); 3] = [("flash", "flash"), ("statics", "static RAM"), ("stack", "deepest stack")];
 /// The first words of programs that only the check needs, because nobody's program calls every function.
 const EVERY: &str = "C, every function,";
-const INSTRUCTIONS: [(&str, &str); 4] = [
-    ("hear", "hearing a command"),
-    ("act", "one action with feedback"),
-    ("round", "one EM round"),
-    ("kinds", "learning the kind of task"),
-];
+const INSTRUCTIONS: [(&str, &str); 4] =
+    [("hear", "hearing a command"), ("act", "one action with feedback"), ("round", "one EM round"), ("kinds", "learning the kind of task")];
 /// The other works of the course, which only the check needs.
 const OTHER_WORKS: [&str; 2] = ["hear-plan-act", "finish"];
 const CALLS: [(&str, &str); 5] = [
