@@ -17,11 +17,11 @@
 //! | `actions` | the actions, if they are not the four moves; `noop` is always possible |
 //! | `continues` | `true`: the command before is repeated in the same environment |
 //! | `prior` | from tasks to prior probabilities, in place of those from the words |
-//! | `strategies` | the trainer strategies to consider, in place of the robot's own |
+//! | `strategies` | the trainer strategies to consider, in place of the robot's own: `name`, `mu_plus`, `mu_minus`, `epsilon`, `prior`, and optionally three `lags` and four `rests` |
 //! | `utterance` | the utterance from this command on, if the robot listened |
 //! | `after` | the task of the command before, if this is a later command of an utterance |
 //! | `closed_words` | the table of closed words, if it is not the built-in one |
-//! | `conversation` | if the robot listened: the conversation's `id`, last task, and objects that words can refer to, by name |
+//! | `conversation` | if the robot listened: the conversation's `id`, the `last` task, and objects that words can refer to: `movedLast`, `namedLast`, `wasThereBefore`, `robotWasThereBefore` |
 //!
 //! A feedback session may have lines of type `answer`, for the trainer's answers to the robot's questions: `tasks` (the tasks of the
 //! question), `yes` (whether the intended task is among them), `eta` (the probability that an answer is wrong, less than 0.5), and `others`
