@@ -12,6 +12,7 @@ use crate::feedback::BeliefRef;
 use crate::language::BitextRef;
 use crate::language::settings::is_weight;
 use crate::language::{LanguageRef, Pair};
+use crate::probability::Scaled;
 use crate::session::Options;
 use crate::symbols::Symbol;
 
@@ -315,11 +316,11 @@ impl Model<'_> {
 
     /// Each word of the trainer changes this belief, so all of it is written at once.
     fn write_strategies(&self, out: &mut Out<'_>) {
-        let has_evidence = self.strategies.is_some_and(BeliefRef::has_evidence);
+        let whole = self.strategies.map_or(Scaled::ZERO, BeliefRef::evident_whole);
         let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
         out.count(known.len());
         for (position, &(strategy, before)) in known.iter().enumerate() {
-            let probability = self.strategies.map_or(before, |belief| belief.carried(position, has_evidence));
+            let probability = self.strategies.map_or(before, |belief| belief.strategy_among(position, whole));
             [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), probability].into_iter().for_each(|number| out.real(number));
         }
     }
