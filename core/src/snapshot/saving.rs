@@ -87,7 +87,7 @@ impl Out<'_> {
     }
 
     /// Writes a number or a count: seven bits per byte, the lowest first.
-    fn number(&mut self, number: u32) {
+    pub fn number(&mut self, number: u32) {
         let mut left = number;
         while left > 0x7f {
             self.byte((left & 0x7f) as u8 | 0x80);
@@ -103,7 +103,7 @@ impl Out<'_> {
         self.length = self.length.saturating_add(1);
     }
 
-    fn count(&mut self, count: usize) {
+    pub fn count(&mut self, count: usize) {
         self.number(count as u32);
     }
 
@@ -111,12 +111,12 @@ impl Out<'_> {
         self.bytes(&number.to_le_bytes());
     }
 
-    fn text(&mut self, text: &str) {
+    pub fn text(&mut self, text: &str) {
         self.count(text.len());
         self.bytes(text.as_bytes());
     }
 
-    fn symbols(&mut self, symbols: &[Symbol]) {
+    pub fn symbols(&mut self, symbols: &[Symbol]) {
         self.count(symbols.len());
         for symbol in symbols {
             self.number(u32::from(symbol.0));

@@ -222,18 +222,23 @@ impl Interning {
         let (first, rest) = value.split_at_checked(1).unwrap_or((&[], &[]));
         let capital = first.first().map(u8::to_ascii_uppercase);
         let last = rest.last().or(capital.as_ref()).or(prefix.last());
-        let known = tokens.read().find_near(self.near, prefix.len().saturating_add(value.len()), last, |token| {
+        let length = prefix.len().saturating_add(value.len());
+        let known = tokens.read().find_near(self.near, length, last, |token| {
             let after = token.strip_suffix(rest).and_then(|token| token.strip_suffix(capital.as_slice()));
             after.is_some_and(|token| token == prefix)
         });
         self.near = match known {
             Some(known) => known,
             None => {
-                self.left = self.left.and_then(|left| left.checked_sub(1));
-                if self.is_broken_off() {
+                let left = self.left.and_then(|left| left.checked_sub(1));
+                // A token without room is left out, each time anew.
+                if left.is_none() && tokens.has_room(length) {
+                    self.left = None;
                     return Err(CapacityError::full(Capacity::Tokens, 0));
                 }
-                tokens.add([prefix, capital.as_slice(), rest])?
+                let added = tokens.add([prefix, capital.as_slice(), rest])?;
+                self.left = left;
+                added
             }
         };
         Ok(self.near)

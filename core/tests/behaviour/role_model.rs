@@ -413,9 +413,8 @@ fn what_was_learned_is_the_same_whatever_the_budget() {
 #[test]
 fn tasks_among_many_new_values_are_described_the_same_whatever_the_budget() {
     let colors: Vec<String> = (0..30).map(|number| format!("hue{number}")).collect();
-    let capacities = Capacities::STANDARD;
-    let described = |budget: u32| {
-        let mut memory = HeapMemory::new(&capacities);
+    let described = |budget: u32, tokens: usize| {
+        let mut memory = HeapMemory::new(&Capacities { tokens, ..Capacities::STANDARD });
         let mut builder = HomeBuilder::new(&mut memory.home);
         for (number, color) in colors.iter().enumerate() {
             let left = 2 * number as i32;
@@ -434,10 +433,12 @@ fn tasks_among_many_new_values_are_described_the_same_whatever_the_budget() {
         let descriptions: Vec<_> = candidates.entries().iter().map(|entry| (text(entry), entry.likelihood)).collect();
         (descriptions, tokens.iter().map(|(_, text)| text.to_owned()).collect::<Vec<_>>())
     };
-    let whole = described(u32::MAX);
-    assert!(whole.1.len() > 30 && whole.0.len() > 20, "{whole:?}");
-    for budget in [1, 10, 100] {
-        assert_eq!(described(budget), whole);
+    for (tokens, known) in [(Capacities::STANDARD.tokens, 31), (20, 20)] {
+        let whole = described(u32::MAX, tokens);
+        assert!(whole.1.len() >= known, "{whole:?}");
+        for budget in [1, 10, 100] {
+            assert_eq!(described(budget, tokens), whole);
+        }
     }
 }
 
