@@ -108,7 +108,8 @@ pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotC
     Ok(Plot { at, home, agent, arena })
 }
 
-/// Makes the robot and writes its handle. One function for all kinds of worlds.
+/// Makes the robot in its place, because a copy of it on the stack takes kilobytes, and writes its handle. One function for all kinds of
+/// worlds.
 ///
 /// # Safety
 /// `robot` is room for a handle.
@@ -118,33 +119,49 @@ pub(crate) unsafe fn settle(
     world: &mut dyn FnMut(HomeTables<'static>) -> Result<World, Fault>,
     robot: *mut *mut Goodbot,
 ) -> Result<GoodbotStatus, Fault> {
-    let mut agent = Agent::new(plot.agent, tasks, Options::DEFAULT)?;
+    let Plot { at, home, agent, .. } = plot;
+    // SAFETY: `plot` made sure of the room, which nobody else uses: without the right mark no handle leads to it.
+    unsafe {
+        let mark = &raw mut (*at.as_ptr()).mark;
+        let inner = UnsafeCell::raw_get(&raw const (*at.as_ptr()).robot);
+        mark.write(AtomicU32::new(0));
+        place_agent(&raw mut (*inner).agent, agent);
+        set_tasks(&mut (*inner).agent, tasks)?;
+        (&raw mut (*inner).world).write(world(home)?);
+        (&raw mut (*inner).full).write(None);
+        (&raw mut (*inner).random).write(Pcg32::new(0, 0x2014));
+        #[cfg(feature = "learning")]
+        {
+            (&raw mut (*inner).told).write(Told::default());
+            (&raw mut (*inner).starter).write(Places::default());
+            (&raw mut (*inner).starter_aside).write(Places::default());
+        }
+        mark.write(AtomicU32::new(marked(AT_REST, at.as_ptr())));
+        // SAFETY: the caller's promise.
+        robot.write(at.as_ptr());
+    }
+    Ok(GoodbotStatus::Ok)
+}
+
+/// Writes an agent without tasks. Not inlined, as the next: their room on the stack is free again for what follows.
+///
+/// # Safety
+/// `at` is room for it.
+#[inline(never)]
+unsafe fn place_agent(at: *mut Agent<AgentTables<'static>>, memory: AgentTables<'static>) {
+    // SAFETY: the caller's promise.
+    unsafe { at.write(Agent::without_tasks(memory)) };
+}
+
+#[inline(never)]
+fn set_tasks(agent: &mut Agent<AgentTables<'static>>, tasks: &[LiftedTask]) -> Result<(), Fault> {
+    agent.set_tasks(tasks, Options::DEFAULT)?;
     // One button is enough, where there is room to find out which.
     let room = agent.capacities();
     if room.beliefs >= room.tasks.saturating_mul(Strategy::ONE_BUTTON_OR_BOTH.len()) {
         let _ = agent.set_strategies(&Strategy::ONE_BUTTON_OR_BOTH);
     }
-    let world = world(plot.home)?;
-    // SAFETY: `plot` made sure of the room; the rest is the caller's promise.
-    unsafe {
-        plot.at.write(Goodbot {
-            mark: AtomicU32::new(marked(AT_REST, plot.at.as_ptr())),
-            robot: UnsafeCell::new(Robot {
-                full: None,
-                random: Pcg32::new(0, 0x2014),
-                agent,
-                world,
-                #[cfg(feature = "learning")]
-                told: Told::default(),
-                #[cfg(feature = "learning")]
-                starter: Places::default(),
-                #[cfg(feature = "learning")]
-                starter_aside: Places::default(),
-            }),
-        });
-        robot.write(plot.at.as_ptr());
-    }
-    Ok(GoodbotStatus::Ok)
+    Ok(())
 }
 
 /// Runs a call on the robot, if the handle is valid and no other call uses it; remembers which table was full.

@@ -109,20 +109,23 @@ impl<'t> SymbolsRef<'t> {
 
     /// The symbol of `text`, if the table has it.
     pub fn find(self, text: &str) -> Option<Symbol> {
-        self.find_by(text.len(), |bytes| bytes == text.as_bytes())
+        self.find_near(Symbol(0), text.len(), text.as_bytes().last(), |bytes| bytes == text.as_bytes())
     }
 
-    /// The first text of this many bytes that is the wanted one.
-    pub(crate) fn find_by(self, length: usize, is_wanted: impl Fn(&[u8]) -> bool) -> Option<Symbol> {
-        let mut start = 0;
-        for (position, &end) in self.ends.iter().take(self.len).enumerate() {
-            let end = end as usize;
-            if end.wrapping_sub(start) == length && self.bytes.get(start..end).is_some_and(&is_wanted) {
-                return Some(Symbol(position as u16));
-            }
-            start = end;
-        }
-        None
+    /// The text of this many bytes with this last one that is the wanted one. Those from a few before `near` on are looked at first: texts
+    /// that were added together are often wanted together. The last byte tells many texts apart that begin alike.
+    pub(crate) fn find_near(self, near: Symbol, length: usize, last: Option<&u8>, is_wanted: impl Fn(&[u8]) -> bool) -> Option<Symbol> {
+        const BEFORE: usize = 8;
+        let first = near.index().saturating_sub(BEFORE).min(self.len);
+        [first..self.len, 0..first].into_iter().find_map(|range| {
+            let (mut start, first) = (self.start(range.start), range.start);
+            let position = self.ends.get(range)?.iter().position(|&end| {
+                let from = core::mem::replace(&mut start, end as usize);
+                let has_length = start.wrapping_sub(from) == length;
+                has_length && self.bytes.get(from..start).is_some_and(|bytes| bytes.last() == last && is_wanted(bytes))
+            });
+            position.map(|position| Symbol(first.saturating_add(position) as u16))
+        })
     }
 }
 
@@ -159,14 +162,20 @@ impl<'t> Symbols<'t> {
     /// # Errors
     /// A [`CapacityError`] if the text is longer than [`NAME_BYTES`] or the table is full; the table is then unchanged.
     pub fn intern(&mut self, text: &str) -> Result<Symbol, CapacityError> {
-        if text.len() > NAME_BYTES {
-            return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, text.len()));
-        }
-        if let Some(symbol) = self.read().find(text) {
-            return Ok(symbol);
+        self.read().find(text).map_or_else(|| self.add([text.as_bytes()]), Ok)
+    }
+
+    /// Adds a text in parts, which the table does not have.
+    ///
+    /// # Errors
+    /// As [`intern`](Self::intern).
+    pub(crate) fn add<const PARTS: usize>(&mut self, parts: [&[u8]; PARTS]) -> Result<Symbol, CapacityError> {
+        let length = parts.iter().fold(0_usize, |sum, part| sum.saturating_add(part.len()));
+        if length > NAME_BYTES {
+            return Err(CapacityError::new(Capacity::NameBytes, NAME_BYTES, length));
         }
         let start = self.read().byte_len();
-        let end = start + text.len();
+        let end = start + length;
         let most = self.bytes.len().min(usize::from(u16::MAX));
         let full = CapacityError::new(self.byte_capacity, most, end);
         let end_entry = u16::try_from(end).map_err(|_| full)?;
@@ -175,7 +184,7 @@ impl<'t> Symbols<'t> {
             return Err(CapacityError::full(self.count_capacity, most_symbols));
         }
         let Some(room) = self.bytes.get_mut(start..end) else { return Err(full) };
-        room.iter_mut().zip(text.as_bytes()).for_each(|(slot, &byte)| *slot = byte);
+        room.iter_mut().zip(parts.into_iter().flatten()).for_each(|(slot, &byte)| *slot = byte);
         if let Some(entry) = self.ends.get_mut(*self.len) {
             *entry = end_entry;
         }
@@ -185,7 +194,6 @@ impl<'t> Symbols<'t> {
     }
 
     /// Whether a new text of this many bytes would find room.
-    #[cfg(feature = "ways")]
     pub(crate) fn has_room(&self, bytes: usize) -> bool {
         let end = self.read().byte_len().saturating_add(bytes);
         *self.len < self.ends.len().min(usize::from(u16::MAX) - 1) && end <= self.bytes.len().min(usize::from(u16::MAX))

@@ -10,6 +10,7 @@ use crate::inspect::InspectOptions;
 use crate::learn::LearnOptions;
 use crate::merge::MergeArgs;
 use crate::microbit::MicrobitOptions;
+use crate::migrate::MigrateArgs;
 use crate::paper::options::PaperOptions;
 use crate::parameters::ParametersArgs;
 use crate::replay::ReplayArgs;
@@ -102,6 +103,7 @@ pub enum Command {
     Microbit(MicrobitOptions),
     Parameters(ParametersArgs),
     Merge(MergeArgs),
+    Migrate(MigrateArgs),
     Diff(DiffArgs),
     Unlearn(UnlearnArgs),
     Doctor(DoctorArgs),

@@ -19,6 +19,7 @@ mod inspect;
 mod learn;
 mod merge;
 mod microbit;
+mod migrate;
 mod misuse;
 mod paper;
 mod parameters;
@@ -75,6 +76,7 @@ pub fn run(typed: &[OsString]) -> u8 {
         Command::Parameters(options) => parameters::run(&options),
         Command::Merge(options) => merge::run(&options),
         Command::Diff(args) => diff::run(&args),
+        Command::Migrate(args) => migrate::run(&args),
         Command::Unlearn(args) => unlearn::run(&args),
         Command::Doctor(args) => doctor::run(&args),
         Command::Evaluate(options) => evaluate::run(&options),

@@ -97,16 +97,20 @@ impl<'t> BeliefRef<'t> {
 
     /// The posterior probability of a strategy.
     pub fn strategy_probability(self, strategy: usize) -> f32 {
-        let whole = self.whole();
+        self.strategy_among(strategy, self.whole())
+    }
+
+    /// The same, with the sum of all tasks' weights, so that it is added up once for all strategies.
+    pub(crate) fn strategy_among(self, strategy: usize, whole: Scaled) -> f32 {
         if whole.is_zero() {
             return self.begun_with(strategy);
         }
         total((0..self.count.tasks).map(|task| self.weight_with(task, strategy))).over(whole).clamp(0.0, 1.0)
     }
 
-    /// The strategy's probability at the start of the next session. Without evidence it is unchanged, to the bit.
-    pub(crate) fn carried(self, strategy: usize, has_evidence: bool) -> f32 {
-        if has_evidence { self.strategy_probability(strategy) } else { self.begun_with(strategy) }
+    /// The sum of all tasks' weights if there is evidence. Otherwise it is 0: the strategies' probabilities are then unchanged, to the bit.
+    pub(crate) fn evident_whole(self) -> Scaled {
+        if self.has_evidence() { self.whole() } else { Scaled::ZERO }
     }
 
     /// The probability of a strategy at the start of this session.
@@ -190,9 +194,9 @@ impl<'t> Belief<'t> {
     pub fn restart(&mut self, priors: impl ExactSizeIterator<Item = Scaled>, drift: f32) -> Result<(), CapacityError> {
         // A robot that only obeys hears no feedback.
         if cfg!(feature = "learning") && self.count.tasks > 0 {
-            let has_evidence = self.read().has_evidence();
+            let whole = self.read().evident_whole();
             for strategy in 0..self.count.strategies {
-                let marginal = self.read().carried(strategy, has_evidence);
+                let marginal = self.read().strategy_among(strategy, whole);
                 let expected = self.read().expected(strategy);
                 if let Some(slot) = self.memory.strategies.get_mut(strategy) {
                     slot.1 = (1.0 - drift) * marginal + drift * expected;

@@ -87,8 +87,12 @@ pub(crate) enum Step {
     Choose(Choice),
     /// Continue to forget the chosen session, because this table was full.
     Forget(u16, Capacity),
+    /// Forget the words before this position that no session has.
+    ForgetWords(u16),
     /// Check whether the vocabulary has room.
     Measure,
+    /// As this table of the vocabulary is full, forget the machine tokens before a position that nothing uses; whether there were any so far.
+    ForgetTokens(u16, bool, Capacity),
     /// A session was forgotten: collect the parameters of the remaining training data again.
     Renew,
 }
@@ -131,8 +135,30 @@ impl Choice {
     }
 }
 
-/// How many machine tokens are looked for at once: a bit each.
-const TOKENS_AT_ONCE: usize = u32::BITS as usize;
+/// The symbols that are looked for at once: a bit each.
+const LOOKED_FOR: u16 = u32::BITS as u16;
+/// The symbols that one part of the work forgets: for each, all training data are renamed.
+const FORGOTTEN_AT_ONCE: usize = 2;
+
+/// Which of the symbols from `first` on are used: a search for each would go through all that use them each time.
+fn used_from<'s>(first: u16, used: impl Iterator<Item = &'s Symbol>) -> u32 {
+    used.map(|symbol| symbol.0.wrapping_sub(first)).filter(|&at| at < LOOKED_FOR).fold(0, |bits, at| bits | 1 << at)
+}
+
+/// The last symbols before `end` that are not used, the last one first, and the position before which others may be.
+fn last_unused<'s>(end: u16, used: impl Iterator<Item = &'s Symbol>) -> (Vec<Symbol, FORGOTTEN_AT_ONCE, u8>, u16) {
+    let first = end.saturating_sub(LOOKED_FOR);
+    let (bits, mut unused) = (used_from(first, used), Vec::new());
+    for position in (first..end).rev() {
+        if bits >> position.wrapping_sub(first) & 1 == 0 {
+            let _ = unused.push(Symbol(position));
+        }
+        if unused.is_full() {
+            return (unused, position);
+        }
+    }
+    (unused, first)
+}
 
 impl LanguageMut<'_> {
     /// Adds one session to the training data, as [`add_session`](Self::add_session) does. If memory is full, other sessions are forgotten:
@@ -205,7 +231,8 @@ impl LanguageMut<'_> {
         let missing = if words.is_empty() { *self.unheard } else { Unheard::NONE };
         let sentence = if words.is_empty() { said } else { words.len() };
         let (words, word_bytes) = self.vocabulary_alone(|word| words.contains(&word), missing);
-        let tokens = self.tokens.read().iter().filter(|(symbol, _)| tokens.contains(symbol)).count();
+        let firsts = (0..self.tokens.len() as u16).step_by(LOOKED_FOR.into());
+        let tokens = firsts.map(|first| used_from(first, tokens.iter()).count_ones() as usize).sum();
         let alone = Alone { words, tokens, sentence };
         let needs = match self.model() {
             Model::Model2 => ibm2::data::needs_alone(&alone, &rooms, pairs),
@@ -250,30 +277,34 @@ impl LanguageMut<'_> {
                 self.data_replaced()?;
                 return Ok(Room::Found);
             }
-            Step::Measure => {}
-            _ => {
-                self.remove_unused_words(sentence);
-                *step = Step::Measure;
-                return Ok(Room::Sought);
+            Step::Measure => {
+                let full = self.full_of_vocabulary(self.with_room_alone(sentence));
+                *step = full.map_or(Step::Take, |full| Step::ForgetTokens(self.tokens.len() as u16, false, full));
             }
+            Step::ForgetTokens(0, true, _) => *step = Step::Measure,
+            Step::ForgetTokens(0, false, full) => {
+                let newest = usize::from(sentence.iter().any(Option::is_some));
+                let choice = Choice::among(self.bitext.sessions().saturating_sub(newest), Want::Vocabulary, *full);
+                *step = choice.map_or(Step::Take, Step::Choose);
+            }
+            Step::ForgetTokens(end, any, _) => *any |= self.remove_unused_tokens(session_tokens, end),
+            Step::ForgetWords(0) => *step = Step::Measure,
+            Step::ForgetWords(end) => self.remove_unused_words(sentence, end),
+            _ => *step = Step::ForgetWords(self.words.len() as u16),
         }
-        let unheard = self.with_room_alone(sentence);
-        let full = self.full_of_vocabulary(unheard);
-        if full.is_some() && self.remove_unused_tokens(session_tokens) {
-            // Measured again in a part of its own.
-            return Ok(Room::Sought);
-        }
-        let newest = usize::from(sentence.iter().any(Option::is_some));
-        let choice = full.and_then(|full| Choice::among(self.bitext.sessions().saturating_sub(newest), Want::Vocabulary, full));
-        *step = choice.map_or(Step::Take, Step::Choose);
         Ok(Room::Sought)
     }
 
     /// Forgets the words and machine tokens that no session uses any more. Training begins.
     pub(crate) fn forget_unused(&mut self) {
         self.forget_unlearned();
-        self.remove_unused_words(&mut []);
-        let _ = self.remove_unused_tokens(&mut []);
+        let (mut words, mut tokens) = (self.words.len() as u16, self.tokens.len() as u16);
+        while words > 0 {
+            self.remove_unused_words(&mut [], &mut words);
+        }
+        while tokens > 0 {
+            let _ = self.remove_unused_tokens(&mut [], &mut tokens);
+        }
         // The vocabulary only shrank, so it fits.
         let _ = self.data_replaced();
         self.begin_training();
@@ -387,13 +418,11 @@ impl LanguageMut<'_> {
         self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
 
-    /// Forgets the words that no session has.
-    fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>]) {
-        for position in (0..self.words.len() as u16).rev() {
-            let word = Symbol(position);
-            if self.bitext.words_mut().contains(&word) {
-                continue;
-            }
+    /// Forgets some of the words before `end` that no session has, the last ones first, and moves `end` before them.
+    fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>], end: &mut u16) {
+        let unused;
+        (unused, *end) = last_unused(*end, self.bitext.words_mut().iter());
+        for word in unused {
             self.words.remove(word);
             self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
             for heard in sentence.iter_mut() {
@@ -403,28 +432,13 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets the machine tokens that neither a machine command nor the new session uses. Returns whether there were any.
-    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol]) -> bool {
-        let before = self.tokens.len();
-        let mut end = before;
-        while end > 0 {
-            // Which of these tokens are used: a search for each would go through all machine commands each time.
-            let first = end.saturating_sub(TOKENS_AT_ONCE);
-            let mut used = 0_u32;
-            for token in self.bitext.tokens_mut().iter().chain(&*session_tokens) {
-                let at = token.index().wrapping_sub(first);
-                if at < TOKENS_AT_ONCE {
-                    used |= 1 << at;
-                }
-            }
-            for position in (first..end).rev() {
-                if used >> position.wrapping_sub(first) & 1 == 0 {
-                    self.remove_token(Symbol(position as u16), session_tokens);
-                }
-            }
-            end = first;
-        }
-        self.tokens.len() < before
+    /// Forgets some of the machine tokens before `end` that neither a machine command nor the new session uses, the last ones first, and
+    /// moves `end` before them. Returns whether there were any.
+    fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol], end: &mut u16) -> bool {
+        let unused;
+        (unused, *end) = last_unused(*end, self.bitext.tokens_mut().iter().chain(&*session_tokens));
+        unused.iter().for_each(|&token| self.remove_token(token, session_tokens));
+        !unused.is_empty()
     }
 
     /// Forgets a machine token that nothing uses. The later ones move up.

@@ -104,7 +104,7 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
 
 /// Whether a command has any word.
 pub(crate) fn has_pieces(command: &str) -> bool {
-    pieces(command).next().is_some()
+    command.chars().any(is_alphanumeric)
 }
 
 pub(super) const fn pieces(command: &str) -> Pieces<'_> {

@@ -12,6 +12,7 @@ use crate::feedback::BeliefRef;
 use crate::language::BitextRef;
 use crate::language::settings::is_weight;
 use crate::language::{LanguageRef, Pair};
+use crate::probability::Scaled;
 use crate::session::Options;
 use crate::symbols::Symbol;
 
@@ -86,7 +87,7 @@ impl Out<'_> {
     }
 
     /// Writes a number or a count: seven bits per byte, the lowest first.
-    fn number(&mut self, number: u32) {
+    pub fn number(&mut self, number: u32) {
         let mut left = number;
         while left > 0x7f {
             self.byte((left & 0x7f) as u8 | 0x80);
@@ -102,7 +103,7 @@ impl Out<'_> {
         self.length = self.length.saturating_add(1);
     }
 
-    fn count(&mut self, count: usize) {
+    pub fn count(&mut self, count: usize) {
         self.number(count as u32);
     }
 
@@ -110,12 +111,12 @@ impl Out<'_> {
         self.bytes(&number.to_le_bytes());
     }
 
-    fn text(&mut self, text: &str) {
+    pub fn text(&mut self, text: &str) {
         self.count(text.len());
         self.bytes(text.as_bytes());
     }
 
-    fn symbols(&mut self, symbols: &[Symbol]) {
+    pub fn symbols(&mut self, symbols: &[Symbol]) {
         self.count(symbols.len());
         for symbol in symbols {
             self.number(u32::from(symbol.0));
@@ -315,11 +316,11 @@ impl Model<'_> {
 
     /// Each word of the trainer changes this belief, so all of it is written at once.
     fn write_strategies(&self, out: &mut Out<'_>) {
-        let has_evidence = self.strategies.is_some_and(BeliefRef::has_evidence);
+        let whole = self.strategies.map_or(Scaled::ZERO, BeliefRef::evident_whole);
         let known = self.strategies.map_or(&[][..], BeliefRef::strategies);
         out.count(known.len());
         for (position, &(strategy, before)) in known.iter().enumerate() {
-            let probability = self.strategies.map_or(before, |belief| belief.carried(position, has_evidence));
+            let probability = self.strategies.map_or(before, |belief| belief.strategy_among(position, whole));
             [strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon(), probability].into_iter().for_each(|number| out.real(number));
         }
     }

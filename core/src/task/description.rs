@@ -11,9 +11,7 @@
 //! so the order of the objects does not matter. Values without room in a description or in the vocabulary are left out, those of the other
 //! objects first.
 
-#[cfg(feature = "ways")]
-use super::machine_command::known_attribute_token;
-use super::machine_command::{Tokens, attribute_token};
+use super::machine_command::{Interning, Tokens};
 #[cfg(feature = "ways")]
 use super::role::VALUE_SORTS;
 use super::role::{Marker, Role, RoleKind, is_marker};
@@ -116,6 +114,8 @@ pub struct Scene<S> {
     spoken: Option<Spoken>,
     /// For each lifted task one more than its token, 0 if it was not needed yet.
     forms: [u16; LIFTED_TASKS],
+    /// The interning of tokens.
+    interning: Interning,
     /// For each of the first objects and each attribute one more than the value's token, 0 if it was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
     #[cfg(all(feature = "ways", feature = "talk"))]
@@ -175,6 +175,7 @@ impl<S> Scene<S> {
             state,
             spoken: None,
             forms: [0; LIFTED_TASKS],
+            interning: Interning::of_new(u32::MAX),
             tokens: [[0; ATTRIBUTES]; REMEMBERED],
             #[cfg(all(feature = "ways", feature = "talk"))]
             conversation: Conversation::NEW,
@@ -185,6 +186,17 @@ impl<S> Scene<S> {
     #[cfg(all(feature = "ways", feature = "talk"))]
     pub(crate) fn of_conversation(self, conversation: Conversation) -> Self {
         Self { conversation, ..self }
+    }
+
+    /// Lets the next descriptions add at most so many new tokens of values.
+    pub(crate) fn allow_new(&mut self, most: u32) {
+        self.interning = Interning::of_new(most);
+    }
+
+    /// Whether the last description was broken off, because it needs more new tokens than it may add. What it has added stays: described
+    /// again, the task needs fewer.
+    pub(crate) fn is_broken_off(&self) -> bool {
+        self.interning.is_broken_off()
     }
 
     /// The token of the lifted task at a position.
@@ -224,8 +236,9 @@ impl<S> Scene<S> {
         let value = world.objects.value(object, attribute);
         let token = match value.is_empty() {
             true => None,
-            false => match tokens.intern(&attribute_token(name, value)?) {
+            false => match self.interning.intern(name, value, tokens) {
                 Ok(token) => Some(token).filter(|&token| !is_marker(token)),
+                Err(error) if self.interning.is_broken_off() => return Err(error),
                 Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => None,
                 Err(error) => return Err(error),
             },
@@ -479,28 +492,32 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
             }
         }
         #[cfg(feature = "ways")]
-        self.write_derived(role, objects);
+        self.write_derived(role, objects)?;
         Ok(())
     }
 
     /// Writes the group of a role's derived facts, like one more attribute. Facts without room are left out.
     #[cfg(feature = "ways")]
-    fn write_derived(&mut self, role: Role, objects: &Chosen) {
+    fn write_derived(&mut self, role: Role, objects: &Chosen) -> Result<(), CapacityError> {
         let sort = self.world.schema.attributes.len() << 1;
         if sort >= VALUE_SORTS {
-            return;
+            return Ok(());
         }
         let marker = Marker { role, sort: sort as u8 };
         let Self { domain, scene, tokens, description, .. } = self;
-        let first = description.len() + 1;
+        let (first, mut broken_off) = (description.len() + 1, Ok(()));
+        let interning = &mut scene.interning;
         for object in objects.iter() {
             let mut tell = |fact: &str| {
-                // Most facts were told before, of other objects and in other tasks.
-                let known = known_attribute_token("is", fact, tokens.read());
-                let has_room = known.is_none() && tokens.has_room("is".len().saturating_add(fact.len()));
-                let new = has_room.then(|| attribute_token("is", fact).and_then(|token| tokens.intern(&token)).ok()).flatten();
-                let token = known.or(new);
-                let Some(token) = token.filter(|&token| !is_marker(token)) else { return };
+                if broken_off.is_err() {
+                    return;
+                }
+                let token = interning.intern("is", fact, tokens);
+                if interning.is_broken_off() {
+                    broken_off = token.map(drop);
+                    return;
+                }
+                let Some(token) = token.ok().filter(|&token| !is_marker(token)) else { return };
                 if description.len() < first && description.push(marker.symbol()).is_err() {
                     return;
                 }
@@ -513,6 +530,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         if description.len() == first {
             description.pop();
         }
+        broken_off
     }
 
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {

@@ -55,12 +55,13 @@ impl Expression {
         } else if lifted.has_way() {
             sort(&mut facts, |fact| after_goal(domain, lifted, task, fact));
         }
+        let mut interning = Interning::of_new(u32::MAX);
         for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
             let value = domain.world().objects.value(fact.object, usize::from(fact.attribute));
             let class = tokens.intern(schema.class_name(carrier.class))?;
-            let pair = match tokens.intern(&attribute_token(carrier.prefix, value)?) {
+            let pair = match interning.intern(carrier.prefix, value, tokens) {
                 Ok(token) => [token, class],
                 Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => continue,
                 Err(error) => return Err(error),
@@ -192,38 +193,78 @@ pub(crate) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_B
     Ok(token)
 }
 
-/// The symbol of an [`attribute_token`] that is known, found without making its text.
-#[cfg(feature = "ways")]
-pub(super) fn known_attribute_token(prefix: &str, value: &str, tokens: crate::symbols::SymbolsRef<'_>) -> Option<Symbol> {
-    tokens.find_by(prefix.len().saturating_add(value.len()), |token| {
-        let Some((first, rest)) = token.strip_prefix(prefix.as_bytes()).and_then(<[u8]>::split_first) else { return false };
-        value.as_bytes().split_first().is_some_and(|(letter, letters)| letter.to_ascii_uppercase() == *first && letters == rest)
-    })
+/// The interning of many tokens of attributes: a description needs dozens.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Interning {
+    /// The token before, near which the next one is looked for.
+    near: Symbol,
+    /// The new tokens that may be added yet; `None` once one more was wanted.
+    left: Option<u32>,
 }
 
-#[cfg(all(test, feature = "ways"))]
+impl Interning {
+    /// At most so many new tokens.
+    pub(super) const fn of_new(most: u32) -> Self {
+        Self { near: Symbol(0), left: Some(most) }
+    }
+
+    /// Whether more new tokens were wanted than may be added.
+    pub(super) const fn is_broken_off(self) -> bool {
+        self.left.is_none()
+    }
+
+    /// The symbol of an [`attribute_token`]. One that is known is found without making its text.
+    ///
+    /// # Errors
+    /// A [`CapacityError`] if there is no room, or no more new tokens may be added.
+    pub(super) fn intern(&mut self, prefix: &str, value: &str, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
+        let (prefix, value) = (prefix.as_bytes(), value.as_bytes());
+        let (first, rest) = value.split_at_checked(1).unwrap_or((&[], &[]));
+        let capital = first.first().map(u8::to_ascii_uppercase);
+        let last = rest.last().or(capital.as_ref()).or(prefix.last());
+        let length = prefix.len().saturating_add(value.len());
+        let known = tokens.read().find_near(self.near, length, last, |token| {
+            let after = token.strip_suffix(rest).and_then(|token| token.strip_suffix(capital.as_slice()));
+            after.is_some_and(|token| token == prefix)
+        });
+        self.near = match known {
+            Some(known) => known,
+            None => {
+                let left = self.left.and_then(|left| left.checked_sub(1));
+                // A token without room is left out, each time anew.
+                if left.is_none() && tokens.has_room(length) {
+                    self.left = None;
+                    return Err(CapacityError::full(Capacity::Tokens, 0));
+                }
+                let added = tokens.add([prefix, capital.as_slice(), rest])?;
+                self.left = left;
+                added
+            }
+        };
+        Ok(self.near)
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_known_token_is_found_without_its_text_as_with_it() {
-        let (mut bytes, mut ends, mut len) = ([0; 64], [0; 8], 0);
+    fn a_token_that_is_interned_in_parts_is_the_same_as_with_its_text() {
+        let (mut bytes, mut ends, mut len) = ([0; 96], [0; 8], 0);
         let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut len, Capacity::Tokens, Capacity::TokenBytes);
-        let values = ["leftmost", "first", "", "é", "fast", "Red", "red"];
-        for value in values {
-            assert_eq!(
-                known_attribute_token("is", value, tokens.read()),
-                tokens.read().find(&attribute_token("is", value).unwrap()),
-                "{value}"
-            );
-            tokens.intern(&attribute_token("is", value).unwrap()).unwrap();
+        let mut interning = Interning::of_new(8);
+        for value in ["leftmost", "first", "", "é", "fast", "leftmost", "Red", "red", "F", "leftmosT", "first"] {
+            let text = attribute_token("is", value).unwrap();
+            let before = tokens.read().find(&text);
+            let interned = interning.intern("is", value, &mut tokens).unwrap();
+            assert_eq!(tokens.read().text(interned), text.as_str());
+            assert!(before.is_none_or(|before| before == interned), "{value}");
+            assert_eq!(tokens.intern(&text), Ok(interned));
         }
-        for value in values.into_iter().filter(|value| !value.is_empty()) {
-            assert_eq!(
-                known_attribute_token("is", value, tokens.read()),
-                tokens.read().find(&attribute_token("is", value).unwrap()),
-                "{value}"
-            );
-        }
+        assert!(!interning.is_broken_off());
+        assert!(interning.intern("is", "new", &mut tokens).is_err() && interning.is_broken_off());
+        let long = "a".repeat(NAME_BYTES);
+        assert_eq!(Interning::of_new(1).intern("is", &long, &mut tokens).unwrap_err(), attribute_token("is", &long).unwrap_err());
     }
 }

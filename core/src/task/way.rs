@@ -214,9 +214,25 @@ impl<'l> Way<'l> {
     }
 
     /// Whether the way adds no constraint in this start state: a part of it is done already, or something to be avoided holds. `holds`
-    /// evaluates propositions in the state.
+    /// evaluates propositions in the state. The result is whether [`advance`](Self::advance) changes the first progress, found in one pass,
+    /// because a command asks it of every task.
     pub fn is_idle(&self, holds: impl Fn(&GroundProposition) -> bool) -> bool {
-        !self.is_none() && self.advance(WayState::START, holds) != WayState::START
+        let (mut is_through, mut has_first, mut is_first_reached) = (false, false, true);
+        for (part, proposition) in self.parts() {
+            match part {
+                Part::Before(stage) => {
+                    has_first = true;
+                    is_first_reached = is_first_reached && (stage > 0 || holds(&proposition));
+                }
+                Part::Through(_) | Part::Avoiding if holds(&proposition) => return true,
+                Part::Through(_) => is_through = true,
+                Part::Avoiding | Part::Goal => {}
+            }
+        }
+        if is_through || has_first || self.is_none() {
+            return has_first && is_first_reached;
+        }
+        self.task.propositions(self.lifted).all(|part| holds(&part))
     }
 
     /// Whether another grounding of the lifted task, with its objects in order, means the same: alternatives and clauses commute.
@@ -237,5 +253,39 @@ impl<'l> Way<'l> {
                     && ground.arguments > ground_other.arguments
             })
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::home::SCHEMA;
+    use crate::oomdp::ObjectId;
+
+    #[test]
+    fn a_way_is_idle_if_the_first_state_changes_its_progress() {
+        let texts = [
+            "agentInRoom(?a, ?r)",
+            "agentInRoom(?a, ?r) avoiding agentInRoom(?a, ?q)",
+            "agentInRoom(?a, ?r) through agentInRoom(?a, ?q)",
+            "agentInRoom(?a, ?r) through agentInRoom(?a, ?q) or agentInRoom(?a, ?s)",
+            "agentInRoom(?a, ?r) through agentInRoom(?a, ?q) avoiding agentInRoom(?a, ?s)",
+            "agentInRoom(?a, ?q) then agentInRoom(?a, ?r)",
+            "agentInRoom(?a, ?q) & blockInRoom(?o, ?q) then agentInRoom(?a, ?r)",
+            "agentInRoom(?a, ?q) then agentInRoom(?a, ?s) then agentInRoom(?a, ?r)",
+            "agentInRoom(?a, ?q) then agentInRoom(?a, ?r) avoiding agentInRoom(?a, ?s)",
+        ];
+        for text in texts {
+            let lifted = LiftedTask::parse(text, &SCHEMA).unwrap();
+            let mut task = GroundedTask { lifted: 0, ..GroundedTask::UNUSED };
+            task.bindings.iter_mut().zip(0..).for_each(|(slot, object)| *slot = ObjectId(object));
+            let way = Way::of(&task, &lifted);
+            for state in 0..16_u32 {
+                // Each state has other propositions that hold.
+                let holds = |part: &GroundProposition| state >> (part.arguments[1].0 % 4) & 1 == 1;
+                let changes = !way.is_none() && way.advance(WayState::START, holds) != WayState::START;
+                assert_eq!(way.is_idle(holds), changes, "{text} {state:b}");
+            }
+        }
     }
 }

@@ -17,6 +17,8 @@ mod hypotheses;
 #[cfg(feature = "layer")]
 mod layer;
 mod lending_memory;
+#[cfg(all(feature = "alloc", feature = "snapshot"))]
+mod migration;
 #[cfg(feature = "alloc")]
 mod on_a_host;
 #[cfg(all(feature = "alloc", feature = "snapshot"))]

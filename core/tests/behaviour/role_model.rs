@@ -410,6 +410,38 @@ fn what_was_learned_is_the_same_whatever_the_budget() {
     assert!(files.windows(2).all(|two| two[0] == two[1]));
 }
 
+#[test]
+fn tasks_among_many_new_values_are_described_the_same_whatever_the_budget() {
+    let colors: Vec<String> = (0..30).map(|number| format!("hue{number}")).collect();
+    let described = |budget: u32, tokens: usize| {
+        let mut memory = HeapMemory::new(&Capacities { tokens, ..Capacities::STANDARD });
+        let mut builder = HomeBuilder::new(&mut memory.home);
+        for (number, color) in colors.iter().enumerate() {
+            let left = 2 * number as i32;
+            builder.room(&format!("room{number}"), Area::new(left, 0, left + 2, 2), color).unwrap();
+            if number > 0 {
+                builder.door(&format!("door{number}"), Area::new(left, 1, left, 1)).unwrap();
+            }
+        }
+        builder.agent("agent0", Cell::new(1, 1)).unwrap();
+        let (home, state) = builder.build(Moves::Push).unwrap();
+        let mut agent = Agent::new(memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.begin_hearing(&home, &state, "go").unwrap();
+        while agent.hear_on(&home, budget).unwrap() == Progress::Working {}
+        let (candidates, tokens) = (agent.candidates(), agent.language().tokens());
+        let text = |entry| candidates.tokens(entry).iter().map(|&token| tokens.text(token).to_owned()).collect::<Vec<_>>();
+        let descriptions: Vec<_> = candidates.entries().iter().map(|entry| (text(entry), entry.likelihood)).collect();
+        (descriptions, tokens.iter().map(|(_, text)| text.to_owned()).collect::<Vec<_>>())
+    };
+    for (tokens, known) in [(Capacities::STANDARD.tokens, 31), (20, 20)] {
+        let whole = described(u32::MAX, tokens);
+        assert!(whole.1.len() >= known, "{whole:?}");
+        for budget in [1, 10, 100] {
+            assert_eq!(described(budget, tokens), whole);
+        }
+    }
+}
+
 /// A word of a number: no two begin with the same four letters.
 fn word(number: usize) -> String {
     let (consonants, vowels) = (b"bdfghklmnprst", b"aeiou");

@@ -53,13 +53,7 @@ pub fn agent_elsewhere(file: &Path, lifted: &[LiftedTask]) -> Result<Agent<Agent
 /// # Errors
 /// The errors of [`agent`].
 pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Result<Agent<AgentHeap>, Failure> {
-    let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
-    let bytes = read_model(file)?;
-    let contents = Contents::read(&bytes).map_err(|error| fault(&error))?;
-    let tasks = room_for_tasks(&contents) + training::tasks(starter.lessons());
-    let memory = learner::memory(&starter.room(room_for(&contents)), &contents.options.language, tasks);
-    let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
-    agent.restore(&bytes).map_err(|error| fault(&error))?;
+    let mut agent = restored(file, &read_model(file)?, lifted, starter)?;
     let own = agent.language().bitext().sessions();
     let _ = starter.join(&mut agent, own)?;
     learn_fully(&mut agent);
@@ -72,6 +66,24 @@ pub fn agent_beside(file: &Path, lifted: &[LiftedTask], starter: &Starter) -> Re
 /// The errors of [`agent`].
 pub fn model(file: &Path) -> Result<Agent<AgentHeap>, Failure> {
     agent(file, &[])
+}
+
+/// As [`model`], of bytes that came from a file and are not learned yet.
+///
+/// # Errors
+/// The errors of [`agent`].
+pub fn agent_of(file: &Path, bytes: &[u8]) -> Result<Agent<AgentHeap>, Failure> {
+    restored(file, bytes, &[], &Starter::default())
+}
+
+fn restored(file: &Path, bytes: &[u8], lifted: &[LiftedTask], starter: &Starter) -> Result<Agent<AgentHeap>, Failure> {
+    let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("{}: {error}", file.display()));
+    let contents = Contents::read(bytes).map_err(|error| fault(&error))?;
+    let tasks = room_for_tasks(&contents) + training::tasks(starter.lessons());
+    let memory = learner::memory(&starter.room(room_for(&contents)), &contents.options.language, tasks);
+    let mut agent = Agent::new(memory, lifted, Options::DEFAULT).map_err(|error| fault(&error))?;
+    agent.restore(bytes).map_err(|error| fault(&error))?;
+    Ok(agent)
 }
 
 /// Learns to the end, with a spinner if that may take seconds.

@@ -20,7 +20,7 @@ use crate::capacity::LIFTED_TASKS;
 use crate::language::bitext::{BitextRef, Pair};
 use crate::symbols::Symbol;
 use crate::task::description::form;
-use crate::task::role::{Marker, Role, RoleKind, VALUE_SORTS, is_marker};
+use crate::task::role::{Marker, Role, RoleKind, VALUE_SORTS};
 use core::ops::Range;
 
 /// The largest number of different roles; any after these are left out.
@@ -107,13 +107,18 @@ impl Layout {
         if let Some(form) = form(description) {
             self.add_form(form);
         }
-        // A role counts once it has a value.
-        for pair in description.windows(2) {
-            if let &[first, second] = pair
-                && !is_marker(second)
-                && let Some(Marker { role, .. }) = Marker::of(first)
-            {
-                self.add_role(role);
+        // A role counts once it has a value. Most markers have the role of the one before.
+        let (mut before, mut added) = (None, None);
+        for &symbol in description {
+            match Marker::of(symbol) {
+                Some(marker) => before = Some(marker.role),
+                None => match before.take() {
+                    Some(role) if added != Some(role) => {
+                        self.add_role(role);
+                        added = Some(role);
+                    }
+                    _ => {}
+                },
             }
         }
     }

@@ -21,6 +21,9 @@ use crate::task::description::{Scene, describe, form_token, groups};
 use crate::task::machine_command::Tokens;
 use heapless::Vec;
 
+/// A part of the work of a small budget adds at most this many tokens of values: each is compared with all that are known.
+const NEW_TOKENS: u32 = 16;
+
 /// A domain in which every proposition holds, or none.
 struct Constant<'d, D: ?Sized> {
     domain: &'d D,
@@ -77,7 +80,13 @@ impl<M: AgentMemory> Agent<M> {
             Some(added) => added,
             None => {
                 let mut description = Tokens::new();
-                describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?;
+                scene.allow_new(NEW_TOKENS.max(*left));
+                let described = describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description);
+                if scene.is_broken_off() {
+                    *left = 0;
+                    return Ok(false);
+                }
+                described?;
                 *left = left.saturating_sub(description.len() as u32);
                 if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
                     position.sum = entry.likelihood;
