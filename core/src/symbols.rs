@@ -4,6 +4,7 @@
 //! A [`Symbols`] table keeps their bytes, concatenated, in memory that the caller lends it.
 
 use crate::capacity::{Capacity, CapacityError, NAME_BYTES};
+use core::ops::Range;
 
 /// A text known to a [`Symbols`] table, by its position there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -109,23 +110,27 @@ impl<'t> SymbolsRef<'t> {
 
     /// The symbol of `text`, if the table has it.
     pub fn find(self, text: &str) -> Option<Symbol> {
-        self.find_near(Symbol(0), text.len(), text.as_bytes().last(), |bytes| bytes == text.as_bytes())
+        self.find_in(0..self.len, text.len(), |bytes| bytes == text.as_bytes())
     }
 
     /// The text of this many bytes with this last one that is the wanted one. Those from a few before `near` on are looked at first: texts
     /// that were added together are often wanted together. The last byte tells many texts apart that begin alike.
+    #[cfg(feature = "ways")]
     pub(crate) fn find_near(self, near: Symbol, length: usize, last: Option<&u8>, is_wanted: impl Fn(&[u8]) -> bool) -> Option<Symbol> {
         const BEFORE: usize = 8;
         let first = near.index().saturating_sub(BEFORE).min(self.len);
-        [first..self.len, 0..first].into_iter().find_map(|range| {
-            let (mut start, first) = (self.start(range.start), range.start);
-            let position = self.ends.get(range)?.iter().position(|&end| {
-                let from = core::mem::replace(&mut start, end as usize);
-                let has_length = start.wrapping_sub(from) == length;
-                has_length && self.bytes.get(from..start).is_some_and(|bytes| bytes.last() == last && is_wanted(bytes))
-            });
-            position.map(|position| Symbol(first.saturating_add(position) as u16))
-        })
+        let is_wanted = |bytes: &[u8]| bytes.last() == last && is_wanted(bytes);
+        [first..self.len, 0..first].into_iter().find_map(|range| self.find_in(range, length, is_wanted))
+    }
+
+    /// The first text of this many bytes that is the wanted one, among those at these positions.
+    fn find_in(self, among: Range<usize>, length: usize, is_wanted: impl Fn(&[u8]) -> bool) -> Option<Symbol> {
+        let (mut start, first) = (self.start(among.start), among.start);
+        let position = self.ends.get(among)?.iter().position(|&end| {
+            let from = core::mem::replace(&mut start, end as usize);
+            start.wrapping_sub(from) == length && self.bytes.get(from..start).is_some_and(&is_wanted)
+        });
+        position.map(|position| Symbol(first.saturating_add(position) as u16))
     }
 }
 
@@ -194,6 +199,7 @@ impl<'t> Symbols<'t> {
     }
 
     /// Whether a new text of this many bytes would find room.
+    #[cfg(feature = "ways")]
     pub(crate) fn has_room(&self, bytes: usize) -> bool {
         let end = self.read().byte_len().saturating_add(bytes);
         *self.len < self.ends.len().min(usize::from(u16::MAX) - 1) && end <= self.bytes.len().min(usize::from(u16::MAX))

@@ -46,8 +46,8 @@ pub struct Cli {
     /// Print only errors on standard error: no progress, no remarks
     #[arg(long, short = 'q', global = true)]
     pub quiet: bool,
-    /// When to use colours: auto (on a terminal, unless NO_COLOR is set), always or never
-    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true, hide_possible_values = true)]
+    /// When to use colours: auto, which is usual (on a terminal, unless NO_COLOR is set), always or never
+    #[arg(long, value_enum, value_name = "WHEN", default_value_t, global = true, hide_possible_values = true, hide_default_value = true)]
     pub color: Color,
     /// The command
     #[command(subcommand)]

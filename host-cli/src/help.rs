@@ -7,7 +7,7 @@ use clap::{Arg, Command, CommandFactory};
 /// The commands for most people.
 const EVERYDAY: [&str; 10] = ["teach", "learn", "ask", "inspect", "replay", "diff", "merge", "unlearn", "check", "example"];
 /// The commands for controllers.
-const BOARDS: [&str; 5] = ["size", "table", "convert", "microbit", "parameters"];
+const BOARDS: [&str; 6] = ["size", "table", "convert", "microbit", "parameters", "migrate"];
 /// The commands about the program itself.
 const ITSELF: [&str; 4] = ["doctor", "completions", "man", "help"];
 

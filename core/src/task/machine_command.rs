@@ -197,26 +197,55 @@ pub(crate) fn attribute_token(prefix: &str, value: &str) -> Result<String<NAME_B
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Interning {
     /// The token before, near which the next one is looked for.
+    #[cfg(feature = "ways")]
     near: Symbol,
-    /// The new tokens that may be added yet; `None` once one more was wanted.
+    /// The new tokens that may be added yet; `None` once one more was wanted. Without the feature `ways` there is no end of them: such
+    /// robots have few facts, and little room for code.
+    #[cfg(feature = "ways")]
     left: Option<u32>,
 }
 
 impl Interning {
     /// At most so many new tokens.
+    #[cfg(feature = "ways")]
     pub(super) const fn of_new(most: u32) -> Self {
         Self { near: Symbol(0), left: Some(most) }
     }
 
+    /// Any number of new tokens.
+    #[cfg(not(feature = "ways"))]
+    pub(super) const fn of_new(_most: u32) -> Self {
+        Self {}
+    }
+
     /// Whether more new tokens were wanted than may be added.
+    #[cfg(feature = "ways")]
     pub(super) const fn is_broken_off(self) -> bool {
         self.left.is_none()
+    }
+
+    /// Always `false`.
+    #[cfg(not(feature = "ways"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    pub(super) const fn is_broken_off(self) -> bool {
+        false
+    }
+
+    /// The symbol of an [`attribute_token`].
+    ///
+    /// # Errors
+    /// A [`CapacityError`] if there is no room.
+    #[cfg(not(feature = "ways"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    pub(super) fn intern(&mut self, prefix: &str, value: &str, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
+        tokens.intern(&attribute_token(prefix, value)?)
     }
 
     /// The symbol of an [`attribute_token`]. One that is known is found without making its text.
     ///
     /// # Errors
     /// A [`CapacityError`] if there is no room, or no more new tokens may be added.
+    #[cfg(feature = "ways")]
     pub(super) fn intern(&mut self, prefix: &str, value: &str, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
         let (prefix, value) = (prefix.as_bytes(), value.as_bytes());
         let (first, rest) = value.split_at_checked(1).unwrap_or((&[], &[]));
@@ -245,7 +274,7 @@ impl Interning {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "ways"))]
 mod tests {
     use super::*;
 
