@@ -73,8 +73,7 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
          - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
          language's probabilities, and have goodbot's exact planner.\n\
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
-         the end as evidence.\n\
-         - Three of the five tests of the `paper` course repeat a lesson word for word in a new home.\n\n\
+         the end as evidence.\n\n\
          ## What is compared\nThe courses:\n"
     );
     for course in &plan.courses {
@@ -126,8 +125,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     );
     let agents: Vec<&str> = TRAINED.into_iter().filter(|name| plan.agents.iter().any(|agent| agent.name == *name)).collect();
     for column in SHOWN {
-        // The course's own table has the tests of the compared trainers; of the others it is enough to know these.
-        let is_shown = |name: &str| COMPARED.contains(&name) != (column == Column::Tests);
+        // The course's own table has the tests of the compared trainers. Steps and certainty with the last two, which mislead, tell nothing.
+        let is_shown = |name: &str| if column == Column::Tests { !COMPARED.contains(&name) } else { COMPARED[..3].contains(&name) };
         let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).filter(|name| is_shown(name)).collect();
         if trainers.is_empty() {
             continue;
