@@ -100,12 +100,14 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     }
     text += &format!(
         "\n## Tests right, of five\nA test is right if the agent does the intended task and then rests, in at most {TEST_STEPS} steps, \
-         without feedback. `mute`, `contrary` and `shuffled` are controls. *Due to feedback* is the difference between `balanced` and \
-         `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
+         without feedback. `mute` and `shuffled` are controls, and so is `contrary`, from whom nobody learns (`--csv`). *Due to feedback* is the difference \
+         between `balanced` and `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
     );
     for (at, course) in plan.courses.iter().enumerate() {
         text += &format!("\n### Course {}\n| agent |", course.name());
-        let shown: Vec<&str> = COMPARED.into_iter().filter(|name| position(plan, name).is_some()).collect();
+        // From the contrary trainer nobody learns.
+        let shown = COMPARED.into_iter().filter(|name| *name != "contrary" && position(plan, name).is_some());
+        let shown: Vec<&str> = shown.collect();
         shown.iter().for_each(|name| text += &format!(" {name} |"));
         text += &format!(" due to feedback |\n|---|{}---:|\n", "---:|".repeat(shown.len()));
         for (agent, contestant) in plan.agents.iter().enumerate().filter(|(_, agent)| language(agent).is_none()) {
