@@ -57,10 +57,9 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         "# Comparison with other agents\n\n\
          Do people's words teach goodbot more than they teach other learners? An agent here has two parts: an *inference* finds the task \
          that a command means, and a *language* learns words from it, so that `tamer+roles` is TAMER with goodbot's role model. Up to {} \
-         kinds of simulated trainers teach every pair, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of \
+         kinds of simulated trainers teach each of them, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of \
          its 95 % interval; a seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
-         `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page, and `--csv` prints all figures. With \
-         `--shard PART/OF --json` several machines share the work, and `--merge` joins their parts to the same bytes.\n\n",
+         `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page, and `--csv` prints all figures.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
         plan.runs,
@@ -74,14 +73,13 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
          - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
          language's probabilities, and have goodbot's exact planner.\n\
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
-         the end as evidence.\n\
-         - Three of the five tests of the `paper` course repeat a lesson word for word in a new home.\n\n\
-         ## What is compared\n\
-         | course | description |\n|---|---|\n"
+         the end as evidence.\n\n\
+         ## What is compared\nThe courses:\n"
     );
     for course in &plan.courses {
-        text += &format!("| `{}` | {} |\n", course.name(), course.is());
+        text += &format!("- `{}`: {}.\n", course.name(), course.is());
     }
+    text += "\nThe agents:\n";
     text += &compared(plan);
     text += &format!(
         "All agents learn from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if \
@@ -96,22 +94,20 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
              each of the `tasks`; it alone is answered, by one list of log likelihoods. `learn` also has `beliefs`. \
              [gru.py](../../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
-    text += "| trainer | behaviour |\n|---|---|\n";
+    text += "The trainers:\n";
     for trainer in &plan.trainers {
-        text += &format!("| `{}` | {} |\n", trainer.name, trainer.does);
+        text += &format!("- `{}` {}.\n", trainer.name, trainer.does);
     }
-    text += "\nA trainer answers questions with its own error: `mute` does not answer, `contrary` answers wrongly each time.\n";
     text += &format!(
         "\n## Tests right, of five\nA test is right if the agent does the intended task and then rests, in at most {TEST_STEPS} steps, \
-         without feedback. `mute`, `contrary` and `shuffled` are controls. *Due to feedback* is the difference between `balanced` and \
-         `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
+         without feedback. `mute` and `shuffled` are controls, and so is `contrary`, from whom nobody learns (`--csv`). *Due to feedback* is the difference \
+         between `balanced` and `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
     );
-    let others = plan.agents.iter().filter(|agent| language(agent).is_some());
-    let inferences = once(others.clone().filter_map(|agent| Some(agent.name.split_once('+')?.0)));
-    let languages = once(others.filter_map(language));
     for (at, course) in plan.courses.iter().enumerate() {
         text += &format!("\n### Course {}\n| agent |", course.name());
-        let shown: Vec<&str> = COMPARED.into_iter().filter(|name| position(plan, name).is_some()).collect();
+        // From the contrary trainer nobody learns.
+        let shown = COMPARED.into_iter().filter(|name| *name != "contrary" && position(plan, name).is_some());
+        let shown: Vec<&str> = shown.collect();
         shown.iter().for_each(|name| text += &format!(" {name} |"));
         text += &format!(" due to feedback |\n|---|{}---:|\n", "---:|".repeat(shown.len()));
         for (agent, contestant) in plan.agents.iter().enumerate().filter(|(_, agent)| language(agent).is_none()) {
@@ -121,28 +117,18 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
             }
             text += &format!(" {} |\n", due(plan, runs, at, agent).map_or("-".to_owned(), short));
         }
-        let Some(trainer) = shown.first().filter(|_| !languages.is_empty()) else { continue };
-        text += &format!("\n| other languages, {trainer} |");
-        languages.iter().for_each(|language| text += &format!(" {language} |"));
-        text += &format!("\n|---|{}\n", "---:|".repeat(languages.len()));
-        for inference in &inferences {
-            text += &format!("| `{inference}` |");
-            for language in &languages {
-                text += &format!(" {} |", cell(rows, *course, trainer, &format!("{inference}+{language}"), Column::Tests));
-            }
-            text += "\n";
-        }
     }
+    text += &languages(plan, rows);
     text += &format!(
-        "\n## The other trainers, steps and wrong certainty, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
+        "\n## Other trainers, steps and wrong certainty, in the course {}\n*Wrongly certain* is the share of commands for which the agent ever gave a wrong task more \
          than {:.0} %. A lesson that ends before the goal counts as {MOST_STEPS} steps.\n",
         plan.courses.first().map_or("", |course| course.name()),
         100.0 * CERTAIN,
     );
     let agents: Vec<&str> = TRAINED.into_iter().filter(|name| plan.agents.iter().any(|agent| agent.name == *name)).collect();
     for column in SHOWN {
-        // The course's own table has the tests of the compared trainers; of the others it is enough to know these.
-        let is_shown = |name: &str| COMPARED.contains(&name) != (column == Column::Tests);
+        // The course's own table has the tests of the compared trainers. Steps and certainty with the last two, which mislead, tell nothing.
+        let is_shown = |name: &str| if column == Column::Tests { !COMPARED.contains(&name) } else { COMPARED[..3].contains(&name) };
         let trainers: Vec<&str> = plan.trainers.iter().map(|trainer| trainer.name).filter(|name| is_shown(name)).collect();
         if trainers.is_empty() {
             continue;
@@ -175,9 +161,34 @@ fn language(agent: &Contestant) -> Option<&'static str> {
     agent.name.split_once('+').map(|(_, language)| language).filter(|language| *language != "roles")
 }
 
+/// The first inference with each language, taught by the first of the compared trainers.
+fn languages(plan: &Plan, rows: &[Row]) -> String {
+    let parts = plan.agents.iter().filter_map(|agent| agent.name.split_once('+'));
+    let Some((inference, _)) = parts.clone().next() else { return String::new() };
+    let languages: Vec<&str> = parts.filter(|(of, _)| *of == inference).map(|(_, language)| language).collect();
+    let Some(trainer) =
+        COMPARED.into_iter().find(|name| position(plan, name).is_some()).filter(|_| languages.iter().any(|name| *name != "roles"))
+    else {
+        return String::new();
+    };
+    let mut text = format!(
+        "\n### Languages\nWith the inference `{inference}` and the trainer `{trainer}`; `--csv` has the other ones too.\n\n| course |"
+    );
+    languages.iter().for_each(|language| text += &format!(" {language} |"));
+    text += &format!("\n|---|{}\n", "---:|".repeat(languages.len()));
+    for course in &plan.courses {
+        text += &format!("| {} |", course.name());
+        for language in &languages {
+            text += &format!(" {} |", cell(rows, *course, trainer, &format!("{inference}+{language}"), Column::Tests));
+        }
+        text += "\n";
+    }
+    text
+}
+
 /// What is compared: each agent as it is used, each inference with its settings and source, and the languages in one sentence.
 fn compared(plan: &Plan) -> String {
-    let mut text = "\n".to_owned();
+    let mut text = String::new();
     for agent in &plan.agents {
         if let Learns::Whole(settings) = agent.learns {
             text += &format!("- `{}`: {} ({settings}).\n", agent.name, agent.is);
