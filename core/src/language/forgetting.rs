@@ -138,7 +138,7 @@ impl Choice {
 /// The symbols that are looked for at once: a bit each.
 const LOOKED_FOR: u16 = u32::BITS as u16;
 /// The symbols that one part of the work forgets: for each, all training data are renamed.
-const FORGOTTEN_AT_ONCE: usize = 2;
+const FORGOTTEN_AT_ONCE: usize = 1;
 
 /// Which of the symbols from `first` on are used: a search for each would go through all that use them each time.
 fn used_from<'s>(first: u16, used: impl Iterator<Item = &'s Symbol>) -> u32 {
@@ -231,8 +231,7 @@ impl LanguageMut<'_> {
         let missing = if words.is_empty() { *self.unheard } else { Unheard::NONE };
         let sentence = if words.is_empty() { said } else { words.len() };
         let (words, word_bytes) = self.vocabulary_alone(|word| words.contains(&word), missing);
-        let firsts = (0..self.tokens.len() as u16).step_by(LOOKED_FOR.into());
-        let tokens = firsts.map(|first| used_from(first, tokens.iter()).count_ones() as usize).sum();
+        let tokens = self.tokens.read().iter().filter(|(symbol, _)| tokens.contains(symbol)).count();
         let alone = Alone { words, tokens, sentence };
         let needs = match self.model() {
             Model::Model2 => ibm2::data::needs_alone(&alone, &rooms, pairs),
