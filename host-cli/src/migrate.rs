@@ -53,7 +53,7 @@ fn renamed(text: &str) -> Result<(String, String), String> {
 /// [`Failure`] names the file and its fault.
 pub fn run(args: &MigrateArgs) -> Result<(), Failure> {
     let inputs = [args.model.as_path(), args.from.as_ref(), args.to.as_ref()];
-    let target = Output::new(Kind::Model, &args.out, inputs.into_iter(), args.force)?;
+    let target = Output::new(Kind::Model, &args.out, inputs, args.force)?;
     let bytes = read_model(&args.model)?;
     let Migrated { model, lost, sessions } = in_world(&args.from, |old| in_world(&args.to, |new| migrated(args, old, new, &bytes)))???;
     for name in &lost {
