@@ -280,7 +280,7 @@ mod tests {
 
     #[test]
     fn a_token_that_is_interned_in_parts_is_the_same_as_with_its_text() {
-        let (mut bytes, mut ends, mut len) = ([0; 96], [0; 8], 0);
+        let (mut bytes, mut ends, mut len) = ([0; 96], [0; 9], 0);
         let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut len, Capacity::Tokens, Capacity::TokenBytes);
         let mut interning = Interning::of_new(8);
         for value in ["leftmost", "first", "", "é", "fast", "leftmost", "Red", "red", "F", "leftmosT", "first"] {
@@ -293,6 +293,10 @@ mod tests {
         }
         assert!(!interning.is_broken_off());
         assert!(interning.intern("is", "new", &mut tokens).is_err() && interning.is_broken_off());
+        // Where the table is full, waiting for the next part would not help.
+        tokens.intern("last").unwrap();
+        let mut interning = Interning::of_new(0);
+        assert!(interning.intern("is", "new", &mut tokens).is_err() && !interning.is_broken_off());
         let long = "a".repeat(NAME_BYTES);
         assert_eq!(Interning::of_new(1).intern("is", &long, &mut tokens).unwrap_err(), attribute_token("is", &long).unwrap_err());
     }
