@@ -2,6 +2,7 @@
 // GOODBOT_QEMU names that one; `dist/goodbot.hex` is the firmware.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, mkdtempSync, rmSync } from 'node:fs';
 import { connect } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -241,13 +242,26 @@ test('a model that cannot be used, and a lesson under way there, are told and ch
 const hex = fileURLToPath(new URL('../../dist/goodbot.hex', import.meta.url));
 const emulator = process.env.GOODBOT_QEMU;
 
+// The emulator's line. Its file is there a moment before anybody listens.
+async function lineOf(socket) {
+  for (;;) {
+    const line = connect(socket);
+    try {
+      await once(line, 'connect');
+      return line;
+    } catch (error) {
+      if (!['ENOENT', 'ECONNREFUSED'].includes(error.code)) throw error;
+      await wait(20);
+    }
+  }
+}
+
 test('the firmware itself does a lesson along with the page, and hands over what it learned', { skip: !emulator || !existsSync(hex) ? 'GOODBOT_QEMU is not set, or dist/goodbot.hex is not there: cargo xtask microbit' : false }, async () => {
   const folder = mkdtempSync(join(tmpdir(), 'goodbot-serial-'));
   const socket = join(folder, 'line');
   const board = spawn(emulator, ['-M', 'microbit', '-display', 'none', '-monitor', 'none', '-device', 'loader,file=' + hex, '-serial', 'unix:' + socket + ',server=on,wait=on'], { stdio: 'ignore' });
   try {
-    while (!existsSync(socket)) await wait(20);
-    const line = connect(socket);
+    const line = await lineOf(socket);
     const page = await openWith(simulated);
     await page.exposeFunction('toBoard', request => { line.write(request + '\n'); });
     line.on('data', bytes => page.evaluate(text => { window.heard = (window.heard || '') + text; if (window.board.chosen) window.board.says(text); }, bytes.toString()).catch(() => {}));
