@@ -10,8 +10,8 @@ use crate::process::{shell, within};
 use crate::programs::{QEMU, QEMU_RISCV};
 use crate::toolchain::{CORTEX_M0, CORTEX_M3, CORTEX_M4F, CORTEX_M33F, RISCV};
 
-/// A binary for another processor would hang. The longest run, with full tables, takes a minute and a half alone, and more than three beside
-/// the page's browsers.
+/// A binary for another processor would hang. The longest run, with full tables, took a minute and a half beside one compiler, and it takes
+/// longer beside the page's browsers.
 pub const LIMIT: Duration = Duration::from_secs(900);
 
 /// A board that the emulator knows, and a preset of the library's capacities.

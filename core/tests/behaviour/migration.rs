@@ -1,6 +1,7 @@
 //! An update of a robot's program keeps its lessons, whatever its names were.
 
-use goodbot::home::{self, Area, Cell, Home, HomeBuilder, HomeState, Moves};
+use crate::rooms::rooms;
+use goodbot::home::{self, Cell, Home, HomeState};
 use goodbot::memory::HomeHeap;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, ObjectId, OneByOne, Proposition, PropositionId,
@@ -64,18 +65,6 @@ const DOOR: ClassId = ClassId::new(2);
 const BLOCK: ClassId = ClassId::new(3);
 const CLASSES: &[Class<'static>] = &[Class::new("agent"), Class::new("room"), Class::new("door"), Class::new("block")];
 
-fn rooms() -> (Home<HomeHeap>, HomeState) {
-    let mut builder = HomeBuilder::new(HomeHeap::new(&Capacities::SMALL));
-    builder.room("room0", Area::new(0, 0, 8, 4), "blue").unwrap();
-    builder.room("room1", Area::new(0, 4, 4, 8), "green").unwrap();
-    builder.room("room2", Area::new(4, 4, 8, 8), "red").unwrap();
-    builder.door("door0", Area::new(2, 4, 2, 4)).unwrap();
-    builder.door("door1", Area::new(6, 4, 6, 4)).unwrap();
-    builder.agent("agent0", Cell::new(4, 1)).unwrap();
-    builder.block("block0", Cell::new(4, 2), "yellow", "chair").unwrap();
-    builder.build(Moves::Push).unwrap()
-}
-
 fn agent(tasks: &[LiftedTask]) -> Agent<goodbot::memory::AgentHeap> {
     Agent::new(HeapMemory::new(&Capacities::STANDARD).agent, tasks, Options { weights: Weights::Belief, ..Options::DEFAULT }).unwrap()
 }
@@ -125,7 +114,7 @@ fn heard<D: Domain>(domain: &D, start: &D::State, tasks: &[LiftedTask], model: &
 
 #[test]
 fn renamed_propositions_and_attributes_keep_their_lessons_to_the_bit() {
-    let (home, start) = rooms();
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
     let model = lessons(&home, &start);
     let carriers: [&[Carrier<'static>]; 2] =
         [&[Carrier::new(ROOM, "roomIs"), Carrier::new(BLOCK, "blockIs")], &[Carrier::new(BLOCK, "shape")]];
@@ -165,7 +154,7 @@ fn renamed_propositions_and_attributes_keep_their_lessons_to_the_bit() {
 
 #[test]
 fn what_moved_is_understood_and_what_is_gone_is_named() {
-    let (home, start) = rooms();
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
     let model = lessons(&home, &start);
     let propositions = [Proposition::new("near", &[ROBOT, BLOCK]), home::SCHEMA.propositions[1], home::SCHEMA.propositions[0]];
     let schema = Schema { propositions: &propositions, ..home::SCHEMA };
