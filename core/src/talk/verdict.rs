@@ -132,7 +132,7 @@ impl<M: AgentMemory> Agent<M> {
     pub(super) fn judge<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        (words, sorts): (Words<'w>, &Sorts),
+        (words, sorts): (Words<'w>, &Sorts<'_>),
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
@@ -157,7 +157,7 @@ impl<M: AgentMemory> Agent<M> {
     fn judge_parted<'w, D: Domain + ?Sized>(
         &mut self,
         domain: &D,
-        (words, sorts): (Words<'w>, &Sorts),
+        (words, sorts): (Words<'w>, &Sorts<'_>),
         explained: &mut Explained,
         context: Context<'_>,
         parting: Option<Parting<'w>>,

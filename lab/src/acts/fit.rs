@@ -1,12 +1,28 @@
-//! Logistic regression that keeps the clues that tell most. It is fitted twice, with all clues and then with the kept ones, the readings one
+//! Logistic regression that keeps the words that tell most. It is fitted twice, with all words and then with the kept ones, the readings one
 //! after another with a rate for each weight (Duchi, Hazan and Singer 2011, *Adaptive subgradient methods for online learning*). The same
 //! data give the same weights.
+
+use goodbot::talk::{CLUES, HASHED, KINDS};
+use std::collections::BTreeMap;
 
 /// How often each reading is seen.
 const ROUNDS: usize = 8;
 /// The rate of learning, and what slows the first steps.
 const RATE: f64 = 0.05;
 const SLOWLY: f64 = 1.0;
+
+/// The value of a word as a feature: words are believed sooner than clues.
+const WORD: f64 = 2.0;
+/// The weights of words are whole numbers up to this, those of clues up to the other.
+const MOST_OF_WORD: f64 = 7.0;
+const MOST_OF_CLUE: f64 = 127.0;
+/// Of all weights of words, this share is told exactly; larger ones are cut.
+const UNCUT: f64 = 0.995;
+
+/// Where the weights of words begin: first those for all kinds of readings, then those of each kind.
+const WORDS: usize = CLUES;
+/// How many weights there are to learn.
+const SIZE: usize = WORDS + (KINDS + 1) * HASHED;
 
 /// A reading.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +31,10 @@ pub struct Example<'e> {
     pub clues: &'e [u16],
     /// Their values.
     pub values: &'e [f32],
+    /// The words of its utterance, as features.
+    pub words: &'e [(u32, String)],
+    /// Its kind, from 1.
+    pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
     pub to_kind: u16,
     /// Whether it is right.
@@ -22,11 +42,12 @@ pub struct Example<'e> {
 }
 
 impl Example<'_> {
-    /// The clues for all kinds of readings and for its own, with their values.
+    /// The features for all kinds of readings and for its own, with their values.
     fn each(&self) -> impl Iterator<Item = (usize, f64)> {
         let both =
             |(&clue, &value): (&u16, &f32)| [clue, clue.saturating_add(self.to_kind)].map(|clue| (usize::from(clue), f64::from(value)));
-        self.clues.iter().zip(self.values).flat_map(both)
+        let of_word = |(hash, _): &(u32, String)| [0, self.kind].map(|kind| (WORDS + kind * HASHED + *hash as usize, WORD));
+        self.clues.iter().zip(self.values).flat_map(both).chain(self.words.iter().flat_map(of_word))
     }
 }
 
@@ -35,15 +56,21 @@ impl Example<'_> {
 pub struct Prices {
     /// The price of the square of a weight.
     pub square: f64,
-    /// How many weights there may be.
+    /// How many words may have weights.
     pub most: usize,
 }
 
-/// A trained model.
+/// A trained model, in whole numbers.
 #[derive(Clone, Debug)]
 pub struct Fitted {
-    /// The weight of each clue.
-    pub weights: Vec<f64>,
+    /// The weight of each clue, and the value of a weight of 1.
+    pub clues: Vec<i8>,
+    /// See `clues`.
+    pub scale: f64,
+    /// The weights of words for each kind of reading, and the value of a weight of 1.
+    pub words: BTreeMap<u32, [i8; KINDS]>,
+    /// See `words`.
+    pub scale_of_words: f64,
     /// The weight of every reading.
     pub bias: f64,
 }
@@ -51,8 +78,10 @@ pub struct Fitted {
 impl Fitted {
     /// The probability of a reading.
     pub fn probability(&self, example: &Example<'_>) -> f64 {
-        let sum: f64 = example.each().map(|(clue, value)| self.weights.get(clue).copied().unwrap_or(0.0) * value).sum();
-        1.0 / (1.0 + libm::exp(-(self.bias + sum)))
+        let of_words = example.words.iter().filter_map(|(hash, _)| self.words.get(hash));
+        let words: f64 = of_words.map(|weights| f64::from(weights[example.kind - 1])).sum();
+        let clues: f64 = example.each().filter(|&(at, _)| at < WORDS).map(|(at, value)| f64::from(self.clues[at]) * value).sum();
+        1.0 / (1.0 + libm::exp(-(self.bias + words * self.scale_of_words + clues * self.scale)))
     }
 }
 
@@ -74,26 +103,41 @@ impl Learned {
     }
 }
 
-/// Fits weights for `size` clues: about the least sum of the examples' negative log likelihoods and the prices of the weights.
-pub fn fit(examples: &[Example<'_>], size: usize, prices: Prices) -> Fitted {
-    let mut heights = vec![0.0; size];
-    for (clue, value) in examples.iter().flat_map(Example::each) {
-        if let Some(height) = heights.get_mut(clue) {
-            *height += value * value;
-        }
-    }
-    let all = fit_some(examples, &vec![true; size], prices.square);
-    // What a weight tells in all: how far it moves the readings that have its clue.
-    let tells = |clue: usize| all.weights[clue].abs() * f64::sqrt(heights[clue]);
-    let mut clues: Vec<usize> = (0..size).filter(|&clue| tells(clue) > 0.0).collect();
-    clues.sort_by(|&one, &other| tells(other).total_cmp(&tells(one)).then(one.cmp(&other)));
-    let mut kept = vec![false; size];
-    clues.into_iter().take(prices.most).for_each(|clue| kept[clue] = true);
-    fit_some(examples, &kept, prices.square)
+/// Fits weights: about the least sum of the examples' negative log likelihoods and the prices of the weights. `may_count` tells whether a
+/// word may have weights.
+pub fn fit(examples: &[Example<'_>], may_count: &dyn Fn(u32) -> bool, prices: Prices) -> Fitted {
+    let mut heights = vec![0.0; SIZE];
+    examples.iter().flat_map(Example::each).for_each(|(at, value)| heights[at] += value * value);
+    let may = |at: usize| at < WORDS || may_count(((at - WORDS) % HASHED) as u32);
+    let all = fit_some(examples, &(0..SIZE).map(|at| heights[at] > 0.0 && may(at)).collect::<Vec<_>>(), prices.square);
+    // What a word tells in all: how far its weights move the readings that have it.
+    let of_word = |hash: usize| (0..=KINDS).map(move |kind| WORDS + kind * HASHED + hash);
+    let tells = |hash: usize| of_word(hash).map(|at| all.0[at] * all.0[at] * heights[at]).sum::<f64>();
+    let mut words: Vec<(f64, usize)> = (0..HASHED).map(|hash| (tells(hash), hash)).filter(|&(tells, _)| tells > 0.0).collect();
+    words.sort_by(|one, other| other.0.total_cmp(&one.0).then(one.1.cmp(&other.1)));
+    words.truncate(prices.most);
+    let mut kept = vec![false; SIZE];
+    kept[..WORDS].fill(true);
+    words.iter().flat_map(|&(_, hash)| of_word(hash)).for_each(|at| kept[at] = true);
+    let (weights, bias) = fit_some(examples, &kept, prices.square);
+
+    let rounded = |weight: f64, scale: f64, most: f64| (weight / scale).round().clamp(-most, most) as i8;
+    let scale = weights[..WORDS].iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).max(f64::MIN_POSITIVE) / MOST_OF_CLUE;
+    let clues = weights[..WORDS].iter().map(|&weight| rounded(weight, scale, MOST_OF_CLUE)).collect();
+    // A word's weight for all kinds is a part of that for each.
+    let each = |hash: usize| std::array::from_fn(|kind| (weights[WORDS + hash] + weights[WORDS + (kind + 1) * HASHED + hash]) * WORD);
+    let words: Vec<(u32, [f64; KINDS])> = words.iter().map(|&(_, hash)| (hash as u32, each(hash))).collect();
+    let mut sizes: Vec<f64> = words.iter().flat_map(|(_, weights)| weights.iter().map(|weight| weight.abs())).collect();
+    sizes.sort_by(f64::total_cmp);
+    let largest = sizes.get((sizes.len() as f64 * UNCUT) as usize).copied().unwrap_or(1.0).max(f64::MIN_POSITIVE);
+    let scale_of_words = largest / MOST_OF_WORD;
+    let words = words.into_iter().map(|(hash, weights)| (hash, weights.map(|weight| rounded(weight, scale_of_words, MOST_OF_WORD))));
+    let words = words.filter(|(_, weights)| *weights != [0; KINDS]).collect();
+    Fitted { clues, scale, words, scale_of_words, bias }
 }
 
-/// Fits the weights of these clues.
-fn fit_some(examples: &[Example<'_>], kept: &[bool], price: f64) -> Fitted {
+/// Fits these weights, and that of every reading.
+fn fit_some(examples: &[Example<'_>], kept: &[bool], price: f64) -> (Vec<f64>, f64) {
     let price = price * ROUNDS as f64;
     let (mut learned, mut bias) = (vec![Learned::default(); kept.len()], Learned::default());
     let mut order: Vec<usize> = (0..examples.len()).collect();
@@ -111,7 +155,7 @@ fn fit_some(examples: &[Example<'_>], kept: &[bool], price: f64) -> Fitted {
             example.each().filter(|&(clue, _)| kept[clue]).for_each(|(clue, value)| learned[clue].learn(slope * value, price));
         }
     }
-    Fitted { weights: learned.into_iter().map(|learned| learned.weight).collect(), bias: bias.weight }
+    (learned.into_iter().map(|learned| learned.weight).collect(), bias.weight)
 }
 
 #[cfg(test)]
@@ -122,12 +166,27 @@ mod tests {
     fn a_clue_of_right_readings_gets_a_weight_and_one_without_meaning_gets_none() {
         let example = |at: usize| {
             let clues: &[u16] = if at.is_multiple_of(2) { &[0, 2] } else { &[1, 2] };
-            Example { clues, values: &[1.0, 1.0], to_kind: 3, holds: at.is_multiple_of(2) }
+            Example { clues, values: &[1.0, 1.0], words: &[], kind: 1, to_kind: 3, holds: at.is_multiple_of(2) }
         };
         let examples: Vec<Example<'_>> = (0..80).map(example).collect();
-        let fitted = fit(&examples, 6, Prices { square: 0.01, most: 4 });
+        let fitted = fit(&examples, &|_| true, Prices { square: 0.01, most: 4 });
         let right_and_wrong = [fitted.probability(&example(0)), fitted.probability(&example(1))];
-        assert!(fitted.weights[0] > 0.5 && fitted.weights[1] < -0.5 && fitted.weights[2] == 0.0, "{fitted:?}");
-        assert!(right_and_wrong[0] > 0.8 && right_and_wrong[1] < 0.2, "{fitted:?}");
+        assert!(fitted.clues[0] > 60 && fitted.clues[1] < -60 && fitted.clues[2].abs() < 20, "{:?}", &fitted.clues[..6]);
+        assert!(right_and_wrong[0] > 0.8 && right_and_wrong[1] < 0.2, "{right_and_wrong:?}");
+    }
+
+    #[test]
+    fn of_the_words_that_may_count_those_that_tell_most_get_weights_for_the_kinds_that_had_them() {
+        let word = |hash: u32| (hash, String::new());
+        let (go, paint) = (vec![word(7), word(1), word(5)], vec![word(8), word(2), word(5)]);
+        let example = |at: usize| {
+            let holds = at.is_multiple_of(2);
+            Example { clues: &[0], values: &[1.0], words: if holds { &go } else { &paint }, kind: 2, to_kind: 3, holds }
+        };
+        let examples: Vec<Example<'_>> = (0..80).map(example).collect();
+        let fitted = fit(&examples, &|hash| hash > 2, Prices { square: 0.01, most: 2 });
+        assert_eq!(fitted.words.keys().collect::<Vec<_>>(), [&7, &8]);
+        assert!(fitted.words[&7][1] > 3 && fitted.words[&8][1] < -3, "{:?}", fitted.words);
+        assert!(fitted.probability(&example(0)) > 0.8 && fitted.probability(&example(1)) < 0.2);
     }
 }

@@ -10,18 +10,16 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, CLUES_OF_BLOCK, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
-use readings::{Read, Said};
+use readings::Said;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
-
-/// The weights in a file are whole numbers up to this.
-const MOST: f64 = 127.0;
 
 /// Before the name of an author whose sentences are for training alone.
 const FOR_TRAINING: char = '+';
@@ -57,8 +55,8 @@ pub struct ActsOptions {
     /// The price of the square of a weight: larger prices make smaller weights
     #[arg(long, value_name = "PRICE", default_value = "3")]
     price: f64,
-    /// How many weights there may be
-    #[arg(long, value_name = "NUMBER", default_value = "2500")]
+    /// How many words may have weights
+    #[arg(long, value_name = "NUMBER", default_value = "6000")]
     most: usize,
     /// Print lines of JSON
     #[arg(long)]
@@ -99,7 +97,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     if authors.len() > 1 {
         let progress = bar(authors.len(), "leaving out one author at a time");
         let without = |author: &&str| {
-            let fitted = fit::fit(&examples(&said, &|it| it.author != *author), CLUES, prices);
+            let fitted = fitted_to(&said, &|it| it.author != *author, prices);
             progress.inc(1);
             fitted
         };
@@ -118,32 +116,63 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
                 }
             }
         }
-        for above in ABOVE {
+        for above in (50..100).map(|hundredth| f64::from(hundredth) / 100.0).filter(|above| options.json || ABOVE.iter().any(|it| (it - above).abs() < 1e-3)) {
             let each = authors.iter().zip(&fitted).map(|(author, fitted)| of(author, "", fitted, above));
             let all = each.fold(Figures::default(), |all, figures| all.and(&figures));
             tell(&mut out, options.json, ("left out", "", above), &all)?;
         }
     }
-    let fitted = fit::fit(&examples(&said, &|_| true), CLUES, prices);
-    let (scale, weights) = packed(&fitted);
+    let fitted = fitted_to(&said, &|_| true, prices);
     tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
     if options.explain {
-        let mut largest = weights.clone();
-        largest.sort_by_key(|&(clue, weight)| (-i32::from(weight).abs(), clue));
-        for (clue, weight) in largest {
-            let [reading, place, what, of_lessons] = clue_name(clue);
-            writeln!(out, "{:6.2}  {reading:12} {place:14} {what} {of_lessons}", f64::from(weight) * scale)?;
-        }
+        explain(&mut out, &said, &fitted)?;
     }
     if let Some(file) = &options.weights {
-        std::fs::write(file, text(scale, fitted.bias, &weights)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-        writeln!(out, "{} weights in {}", weights.len(), file.display())?;
+        std::fs::write(file, text(&fitted)).map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+        writeln!(out, "weights of {} clues and {} words in {}", fitted.clues.len(), fitted.words.len(), file.display())?;
     }
     Ok(out.flush()?)
 }
 
-fn examples<'s>(said: &'s [Said], is_in: &dyn Fn(&Said) -> bool) -> Vec<Example<'s>> {
-    said.iter().filter(|it| is_in(it)).flat_map(|it| &it.readings).map(Read::example).collect()
+/// Prints the weights, the largest first.
+fn explain(out: &mut impl Write, said: &[Said], fitted: &Fitted) -> Result<(), Failure> {
+    let texts: BTreeMap<u32, &str> = said.iter().flat_map(|it| &it.words).map(|(hash, text)| (*hash, text.as_str())).collect();
+    let of_clues = (0_u16..).zip(&fitted.clues).map(|(clue, &weight)| (f64::from(weight) * fitted.scale, clue_name(clue)));
+    let kinds = (1..=KINDS).map(|kind| clue_name((kind * (CLUES / (KINDS + 1))) as u16)[0]);
+    let of_words = fitted.words.iter().flat_map(|(hash, weights)| {
+        let text = texts.get(hash).copied().unwrap_or("");
+        kinds.clone().zip(weights).map(move |(kind, &weight)| (f64::from(weight) * fitted.scale_of_words, [kind, "word", text, ""]))
+    });
+    let mut largest: Vec<(f64, [&str; 4])> = of_clues.chain(of_words).filter(|&(weight, _)| weight != 0.0).collect();
+    largest.sort_by(|one, other| other.0.abs().total_cmp(&one.0.abs()).then(one.1.cmp(&other.1)));
+    for (weight, [reading, place, what, of_lessons]) in largest {
+        writeln!(out, "{weight:6.2}  {reading:12} {place:14} {what} {of_lessons}")?;
+    }
+    Ok(())
+}
+
+/// Whether a word was said by several of these people: what one alone says tells little of others.
+fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
+    let mut by: Vec<Option<Result<&str, ()>>> = vec![None; HASHED];
+    for it in said {
+        for (hash, _) in &it.words {
+            let by = &mut by[*hash as usize];
+            *by = match *by {
+                None => Some(Ok(it.author.as_str())),
+                Some(Ok(author)) if author == it.author => *by,
+                _ => Some(Err(())),
+            };
+        }
+    }
+    by.into_iter().map(|by| by == Some(Err(()))).collect()
+}
+
+/// Fits weights to the sentences of these people.
+fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool, prices: Prices) -> Fitted {
+    let of = || said.iter().filter(|it| is_in(it));
+    let examples: Vec<Example<'_>> = of().flat_map(Said::examples).collect();
+    let by_several = said_by_several(of());
+    fit::fit(&examples, &|hash| by_several[hash as usize], prices)
 }
 
 impl Figures {
@@ -169,7 +198,7 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
         figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
-        let weighed = sentence.readings.iter().map(|reading| (fitted.probability(&reading.example()), reading));
+        let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
         if probability > above {
@@ -211,27 +240,24 @@ fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str
     Ok(())
 }
 
-/// The weights as whole numbers, by clue, and the value of 1.
-fn packed(fitted: &Fitted) -> (f64, Vec<(u16, i8)>) {
-    let most = fitted.weights.iter().fold(0.0_f64, |most, weight| most.max(weight.abs()));
-    let scale = if most > 0.0 { most / MOST } else { 1.0 };
-    let rounded = fitted.weights.iter().map(|weight| (weight / scale).round() as i8);
-    (scale, rounded.enumerate().filter(|&(_, weight)| weight != 0).map(|(clue, weight)| (clue as u16, weight)).collect())
-}
-
 /// The weights as a file of the library.
-fn text(scale: f64, bias: f64, weights: &[(u16, i8)]) -> String {
+fn text(fitted: &Fitted) -> String {
     let rows = |numbers: Vec<String>| numbers.chunks(24).map(|row| format!("    {},\n", row.join(", "))).collect::<String>();
-    let (count, blocks) = (weights.len(), CLUES.div_ceil(CLUES_OF_BLOCK) + 1);
-    let before = |block: usize| weights.iter().filter(|(clue, _)| usize::from(*clue) < block * CLUES_OF_BLOCK).count();
-    let starts = rows((0..blocks).map(|block| before(block).to_string()).collect());
-    let keys = rows(weights.iter().map(|(clue, _)| (usize::from(*clue) % CLUES_OF_BLOCK).to_string()).collect());
-    let weights = rows(weights.iter().map(|(_, weight)| weight.to_string()).collect());
+    let Fitted { clues, scale, words, scale_of_words, bias } = fitted;
+    let (blocks, count) = (HASHED / 256, words.len());
+    let before = |block: usize| words.range(..(block * 256) as u32).count();
+    let starts = rows((0..=blocks).map(|block| before(block).to_string()).collect());
+    let hashes = rows(words.keys().map(|hash| (hash % 256).to_string()).collect());
+    let packed = |weights: &[i8; KINDS]| weights.iter().rev().fold(0_u16, |packed, &weight| packed << 4 | (weight as u16 & 15));
+    let of_words = rows(words.values().map(|weights| packed(weights).to_string()).collect());
+    let clues = rows(clues.iter().map(ToString::to_string).collect());
+    let blocks = blocks + 1;
     format!(
-        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The value of a weight of 1.\npub const SCALE: f32 = {scale:.7};\n/// The weight of \
-         every reading.\npub const BIAS: f32 = {bias:.7};\n/// Where the clues of each block of {CLUES_OF_BLOCK} begin among those that have a \
-         weight.\n#[rustfmt::skip]\npub const STARTS: [u16; {blocks}] = [\n{starts}];\n/// The clues that have a weight, in order: their places in their \
-         blocks.\n#[rustfmt::skip]\npub const KEYS: [u8; {count}] = [\n{keys}];\n/// The weight of each of them.\n#[rustfmt::skip]\npub const WEIGHTS: \
-         [i8; {count}] = [\n{weights}];\n"
+        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The weight of every reading.\npub const BIAS: f32 = {bias:.7};\n/// The value of a \
+         weight of 1 of a clue, and of a word.\npub const SCALE: f32 = {scale:.7};\n/// See `SCALE`.\npub const SCALE_OF_WORDS: f32 = \
+         {scale_of_words:.7};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// Where the \
+         words' hashes of each block of 256 begin.\n#[rustfmt::skip]\npub const STARTS: [u16; {blocks}] = [\n{starts}];\n/// The hashes that have weights, \
+         in order: their places in their blocks.\n#[rustfmt::skip]\npub const HASHES: [u8; {count}] = [\n{hashes}];\n/// Their weights: four bits for \
+         each kind of reading, the first in the lowest.\n#[rustfmt::skip]\npub const OF_WORDS: [u16; {count}] = [\n{of_words}];\n"
     )
 }

@@ -23,6 +23,8 @@ pub struct Said {
     pub author: String,
     /// Its language.
     pub language: String,
+    /// Its words, as features: their hashes, and what they are.
+    pub words: Vec<(u32, String)>,
     /// Whether something is to be done.
     pub is_meant: bool,
     /// Its readings.
@@ -36,6 +38,8 @@ pub struct Read {
     pub clues: Vec<u16>,
     /// Their values.
     pub values: Vec<f32>,
+    /// Its kind, from 1.
+    pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
     pub to_kind: u16,
     /// Whether it is what was meant.
@@ -44,10 +48,17 @@ pub struct Read {
     pub is_done: bool,
 }
 
-impl Read {
-    /// The reading as an example to learn from.
-    pub fn example(&self) -> Example<'_> {
-        Example { clues: &self.clues, values: &self.values, to_kind: self.to_kind, holds: self.is_right }
+impl Said {
+    /// Its readings as examples to learn from.
+    pub fn examples(&self) -> impl Iterator<Item = Example<'_>> {
+        self.readings.iter().map(|&Read { ref clues, ref values, kind, to_kind, is_right, .. }| Example {
+            clues,
+            values,
+            words: &self.words,
+            kind,
+            to_kind,
+            holds: is_right,
+        })
     }
 }
 
@@ -55,6 +66,7 @@ impl Read {
 struct Weighed {
     clues: Vec<u16>,
     values: Vec<f32>,
+    kind: usize,
     to_kind: u16,
     hypothesis: Hypothesis,
     tasks: TaskSet,
@@ -74,9 +86,10 @@ pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
     let mut agent = restored::agent_beside(&set.model, &lifted, &Default::default())?;
     let mut said = Vec::new();
     for sentence in &set.sentences {
-        let readings = readings(&mut agent, &home, &start, sentence).map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
+        let read = readings(&mut agent, &home, &start, sentence);
+        let (words, readings) = read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
         let (author, language) = (set.author.clone(), set.language.clone());
-        said.push(Said { author, language, is_meant: !sentence.meanings.is_empty(), readings });
+        said.push(Said { author, language, words, is_meant: !sentence.meanings.is_empty(), readings });
     }
     Ok(said)
 }
@@ -86,7 +99,7 @@ fn readings(
     home: &Home<&mut HomeHeap>,
     start: &HomeState,
     sentence: &Sentence,
-) -> Result<Vec<Read>, AgentError> {
+) -> Result<(Vec<(u32, String)>, Vec<Read>), AgentError> {
     agent.resume(goodbot::talk::Conversation::NEW);
     let mut state = *start;
     if let Some(before) = &sentence.before {
@@ -96,15 +109,19 @@ fn readings(
             state = followed(agent, home, &state, &task);
         }
     }
-    let weighed = RefCell::new(Vec::new());
+    let (weighed, words) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));
     let observe = |reading: &Reading<'_>| {
         let (mut clues, mut values) = (Vec::new(), Vec::new());
         reading.clues.for_each(&mut |clue, value| {
             clues.push(clue);
             values.push(value);
         });
+        if words.borrow().is_empty() {
+            reading.clues.spoken().for_each(&mut |hash, texts| words.borrow_mut().push((hash, texts.join(" ").trim().to_string())));
+        }
         let &Reading { hypothesis, tasks, is_negated, .. } = reading;
-        weighed.borrow_mut().push(Weighed { clues, values, to_kind: reading.clues.to_kind(), hypothesis, tasks, is_negated });
+        let (kind, to_kind) = (reading.clues.kind(), reading.clues.to_kind());
+        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated });
     };
     let _ = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
     let read = |weighed: Weighed| {
@@ -117,9 +134,10 @@ fn readings(
         let asked: Vec<String> =
             tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        Read { clues: weighed.clues, values: weighed.values, to_kind: weighed.to_kind, is_right, is_done }
+        let Weighed { clues, values, kind, to_kind, .. } = weighed;
+        Read { clues, values, kind, to_kind, is_right, is_done }
     };
-    Ok(weighed.into_inner().into_iter().map(read).collect())
+    Ok((words.into_inner(), weighed.into_inner().into_iter().map(read).collect()))
 }
 
 fn kind<'a>(agent: &'a Agent<AgentHeap>, task: &GroundedTask) -> Option<&'a goodbot::task::LiftedTask> {

@@ -1,9 +1,10 @@
-//! The features of a reading: what it is, how probable the words make it, what speaks against it, and the classes of the words.
+//! The features of a reading that no word itself tells: what it is, how probable the words make it, what speaks against it, and the classes
+//! of the words.
 
 use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
 use super::super::verdict::Doubts;
-use super::order::{ORDERS, Order, order_name};
+use super::words::Spoken;
 use crate::voice::classes::Class;
 
 /// The sorts of words: 32 closed classes of new words, the same of words that lessons had, then the sorts below.
@@ -37,22 +38,20 @@ const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
 /// Each number once more, as one of [`STEPS`] steps, or none.
 const STEPS_OF: usize = FIRST + RIVALS;
-/// The order of the words.
-const ORDER: usize = STEPS_OF + NUMBERS * STEPS;
 
 /// The upper ends of the steps of a number, without the last.
 const ENDS: [f32; 9] = [-1.5, -1.0, -0.6, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5];
 const STEPS: usize = ENDS.len() + 2;
-/// The value of a feature of a step or of the order, of which many hold at once.
+/// The value of a feature of a step, of which many hold at once.
 const ONE_OF_MANY: f32 = 0.5;
 
 /// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
-const FEATURES: usize = ORDER + ORDERS;
+const FEATURES: usize = STEPS_OF + NUMBERS * STEPS;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
 /// The kinds of readings with weights of their own: a command, a prohibition, several, all.
-const KINDS: usize = 4;
+pub const KINDS: usize = 4;
 const _: () = assert!(CLUES <= u16::MAX as usize);
 
 /// The kind of a reading that asks for something, from 1.
@@ -92,25 +91,24 @@ pub(in super::super) fn clear_from(lessons: usize) -> f32 {
     (0.6 + 2.4 / lessons.max(1) as f32).min(0.95)
 }
 
-/// The sorts of the words at each place, one bit each.
+/// The words of an utterance, and their sorts at each place, one bit each.
 #[derive(Clone, Copy)]
-pub(in super::super) struct Sorts {
+pub(in super::super) struct Sorts<'u> {
     places: [u128; PLACES],
     new: usize,
     names: usize,
     words: usize,
-    order: Order,
+    spoken: Spoken<'u>,
 }
 
-impl Sorts {
+impl<'u> Sorts<'u> {
     /// Of an utterance: the words as they were said, and as they were mended.
-    pub fn of(said: &[Heard], mended: &[Heard]) -> Self {
+    pub fn of(utterance: &'u str, said: &[Heard], mended: &[Heard]) -> Self {
         let words = || said.iter().zip(mended);
         let is_name = |(_, word): (&Heard, &Heard)| word.is_name;
         let first = words().position(is_name).unwrap_or(usize::MAX);
         let last = words().enumerate().filter(|&(_, pair)| is_name(pair)).map(|(at, _)| at).next_back();
         let (mut places, mut new, end) = ([0_u128; PLACES], 0_usize, words().count().saturating_sub(1));
-        let mut order = Order::NEW;
         for (at, (said, mended)) in words().enumerate() {
             let sorts = sorts(said, mended);
             new = new.saturating_add((sorts >> NEW & 1) as usize);
@@ -126,10 +124,10 @@ impl Sorts {
             {
                 *slot |= sorts;
             }
-            order.take(said, mended, place);
         }
-        order.end();
-        Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), order }
+        let named = words().filter(|&(said, mended)| said.is_name || mended.is_name).map(|(said, _)| said.piece);
+        let spoken = Spoken::of(utterance, named);
+        Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }
 }
 
@@ -151,7 +149,7 @@ fn sorts(said: &Heard, mended: &Heard) -> u128 {
 /// The clues to whether a reading is meant.
 #[derive(Clone, Copy)]
 pub struct Clues<'s> {
-    pub(in super::super) sorts: &'s Sorts,
+    pub(in super::super) sorts: &'s Sorts<'s>,
     pub(in super::super) hypothesis: Hypothesis,
     /// Of several commands, what the first is.
     pub(in super::super) first: Option<Hypothesis>,
@@ -173,9 +171,19 @@ impl Clues<'_> {
         self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
     }
 
+    /// The kind of the reading, from 1 to [`KINDS`].
+    pub fn kind(&self) -> usize {
+        kind(self.hypothesis).unwrap_or(0)
+    }
+
     /// The distance from a clue to the same clue for this kind of reading alone: both are below [`CLUES`], and have weights of their own.
     pub fn to_kind(&self) -> u16 {
-        (kind(self.hypothesis).unwrap_or(0) * FEATURES) as u16
+        (self.kind() * FEATURES) as u16
+    }
+
+    /// The words of the utterance, each of which is a clue too.
+    pub const fn spoken(&self) -> &Spoken<'_> {
+        &self.sorts.spoken
     }
 
     /// Passes each clue that holds, by its number, with its value.
@@ -195,7 +203,6 @@ impl Clues<'_> {
                 add(at, number);
             }
         }
-        self.sorts.order.for_each(&mut |feature| add(ORDER + feature, ONE_OF_MANY));
         let mut mark = |feature: usize, holds: bool| {
             if holds {
                 add(feature, 1.0);
@@ -268,13 +275,9 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         }
         KIND => ["", "always"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
-        _ if feature < ORDER => {
+        _ => {
             let (number, step) = ((feature - STEPS_OF) / STEPS, (feature - STEPS_OF) % STEPS);
             return [name(&READINGS, reading), "step", name(&SINGLE, number), name(&AT, step)];
-        }
-        _ => {
-            let [how, one, other] = order_name(feature - ORDER);
-            return [name(&READINGS, reading), how, one, other];
         }
     };
     let is_of_lessons = (WORDS..KIND).contains(&feature) && (CLASSES..NAME).contains(&((feature - WORDS) % SORTS));

@@ -1,0 +1,130 @@
+//! The features of an utterance that its words tell: each word that names nothing, its beginning, and each pair of neighbours. "Paint" and
+//! "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
+//!
+//! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
+//! stored: 3 bytes for each feature that has weights, whatever its language.
+
+use super::clues::KINDS;
+use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
+use crate::language::{Word, for_each_piece};
+
+/// The features' hashes are below this.
+pub const HASHED: usize = STARTS_OF * 256;
+/// Hashes are found by blocks of 256, so that one takes one byte.
+const STARTS_OF: usize = 1024;
+const _: () = assert!(STARTS.len() == STARTS_OF + 1 && HASHES.len() == OF_WORDS.len());
+
+/// The letters of a beginning.
+const LETTERS: usize = 4;
+/// What stands before the first word.
+const BORDER: &str = "^";
+
+/// The words of an utterance.
+#[derive(Clone, Copy)]
+pub struct Spoken<'u> {
+    utterance: &'u str,
+    /// The pieces that name a value, one bit each.
+    names: u64,
+    /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
+    says: [i16; KINDS],
+}
+
+impl<'u> Spoken<'u> {
+    /// Of an utterance, and the numbers of its pieces that name a value.
+    pub(super) fn of(utterance: &'u str, named: impl Iterator<Item = u8>) -> Self {
+        let names = named.fold(0, |names, piece| names | 1_u64.checked_shl(piece.into()).unwrap_or(0));
+        let mut spoken = Self { utterance, names, says: [0; KINDS] };
+        let mut says = [0_i16; KINDS];
+        spoken.for_each(&mut |feature, _| {
+            for (sum, weight) in says.iter_mut().zip(weights(feature)) {
+                *sum = sum.saturating_add(weight);
+            }
+        });
+        spoken.says = says;
+        spoken
+    }
+
+    /// What the words say for a kind of reading, from 1: a part of its log odds.
+    pub(super) fn says(&self, kind: usize) -> f32 {
+        self.says.get(kind.saturating_sub(1)).map_or(0.0, |&sum| f32::from(sum) * SCALE_OF_WORDS)
+    }
+
+    /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice.
+    pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
+        let mut number = 0_u32;
+        // The word before, if it names nothing.
+        let mut before = Word::try_from(BORDER).ok();
+        let _ = for_each_piece(self.utterance, |piece| {
+            let is_name = self.names.checked_shr(number).is_some_and(|names| names & 1 == 1);
+            number = number.saturating_add(1);
+            for word in piece.split('\'').filter(|word| !word.is_empty()) {
+                if is_name {
+                    before = None;
+                    continue;
+                }
+                take(hash([word, ""]), [word, ""]);
+                if let Some((end, _)) = word.char_indices().nth(LETTERS) {
+                    let beginning = word.get(..end).unwrap_or(word);
+                    take(hash([beginning, "*"]), [beginning, "*"]);
+                }
+                if let Some(first) = &before {
+                    take(hash([first, word]), [first, word]);
+                }
+                before = Word::try_from(word).ok();
+            }
+            Ok(())
+        });
+    }
+}
+
+/// The hash of two texts with a blank between them: FNV-1a, folded.
+fn hash(texts: [&str; 2]) -> u32 {
+    let letters = texts.iter().flat_map(|text| text.bytes().chain([b' ']));
+    let hash = letters.fold(0x811c_9dc5_u32, |hash, letter| (hash ^ u32::from(letter)).wrapping_mul(0x0100_0193));
+    (hash ^ hash >> 16) % HASHED as u32
+}
+
+/// The weights of a feature for each kind of reading, in units of [`SCALE_OF_WORDS`]; 0 if it has none.
+fn weights(feature: u32) -> [i16; KINDS] {
+    const NONE: [i16; KINDS] = [0; KINDS];
+    let Some(&[begin, end]) = STARTS.get(feature as usize / 256..).and_then(|starts| starts.first_chunk()) else { return NONE };
+    let (begin, end) = (usize::from(begin), usize::from(end));
+    let found = HASHES.get(begin..end).and_then(|hashes| hashes.binary_search(&(feature as u8)).ok());
+    let found = found.and_then(|at| OF_WORDS.get(at.saturating_add(begin)));
+    found.map_or(NONE, |&packed| [0, 4, 8, 12].map(|shift| i16::from((packed << (12 - shift)) as i16 >> 12)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::String;
+    use std::vec::Vec;
+
+    fn features(utterance: &str, named: &[u8]) -> Vec<String> {
+        let mut features = Vec::new();
+        Spoken::of(utterance, named.iter().copied()).for_each(&mut |_, texts| features.push(texts.join("~")));
+        features
+    }
+
+    #[test]
+    fn words_their_beginnings_and_pairs_are_features_unless_they_name_something() {
+        let here = ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "please~", "plea~*"];
+        assert_eq!(features("Nip over to the RED room, please", &[4, 5]), here);
+        assert_eq!(features("don't", &[]), ["don~", "^~don", "t~", "don~t"]);
+    }
+
+    #[test]
+    fn each_feature_in_the_table_is_found_and_no_other() {
+        let found = (0..HASHED as u32).filter(|&feature| weights(feature) != [0; KINDS]).count();
+        assert_eq!(found, OF_WORDS.iter().filter(|&&packed| packed != 0).count());
+        assert!(found > 1_000, "{found}");
+    }
+
+    #[test]
+    fn what_words_say_is_the_same_in_any_case_of_letters() {
+        let kinds = |utterance| [1, 2, 3, 4].map(|kind| Spoken::of(utterance, [].into_iter()).says(kind));
+        assert_eq!(kinds("Would you mind"), kinds("would YOU mind"));
+        assert_ne!(kinds("would you mind"), [0.0; KINDS]);
+        assert_eq!(kinds(""), [0.0; KINDS]);
+    }
+}
