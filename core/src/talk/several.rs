@@ -2,7 +2,6 @@
 
 use super::context::{Context, View};
 use super::explained::Explained;
-use super::heard::Heard;
 use super::readings::{CUE, EITHER, all, negated};
 use super::words::Words;
 use crate::capacity::WORDS_PER_COMMAND;
@@ -28,17 +27,6 @@ pub(super) struct Parting<'w> {
     pub first: Words<'w>,
     pub begin: usize,
     pub weight: Scaled,
-}
-
-/// Whether a connective stands between words that may be two commands: to do only one of them would be wrong. "Be a darling and go" has one
-/// command.
-pub(super) fn has_more(words: Words<'_>) -> bool {
-    let parts = |word: &Heard| word.is(Class::Connective) && !word.is_of_lessons();
-    let Some(first) = words.position(&parts) else { return false };
-    let behind = words.from(first);
-    let is_command = words.before(first).any(&|word| word.is_of_task || word.is_name);
-    let second = || behind.after(0).position(&parts).map_or(Words::NONE, |second| behind.after(0).from(second));
-    if is_command { behind } else { second() }.any(&Heard::may_act)
 }
 
 /// The words of the place that a clause shares with the next one, if it has none of its own: "the bag and the chair to the red room".

@@ -7,8 +7,7 @@ use super::explained::Explained;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
-use super::several::{Parting, has_more};
-use super::syntax::{begins_with_new_word, has_condition, has_new_name, is_past, is_question, new_names, tells};
+use super::several::Parting;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -23,51 +22,26 @@ const NEGLIGIBLE: f32 = 1e-4;
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
 
-/// A done task of the same kind speaks against a task if it explains the words at least a fifth as well.
-const RIVAL: f32 = 5.0;
-
 /// What speaks against the tasks of a reading, one bit each: clues for the [acceptance](super::acceptance).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Doubts(u16);
+pub(super) struct Doubts(u8);
 
 impl Doubts {
     /// No doubts.
     pub const NONE: Self = Self(0);
     /// The names of all doubts.
-    const NAMES: [&'static str; 16] = [
-        "a thing outside the task",
-        "a new name",
-        "a new verb",
-        "a question",
-        "a report",
-        "a condition",
-        "the past",
-        "a choice",
-        "a connective",
-        "a task that is done",
-        "other cues",
-        "no act",
-        "not possible",
-        "not fitting",
-        "no tasks",
-        "another order",
-    ];
+    const NAMES: [&'static str; 6] = ["a thing outside the task", "other cues", "no act", "not possible", "not fitting", "no tasks"];
     /// How many there are.
     pub const COUNT: usize = Self::NAMES.len();
 
     /// These doubts, in order.
     fn of(doubts: &[(Doubt, bool)]) -> Self {
-        Self(doubts.iter().fold(0, |all, &(doubt, holds)| all | u16::from(holds) << doubt as u16))
-    }
-
-    /// These and another doubt, if it holds.
-    fn and(self, doubt: Doubt, holds: bool) -> Self {
-        Self(self.0 | Self::of(&[(doubt, holds)]).0)
+        Self(doubts.iter().fold(0, |all, &(doubt, holds)| all | u8::from(holds) << doubt as u8))
     }
 
     /// Whether the doubt at a position holds.
     pub const fn has(self, position: usize) -> bool {
-        self.0 >> (position & 15) & 1 == 1
+        self.0 >> (position & 7) & 1 == 1
     }
 
     /// The name of the doubt at a position.
@@ -80,21 +54,11 @@ impl Doubts {
 #[derive(Clone, Copy)]
 enum Doubt {
     Foreign,
-    NewName,
-    NewVerb,
-    Question,
-    Report,
-    Condition,
-    Past,
-    Choice,
-    Connective,
-    Rival,
     Cues,
     NoAct,
     Impossible,
     Unfitting,
     NoTasks,
-    Order,
 }
 
 /// A reading of an utterance, as a robot weighs it.
@@ -190,12 +154,11 @@ impl<M: AgentMemory> Agent<M> {
                 tasks: judged.tasks.iter().count(),
                 is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
                 is_asked: words.is_asked,
+                points_back: explained.points_back,
                 lessons: self.language().bitext().sessions(),
                 doubts: judged.doubts,
             };
-            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-            let is_reference = explained.points_back && clues.is_clear();
-            let probability = probability(&clues).max(if is_reference { share * clues.of_tasks } else { 0.0 });
+            let probability = probability(&clues);
             (context.wording.observe)(&Reading {
                 hypothesis,
                 tasks: judged.tasks,
@@ -205,7 +168,7 @@ impl<M: AgentMemory> Agent<M> {
             });
             if best.is_none_or(|(_, _, most, _)| probability > most) {
                 let is_possible = !judged.doubts.has(Doubt::Impossible as usize);
-                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > ACTS_FROM)));
+                best = Some((hypothesis, share, probability, is_possible && probability > ACTS_FROM));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.
@@ -238,12 +201,9 @@ impl<M: AgentMemory> Agent<M> {
         let (weighed, command) = self.hypotheses(domain, parting.first, explained, context, None)?;
         let (first, share) = likeliest(&weighed, parting.first, context.is_known());
         let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
-        // "Go there, but take the bag first" is in another order.
-        let has_but = words.from(parting.begin.saturating_sub(1)).has(Class::But);
         let several = Judged {
             hypothesis,
             probability: probability * part.probability,
-            doubts: part.doubts.and(Doubt::Order, has_but),
             rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
             ..part
         };
@@ -273,7 +233,7 @@ impl<M: AgentMemory> Agent<M> {
             Hypothesis::All => self.judge_all(domain, likeliest, explained, context)?,
             _ => None,
         };
-        Ok(judged.unwrap_or_else(|| self.judge_command(domain, likeliest, explained)))
+        Ok(judged.unwrap_or_else(|| self.judge_command(likeliest, explained)))
     }
 
     /// The state that words forbid, or the one to keep if they negate twice.
@@ -314,7 +274,6 @@ impl<M: AgentMemory> Agent<M> {
                 (Doubt::NoAct, !is_told),
                 (Doubt::Impossible, !is_possible),
                 (Doubt::Unfitting, !explained.fitting.contains(task)),
-                (Doubt::Report, tells(words)),
             ]),
             ..likeliest
         }))
@@ -350,40 +309,16 @@ impl<M: AgentMemory> Agent<M> {
             tasks,
             probability: probability * of_place,
             command: probability,
-            doubts: Doubts::of(&[
-                (Doubt::Cues, !rest.is_clear),
-                (Doubt::NoTasks, tasks.is_empty()),
-                (Doubt::Report, tells(words)),
-                (Doubt::Condition, has_condition(words)),
-            ]),
+            doubts: Doubts::of(&[(Doubt::Cues, !rest.is_clear), (Doubt::NoTasks, tasks.is_empty())]),
             ..likeliest
         }))
     }
 
     /// The task of a plain command, and any objections to it.
-    fn judge_command<'w, D: Domain + ?Sized>(&self, domain: &D, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
+    fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
         let (task, of_command) = explained.best();
-        let (is_whole, is_own) = (explained.whole.contains(task), explained.own.contains(task));
-        // "This or that" leaves the choice to the robot.
-        let is_choice = words.any(&|word| word.is(Class::Or) && !word.is_of_lessons());
-        // "Paint the red room" is about no known task. A named thing with a place is enough: "haul that red chair to the red room".
-        let is_of_thing = self.is_only_one(domain, explained, task);
-        // "Switch on the lamp in the red room" has a new verb and a new name.
-        let has_verb = is_of_thing || !begins_with_new_word(words) || explained.acted.contains(task) && new_names(words) == 0;
-        let doubts = Doubts::of(&[
-            (Doubt::Foreign, !is_own),
-            // A word that names nothing known may be the name of something else.
-            (Doubt::NewName, !is_whole && has_new_name(words)),
-            (Doubt::NewVerb, !has_verb),
-            (Doubt::Question, is_question(words)),
-            (Doubt::Report, tells(words)),
-            (Doubt::Condition, has_condition(words)),
-            (Doubt::Past, is_past(words)),
-            (Doubt::Choice, is_choice),
-            (Doubt::Connective, has_more(words)),
-            (Doubt::Rival, self.has_rival(domain, explained, task)),
-        ]);
+        let doubts = Doubts::of(&[(Doubt::Foreign, !explained.own.contains(task))]);
         Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
     }
 
@@ -405,15 +340,5 @@ impl<M: AgentMemory> Agent<M> {
         let asks = words.any(&|word| word.is(Class::Again) && !word.is_any(&[Class::Back, Class::Undo]));
         let task = self.tasks().iter().position(|task| (task.lifted, task.bindings) == (last.lifted, last.bindings))?;
         (asks && (!explained.acts || explained.acted.contains(task))).then_some(task)
-    }
-
-    /// Whether a done task of the same kind explains the words nearly as well as this one.
-    fn has_rival<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
-        let done = self.done(domain);
-        let likelihood = |task: usize| explained.likelihoods.get(task).copied().unwrap_or(Scaled::ZERO);
-        let is_rival = |other: usize| {
-            self.task(other).lifted == self.task(task).lifted && likelihood(other).scaled_by(RIVAL).exceeds(likelihood(task))
-        };
-        !done.contains(task) && done.iter().any(is_rival)
     }
 }

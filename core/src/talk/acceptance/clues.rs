@@ -24,7 +24,7 @@ const NUMBERS: usize = 5;
 /// The first of each group of features.
 const DONE: usize = NUMBERS;
 const ASKED: usize = DONE + 1;
-const CLEAR: usize = DONE + 2;
+const BACK: usize = DONE + 2;
 const TOP: usize = DONE + 3;
 const TASKS: usize = TOP + 1 + RIVALS;
 const DOUBTS: usize = TASKS + 4;
@@ -161,16 +161,13 @@ pub struct Clues<'s> {
     pub(in super::super) tasks: usize,
     pub(in super::super) is_done: bool,
     pub(in super::super) is_asked: bool,
+    /// Whether it refers to an earlier sentence.
+    pub(in super::super) points_back: bool,
     pub(in super::super) lessons: usize,
     pub(in super::super) doubts: Doubts,
 }
 
 impl Clues<'_> {
-    /// Whether nothing speaks against the reading, and the words make it probable.
-    pub(in super::super) fn is_clear(&self) -> bool {
-        self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
-    }
-
     /// The kind of the reading, from 1 to [`KINDS`].
     pub fn kind(&self) -> usize {
         kind(self.hypothesis).unwrap_or(0)
@@ -210,7 +207,7 @@ impl Clues<'_> {
         };
         mark(DONE, self.is_done);
         mark(ASKED, self.is_asked);
-        mark(CLEAR, self.is_clear());
+        mark(BACK, self.points_back);
         mark(TOP, is_top);
         mark(TOP + 1 + rival(other), !is_top);
         mark(TASKS + self.tasks.min(3), true);
@@ -247,7 +244,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         "log of lessons",
         "done",
         "asked",
-        "clear",
+        "points back",
         "likeliest",
     ];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
