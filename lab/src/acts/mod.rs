@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, DONE_FROM, HASHED, KINDS, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -25,7 +25,7 @@ use std::path::PathBuf;
 const FOR_TRAINING: char = '+';
 
 /// The probabilities above which robots are tried.
-const ABOVE: [f64; 6] = [0.6, 0.7, ACTS_FROM as f64, 0.8, 0.85, 0.9];
+const ABOVE: [f64; 9] = [0.6, 0.7, 0.76, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86, 0.9];
 
 /// The options of `goodbot acts`.
 #[derive(Debug, Args)]
@@ -201,7 +201,7 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
         let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
-        if probability > above {
+        if probability > if best.moves_nothing { f64::from(DONE_FROM) } else { above } {
             figures.acted += 1;
             figures.right += usize::from(best.is_right);
             figures.said += probability;

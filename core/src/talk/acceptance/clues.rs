@@ -125,8 +125,10 @@ impl<'u> Sorts<'u> {
                 *slot |= sorts;
             }
         }
-        let named = words().filter(|&(said, mended)| said.is_name || mended.is_name).map(|(said, _)| said.piece);
-        let spoken = Spoken::of(utterance, named);
+        // What a name or an act word means, lessons have told: "turn on" is no task in a home, and one where lamps are.
+        let is_taught = |word: &Heard| word.is_name || word.is_of_task;
+        let taught = words().filter(|&(said, mended)| is_taught(said) || is_taught(mended)).map(|(said, _)| said.piece);
+        let spoken = Spoken::of(utterance, taught);
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }
 }

@@ -1,4 +1,4 @@
-//! The features of an utterance that its words tell: each word that names nothing, its beginning, and each pair of neighbours. "Paint" and
+//! The features of an utterance that its words tell: each word that lessons gave no task, its beginning, and each pair of neighbours. "Paint" and
 //! "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
@@ -23,17 +23,17 @@ const BORDER: &str = "^";
 #[derive(Clone, Copy)]
 pub struct Spoken<'u> {
     utterance: &'u str,
-    /// The pieces that name a value, one bit each.
-    names: u64,
+    /// The pieces that name something, or an act, by the lessons: one bit each.
+    taught: u64,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
 }
 
 impl<'u> Spoken<'u> {
-    /// Of an utterance, and the numbers of its pieces that name a value.
-    pub(super) fn of(utterance: &'u str, named: impl Iterator<Item = u8>) -> Self {
-        let names = named.fold(0, |names, piece| names | 1_u64.checked_shl(piece.into()).unwrap_or(0));
-        let mut spoken = Self { utterance, names, says: [0; KINDS] };
+    /// Of an utterance, and the numbers of its pieces that name something, or an act.
+    pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
+        let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
+        let mut spoken = Self { utterance, taught, says: [0; KINDS] };
         let mut says = [0_i16; KINDS];
         spoken.for_each(&mut |feature, _| {
             for (sum, weight) in says.iter_mut().zip(weights(feature)) {
@@ -52,13 +52,13 @@ impl<'u> Spoken<'u> {
     /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice.
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
         let mut number = 0_u32;
-        // The word before, if it names nothing.
+        // The word before, if it is no such piece.
         let mut before = Word::try_from(BORDER).ok();
         let _ = for_each_piece(self.utterance, |piece| {
-            let is_name = self.names.checked_shr(number).is_some_and(|names| names & 1 == 1);
+            let is_taught = self.taught.checked_shr(number).is_some_and(|taught| taught & 1 == 1);
             number = number.saturating_add(1);
             for word in piece.split('\'').filter(|word| !word.is_empty()) {
-                if is_name {
+                if is_taught {
                     before = None;
                     continue;
                 }
@@ -100,14 +100,14 @@ mod tests {
     use std::string::String;
     use std::vec::Vec;
 
-    fn features(utterance: &str, named: &[u8]) -> Vec<String> {
+    fn features(utterance: &str, taught: &[u8]) -> Vec<String> {
         let mut features = Vec::new();
-        Spoken::of(utterance, named.iter().copied()).for_each(&mut |_, texts| features.push(texts.join("~")));
+        Spoken::of(utterance, taught.iter().copied()).for_each(&mut |_, texts| features.push(texts.join("~")));
         features
     }
 
     #[test]
-    fn words_their_beginnings_and_pairs_are_features_unless_they_name_something() {
+    fn words_their_beginnings_and_pairs_are_features_unless_lessons_told_what_they_mean() {
         let here = ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "please~", "plea~*"];
         assert_eq!(features("Nip over to the RED room, please", &[4, 5]), here);
         assert_eq!(features("don't", &[]), ["don~", "^~don", "t~", "don~t"]);
