@@ -49,7 +49,7 @@ mod wording;
 mod words;
 
 pub use crate::voice::{Class, Classes, ClosedWords, ClosedWordsError, Said, Stage, for_each_open_word};
-pub use acceptance::{ACTS_FROM, CLUES, Clues, DONE_FROM, HASHED, KINDS, Spoken, clue_name};
+pub use acceptance::{ACTS_FROM, CLUES, Clues, HASHED, KINDS, Spoken, clue_name};
 pub use conversation::{Conversation, Fact};
 pub use correction::Corrected;
 pub use hypothesis::Hypothesis;

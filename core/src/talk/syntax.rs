@@ -74,6 +74,13 @@ pub(super) fn stays_by_name(words: Words<'_>) -> bool {
     words.at(Class::Here).is_some_and(|here| words.before(here).has_name())
 }
 
+/// Whether a new word stands between known ones.
+pub(super) fn has_new_name(words: Words<'_>) -> bool {
+    let Some(known) = words.position(&Heard::is_of_lessons) else { return false };
+    let behind = words.after(known);
+    behind.position(&|word| word.is_new).is_some_and(|new| behind.from(new).any(&Heard::is_of_lessons))
+}
+
 /// Whether words in the past precede another command: "when you've put the bag in the red room, go to the green room".
 pub(super) fn is_past(words: Words<'_>) -> bool {
     let names = |phrase: u8| words.any(&|word| word.is_name && word.phrase != phrase);

@@ -1,6 +1,6 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, Clues, DONE_FROM, Sorts, asks, clear_from, probability};
+use super::acceptance::{ACTS_FROM, Clues, Sorts, asks, clear_from, probability};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
@@ -8,6 +8,7 @@ use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
 use super::several::Parting;
+use super::syntax::has_new_name;
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -30,7 +31,8 @@ impl Doubts {
     /// No doubts.
     pub const NONE: Self = Self(0);
     /// The names of all doubts.
-    const NAMES: [&'static str; 6] = ["a thing outside the task", "other cues", "no act", "not possible", "not fitting", "no tasks"];
+    const NAMES: [&'static str; 7] =
+        ["a thing outside the task", "a new name", "other cues", "no act", "not possible", "not fitting", "no tasks"];
     /// How many there are.
     pub const COUNT: usize = Self::NAMES.len();
 
@@ -54,6 +56,7 @@ impl Doubts {
 #[derive(Clone, Copy)]
 enum Doubt {
     Foreign,
+    NewName,
     Cues,
     NoAct,
     Impossible,
@@ -158,7 +161,9 @@ impl<M: AgentMemory> Agent<M> {
                 lessons: self.language().bitext().sessions(),
                 doubts: judged.doubts,
             };
-            let probability = probability(&clues);
+            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
+            let is_reference = clues.points_back && clues.is_clear();
+            let probability = probability(&clues).max(if is_reference { share * clues.of_tasks } else { 0.0 });
             (context.wording.observe)(&Reading {
                 hypothesis,
                 tasks: judged.tasks,
@@ -168,9 +173,7 @@ impl<M: AgentMemory> Agent<M> {
             });
             if best.is_none_or(|(_, _, most, _)| probability > most) {
                 let is_possible = !judged.doubts.has(Doubt::Impossible as usize);
-                // After the first of several commands, the others follow.
-                let least = if clues.is_done && hypothesis != Hypothesis::Several { DONE_FROM } else { ACTS_FROM };
-                best = Some((hypothesis, share, probability, is_possible && probability > least));
+                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > ACTS_FROM)));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.
@@ -320,7 +323,11 @@ impl<M: AgentMemory> Agent<M> {
     fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
         let (task, of_command) = explained.best();
-        let doubts = Doubts::of(&[(Doubt::Foreign, !explained.own.contains(task))]);
+        let doubts = Doubts::of(&[
+            (Doubt::Foreign, !explained.own.contains(task)),
+            // A word that names nothing known may be the name of something else.
+            (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
+        ]);
         Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
     }
 

@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, DONE_FROM, HASHED, KINDS, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -116,7 +116,10 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
                 }
             }
         }
-        for above in (50..100).map(|hundredth| f64::from(hundredth) / 100.0).filter(|above| options.json || ABOVE.iter().any(|it| (it - above).abs() < 1e-3)) {
+        for above in (50..100)
+            .map(|hundredth| f64::from(hundredth) / 100.0)
+            .filter(|above| options.json || ABOVE.iter().any(|it| (it - above).abs() < 1e-3))
+        {
             let each = authors.iter().zip(&fitted).map(|(author, fitted)| of(author, "", fitted, above));
             let all = each.fold(Figures::default(), |all, figures| all.and(&figures));
             tell(&mut out, options.json, ("left out", "", above), &all)?;
@@ -201,7 +204,7 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
         let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
-        if probability > if best.moves_nothing { f64::from(DONE_FROM) } else { above } {
+        if probability > above {
             figures.acted += 1;
             figures.right += usize::from(best.is_right);
             figures.said += probability;

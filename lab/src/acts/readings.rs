@@ -46,8 +46,6 @@ pub struct Read {
     pub is_right: bool,
     /// Whether it asks for what is so already.
     pub is_done: bool,
-    /// Whether that is all.
-    pub moves_nothing: bool,
 }
 
 impl Said {
@@ -136,8 +134,8 @@ fn readings(
         let asked: Vec<String> =
             tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        let Weighed { clues, values, kind, to_kind, hypothesis, .. } = weighed;
-        Read { clues, values, kind, to_kind, is_right, is_done, moves_nothing: is_done && hypothesis != Hypothesis::Several }
+        let Weighed { clues, values, kind, to_kind, .. } = weighed;
+        Read { clues, values, kind, to_kind, is_right, is_done }
     };
     Ok((words.into_inner(), weighed.into_inner().into_iter().map(read).collect()))
 }

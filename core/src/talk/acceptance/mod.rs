@@ -21,11 +21,7 @@ const _: () = assert!(WEIGHTS.len() == CLUES);
 /// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as four and a half questions: then acting
 /// costs less than asking. It is the least number, in hundredths, at which at most 1.5 % of the sentences of authors who were left out of
 /// the training led to a wrong act, after 120 lessons.
-pub const ACTS_FROM: f32 = 0.82;
-
-/// The robot answers that a task is done already if that is more probable than this. The answer moves nothing, so it need only be more
-/// probably right than wrong.
-pub const DONE_FROM: f32 = 0.5;
+pub const ACTS_FROM: f32 = 0.80;
 
 /// The probability that a reading with these clues is what was meant: a number from 0 to 1.
 pub(super) fn probability(clues: &Clues<'_>) -> f32 {
