@@ -137,27 +137,19 @@ impl Choice {
 
 /// The symbols that are looked for at once: a bit each.
 const LOOKED_FOR: u16 = u32::BITS as u16;
-/// The symbols that one part of the work forgets: for each, all training data are renamed.
-const FORGOTTEN_AT_ONCE: usize = 1;
 
 /// Which of the symbols from `first` on are used: a search for each would go through all that use them each time.
 fn used_from<'s>(first: u16, used: impl Iterator<Item = &'s Symbol>) -> u32 {
     used.map(|symbol| symbol.0.wrapping_sub(first)).filter(|&at| at < LOOKED_FOR).fold(0, |bits, at| bits | 1 << at)
 }
 
-/// The last symbols before `end` that are not used, the last one first, and the position before which others may be.
-fn last_unused<'s>(end: u16, used: impl Iterator<Item = &'s Symbol>) -> (Vec<Symbol, FORGOTTEN_AT_ONCE, u8>, u16) {
+/// The last symbol before `end` that is not used, if it is among those looked for, and the position before which others may be. One part of
+/// the work forgets one symbol, because all training data are renamed for it.
+fn last_unused<'s>(end: u16, used: impl Iterator<Item = &'s Symbol>) -> (Option<Symbol>, u16) {
     let first = end.saturating_sub(LOOKED_FOR);
-    let (bits, mut unused) = (used_from(first, used), Vec::new());
-    for position in (first..end).rev() {
-        if bits >> position.wrapping_sub(first) & 1 == 0 {
-            let _ = unused.push(Symbol(position));
-        }
-        if unused.is_full() {
-            return (unused, position);
-        }
-    }
-    (unused, first)
+    let bits = used_from(first, used);
+    let unused = (first..end).rev().find(|position| bits >> position.wrapping_sub(first) & 1 == 0);
+    (unused.map(Symbol), unused.unwrap_or(first))
 }
 
 impl LanguageMut<'_> {
@@ -417,11 +409,11 @@ impl LanguageMut<'_> {
         self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
 
-    /// Forgets some of the words before `end` that no session has, the last ones first, and moves `end` before them.
+    /// Forgets the last word before `end` that no session has, and moves `end` before it.
     fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>], end: &mut u16) {
         let unused;
         (unused, *end) = last_unused(*end, self.bitext.words_mut().iter());
-        for word in unused {
+        if let Some(word) = unused {
             self.words.remove(word);
             self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
             for heard in sentence.iter_mut() {
@@ -431,13 +423,15 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets some of the machine tokens before `end` that neither a machine command nor the new session uses, the last ones first, and
-    /// moves `end` before them. Returns whether there were any.
+    /// Forgets the last machine token before `end` that neither a machine command nor the new session uses, and moves `end` before it.
+    /// Returns whether there was any.
     fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol], end: &mut u16) -> bool {
         let unused;
         (unused, *end) = last_unused(*end, self.bitext.tokens_mut().iter().chain(&*session_tokens));
-        unused.iter().for_each(|&token| self.remove_token(token, session_tokens));
-        !unused.is_empty()
+        if let Some(token) = unused {
+            self.remove_token(token, session_tokens);
+        }
+        unused.is_some()
     }
 
     /// Forgets a machine token that nothing uses. The later ones move up.
