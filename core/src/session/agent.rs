@@ -441,6 +441,8 @@ impl<M: AgentMemory> Agent<M> {
     /// learning begins when the session is over.
     pub(crate) fn workspace_to_training(&mut self) {
         self.hear_words_to_the_end();
+        #[cfg(feature = "ways")]
+        self.describe_anew();
         self.planned = None;
         self.planner.release_marks();
     }
