@@ -190,6 +190,9 @@
 // Most transcripts of one command.
 #define GOODBOT_MOST_HYPOTHESES 16
 
+// Most bytes of a command that is heard in parts.
+#define GOODBOT_MOST_COMMAND_BYTES 1024
+
 // A meaning's weight is its probability, given the trainer's evidence and the words of the command.
 #define GOODBOT_WEIGHTS_PAPER 0
 

@@ -280,6 +280,20 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotSta
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| GoodbotStatus::Text)
 }
 
+/// A text of at most this many bytes. No more of a longer one is read.
+///
+/// # Safety
+/// As [`text`].
+pub(crate) unsafe fn short_text<'a>(text: *const c_char, most: usize) -> Result<&'a str, GoodbotStatus> {
+    if text.is_null() {
+        return Err(GoodbotStatus::Null);
+    }
+    // SAFETY: the caller's promise; each byte before the text's end is looked at.
+    let length = (0..=most).find(|&at| unsafe { *text.add(at) } == 0).ok_or(GoodbotStatus::Text)?;
+    // SAFETY: the text has these bytes.
+    core::str::from_utf8(unsafe { core::slice::from_raw_parts(text.cast(), length) }).map_err(|_| GoodbotStatus::Text)
+}
+
 /// Writes a value to the caller's pointer.
 ///
 /// # Safety

@@ -7,7 +7,7 @@ use super::phase::{Phase, Position, Prior, Progressed};
 use crate::feedback::Belief;
 use crate::language::Model;
 use crate::language::hearing::Heard;
-use crate::language::tokenizer::has_pieces;
+use crate::language::tokenizer::may_have_pieces;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, check_actions, digest, vocabulary};
 use crate::planning::Progress;
@@ -42,7 +42,7 @@ impl<M: AgentMemory> Agent<M> {
     /// The command is copied to where plans are made. One with more bytes than fit there is heard here at once.
     ///
     /// # Errors
-    /// As [`hear`](Self::hear), but a command or a word that is too long is told by [`hear_on`](Self::hear_on).
+    /// As [`hear`](Self::hear), but [`hear_on`](Self::hear_on) tells a command or a word that is too long, and a long command without a word.
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         let is_kept = self.open(domain, state, command, self.options.done, true)?;
         self.begin_to_understand()?;
@@ -56,8 +56,8 @@ impl<M: AgentMemory> Agent<M> {
     /// depend on the budget. A known word that a new word is compared with counts as a cell; at least 32 of them are compared.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain, and
-    /// [`AgentError::Capacity`]; in the last case the session ends.
+    /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain,
+    /// [`AgentError::EmptyCommand`] and [`AgentError::Capacity`]; in the last two cases the session ends.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         if let Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
@@ -165,7 +165,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             None => language.hear_into(command, &mut self.sentence)?,
         }
-        if if is_kept { !has_pieces(command) } else { self.sentence.is_empty() } {
+        if if is_kept { !may_have_pieces(command) } else { self.sentence.is_empty() } {
             return Err(AgentError::EmptyCommand);
         }
         check_actions(domain)?;
@@ -197,6 +197,9 @@ impl<M: AgentMemory> Agent<M> {
         // Words need none of the counts.
         let mut language = self.language.called_with(tables.language, &mut []);
         let is_heard = language.hear_on(command, &mut heard, &mut self.sentence, left)?;
+        if is_heard && self.sentence.is_empty() {
+            return Err(AgentError::EmptyCommand);
+        }
         self.progressed = if is_heard { Progressed::Opened } else { Progressed::Words(heard, bytes) };
         Ok(is_heard)
     }

@@ -516,6 +516,39 @@ fn a_new_word_is_compared_with_few_known_words_at_a_time_and_means_the_same() {
 }
 
 #[test]
+fn a_long_command_is_looked_at_in_parts_and_heard_the_same() {
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    let full = |capacity, limit, given| Err(AgentError::Capacity(CapacityError::new(capacity, limit, given)));
+    let (space, marks, word) = (" ".repeat(500), "\u{301}'.".repeat(200), "é".repeat(24));
+    for (command, words) in [
+        (format!("{space}go{space}there'{space}"), Ok(2)),
+        (format!("go{marks}{word}, {}", "'".repeat(500)), Ok(2)),
+        (format!("{}去 red 的房间。", space.replace(' ', "!")), Ok(5)),
+        (space + &marks, Err(AgentError::EmptyCommand)),
+        ("a".repeat(700), full(Capacity::NameBytes, 48, 700)),
+        ("go, ".repeat(300), full(Capacity::WordsPerCommand, 64, 300)),
+    ] {
+        let mut heard = Vec::new();
+        for budget in [1, 40, u32::MAX] {
+            let (mut agent, mut calls) =
+                (Agent::new(AgentHeap::new(&Capacities::STANDARD), &paper_tasks().unwrap(), Options::DEFAULT).unwrap(), 1);
+            agent.begin_hearing(&home, &state, &command).unwrap();
+            let mut result = agent.hear_on(&home, budget);
+            while result == Ok(Progress::Working) {
+                result = agent.hear_on(&home, budget);
+                calls += 1;
+            }
+            assert!(budget > 1 || calls * 32 > command.chars().count(), "{calls} calls for {command}");
+            assert_eq!(result.map(|_| agent.sentence().len()), words, "{command}");
+            let texts: Vec<_> = agent.language().words().iter().map(|(_, text)| text.to_owned()).collect();
+            heard.push((agent.sentence().to_vec(), texts));
+        }
+        assert!(heard.windows(2).all(|two| two[0] == two[1]), "{heard:?}");
+    }
+}
+
+#[test]
 fn plans_are_the_same_whatever_was_said_since_the_last_one() {
     let mut homes = HeapMemory::new(&Capacities::SMALL);
     let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
