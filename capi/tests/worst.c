@@ -91,13 +91,14 @@ static const goodbot_proposition propositions[] = {
 static const char *const all_tasks[] = {
     "robotAt(?r, ?p)", "thingAt(?t, ?p)", "carries(?r, ?t)", "thingAt(?t, ?p) & robotAt(?r, ?q)",
     "robotAt(?r, ?p) avoiding robotAt(?r, ?q)", "robotAt(?r, ?p) through robotAt(?r, ?q)", "thingAt(?t, ?p) & carries(?r, ?u)",
-    "thingAt(?t, ?p) avoiding robotAt(?r, ?q)",
+    "thingAt(?t, ?p) avoiding robotAt(?r, ?q)", "thingAt(?t, ?p) & thingAt(?u, ?q)",
 };
+enum { KINDS = sizeof all_tasks / sizeof *all_tasks };
 static goodbot_object objects[1 + MOST_PLACES + MOST_THINGS];
 static char object_names[1 + MOST_PLACES + MOST_THINGS][8], values[40][12];
 static goodbot_action actions[15];
 static char action_names[15][4];
-static const char *tasks[8];
+static const char *tasks[KINDS];
 static goodbot_table table;
 
 /* A state: the robot's place, and each thing's, where `places` is the robot's hand. */
@@ -158,8 +159,8 @@ static void make_world(void) {
         actions[at] = (goodbot_action){action_names[at], (uint8_t)(1 + (at * gene(5, 0, 3)) % 4)};
     }
     for (uint32_t at = 0; at < gene(6, 1, 8); at++) {
-        uint32_t kind = (at + gene(7, 0, 7)) % 8, t = things, p = places;
-        uint32_t tasks_of_kind[] = {p, t * p, t, t * p * p, p * p, p * p, t * t * p, t * p * p};
+        uint32_t kind = (at + gene(7, 0, KINDS - 1)) % KINDS, t = things, p = places, pairs = p * (p - 1);
+        uint32_t tasks_of_kind[KINDS] = {p, t * p, t, t * pairs, pairs, pairs, t * (t - 1) * p, t * pairs, t * (t - 1) * pairs / 2};
         if (tasks_of_kind[kind] > room) continue;
         room -= tasks_of_kind[kind];
         tasks[kinds_of_task++] = all_tasks[kind];
