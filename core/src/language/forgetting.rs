@@ -343,13 +343,17 @@ impl LanguageMut<'_> {
     /// Looks at one more session. Returns the chosen one after the last.
     fn choose_on(&self, choice: &mut Choice) -> Option<u16> {
         if choice.looked < choice.among {
-            let (session, is_strange) = (choice.looked, self.is_strange(choice.looked));
+            let (session, data) = (choice.looked, self.bitext.read());
+            // Going through all sessions for each word takes most of the work, so it is done once for both.
+            let rarest = if choice.want == Want::Session { self.rarest(session) } else { WELL_KNOWN };
+            let has_own = || if choice.want == Want::Session { rarest <= 1 } else { self.has_own_word(session) };
+            let is_strange = !data.heard_again(session) && has_own();
             choice.looked = session.saturating_add(1);
             if is_strange {
                 choice.strange = choice.strange.saturating_add(1);
                 choice.oldest_strange = choice.oldest_strange.or(Some(session));
             }
-            let rank = self.rank(session, choice.want, is_strange);
+            let rank = self.rank(session, choice.want, is_strange, rarest);
             if choice.best.is_none_or(|(_, best)| rank > best) {
                 choice.best = Some((session, rank));
             }
@@ -361,7 +365,7 @@ impl LanguageMut<'_> {
     }
 
     /// The rank of a session: how little is lost with it.
-    fn rank(&self, session: u16, want: Want, is_strange: bool) -> Rank {
+    fn rank(&self, session: u16, want: Want, is_strange: bool, rarest: usize) -> Rank {
         let data = self.bitext.read();
         let length = |session| data.sentence(session).len();
         let short = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
@@ -372,18 +376,18 @@ impl LanguageMut<'_> {
                 [2, u16::MAX.saturating_sub(short(as_long)), 0]
             }
             Want::Vocabulary if is_strange => [3, 0, 0],
-            Want::Vocabulary => [2, short(self.own_words(session)), 0],
+            // One that is not strange has a word of its own only if it was heard again.
+            Want::Vocabulary => [2, short(if data.heard_again(session) { self.own_words(session) } else { 0 }), 0],
             Want::Lengths(_) | Want::Session => {
                 let times = self.times_kept(session);
-                [u16::from(times > 1), short(times.saturating_add(self.rarest(session))), short(data.pairs_of(session).len())]
+                [u16::from(times > 1), short(times.saturating_add(rarest)), short(data.pairs_of(session).len())]
             }
         }
     }
 
-    /// Whether the command was heard once and has a word that no other session has.
-    fn is_strange(&self, session: u16) -> bool {
-        let data = self.bitext.read();
-        !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
+    /// Whether the session has a word that no other session has.
+    fn has_own_word(&self, session: u16) -> bool {
+        self.bitext.read().sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
     }
 
     /// The number of sessions with the same command, itself included.

@@ -57,12 +57,13 @@ impl GroundedTask {
     /// Whether this task and another of the same lifted task have the same propositions in another order: `done(a) & done(b)`, and
     /// `done(b) & done(a)`.
     fn is_same(&self, other: &Self, lifted: &LiftedTask) -> bool {
-        let has = |task: &Self, part| task.parts(lifted).any(|own| own == part);
-        // The same propositions have the same objects in them. Their sum tells most tasks apart sooner than the propositions do.
-        let objects = |task: &Self| task.bindings.iter().map(|object| usize::from(object.0)).sum::<usize>();
-        objects(self) == objects(other)
-            && self.parts(lifted).all(|part| has(other, part))
-            && other.parts(lifted).all(|part| has(self, part))
+        // Different objects are bound, so both have as many different propositions.
+        self.parts(lifted).all(|part| other.parts(lifted).any(|own| own == part))
+    }
+
+    /// A number that is the same for the same objects in another order, and for few others.
+    fn mix(&self) -> u32 {
+        self.bindings.iter().fold(0, |mix, object| mix.wrapping_add(1_u32.wrapping_shl(object.0.into())))
     }
 
     /// A proposition of the lifted task, with the objects in it.
@@ -203,7 +204,8 @@ pub(crate) fn ground_unless(
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
             let earlier = tasks.get(first..count).unwrap_or(&[]);
             let is_twin = || {
-                repeats && earlier.iter().any(|other| other.is_same(&grounded, task))
+                let mix = if repeats { grounded.mix() } else { 0 };
+                repeats && earlier.iter().any(|other| other.mix() == mix && other.is_same(&grounded, task))
                     || task.has_way() && Way::of(&grounded, task).is_twin()
             };
             if !(holds(&grounded, task) || is_twin()) {
