@@ -189,9 +189,9 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
 /// Most bytes of a command that is heard in parts.
 pub const GOODBOT_MOST_COMMAND_BYTES: usize = 1024;
 
-/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; one with more
-/// than `GOODBOT_MOST_COMMAND_BYTES` is refused with `TEXT`. That it has too many words, or one that is too long, or much space and none, is told by
-/// `goodbot_hear_on`. The tasks are known after its first call.
+/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; one with
+/// more than `GOODBOT_MOST_COMMAND_BYTES` is refused with `TEXT`. `goodbot_hear_on` tells that it has no word, too many, or one that is too
+/// long. The tasks are known after its first call.
 ///
 /// # Safety
 /// `robot` is null or a handle, `command` null or a C string in UTF-8.
