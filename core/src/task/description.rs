@@ -566,6 +566,7 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
 
     /// Writes the group of a role's values of an attribute.
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {
+        #[cfg_attr(not(feature = "ways"), expect(unused_mut, reason = "as with the feature"))]
         let mut group = OpenGroup::new(marker, self.description);
         for object in objects.iter() {
             #[cfg(feature = "ways")]

@@ -63,7 +63,11 @@ impl GroundedTask {
 
     /// A number that is the same for the same objects in another order, and for few others.
     fn mix(&self) -> u32 {
-        self.bindings.iter().fold(0, |mix, object| mix.wrapping_add(1_u32.wrapping_shl(object.0.into())))
+        // Not a loop: it is computed for each pair of tasks.
+        let [ObjectId(a), ObjectId(b), ObjectId(c), ObjectId(d), ObjectId(e), ObjectId(f)] = self.bindings;
+        let [a, b, c, d, e, f] = [u32::from(a), u32::from(b), u32::from(c), u32::from(d), u32::from(e), u32::from(f)];
+        let sum = a.wrapping_add(b).wrapping_add(c).wrapping_add(d).wrapping_add(e).wrapping_add(f);
+        sum << 8 | (a ^ b ^ c ^ d ^ e ^ f)
     }
 
     /// A proposition of the lifted task, with the objects in it.
