@@ -201,9 +201,11 @@ pub(crate) fn ground_unless(
             bindings = next_binding(objects, task, start, true);
         }
         // If each propositional function occurs once, different objects are different tasks.
-        let repeats = task.parts().enumerate().any(|(position, (kind, one))| {
-            task.parts().take(position).any(|(other_kind, other)| other_kind == kind && other.proposition == one.proposition)
-        });
+        let several = task.propositions().len() > 1;
+        let repeats = several
+            && task.parts().enumerate().any(|(position, (kind, one))| {
+                task.parts().take(position).any(|(other_kind, other)| other_kind == kind && other.proposition == one.proposition)
+            });
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
             let earlier = tasks.get(first..count).unwrap_or(&[]);
