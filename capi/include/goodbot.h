@@ -22,7 +22,7 @@
    - No function may be called for a robot while another is under way for it: an interrupt handler sets a flag, the control loop looks at
      it and calls goodbot_feedback. A call from an interrupt or from a function of yours answers GOODBOT_STATUS_BUSY and does nothing.
    - A function with a budget does about as much work as the budget says and no more. With the preset GOODBOT_OWN, at most three derived facts
-     of an object and the budget 1, no call takes more than 65,000 instructions on a Cortex-M4F with any input that a search found;
+     of an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F with any input that a search found;
      docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
      when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
      goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_explain_word, goodbot_question, goodbot_finish,
@@ -190,6 +190,9 @@
 // Most transcripts of one command.
 #define GOODBOT_MOST_HYPOTHESES 16
 
+// Most bytes of a command that is heard in parts.
+#define GOODBOT_MOST_COMMAND_BYTES 1024
+
 // A meaning's weight is its probability, given the trainer's evidence and the words of the command.
 #define GOODBOT_WEIGHTS_PAPER 0
 
@@ -247,7 +250,7 @@ enum goodbot_status
   GOODBOT_STATUS_MEMORY = 4,
   // The memory is not aligned to 8 bytes.
   GOODBOT_STATUS_ALIGNMENT = 5,
-  // A text is not UTF-8.
+  // A text is not UTF-8, or longer than its call takes.
   GOODBOT_STATUS_TEXT = 6,
   // A table is full: `goodbot_full` says which.
   GOODBOT_STATUS_FULL = 7,
@@ -1040,8 +1043,9 @@ goodbot_status goodbot_hear_one_of(struct goodbot *robot,
                                    uint32_t count,
                                    uint32_t *chosen);
 
-// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; that it or a
-// word of it is too long is told by `goodbot_hear_on`.
+// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; one with
+// more than `GOODBOT_MOST_COMMAND_BYTES` is refused with `TEXT`. `goodbot_hear_on` tells that it has no word, too many, or one that is too
+// long. The tasks are known after its first call.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `command` null or a C string in UTF-8.

@@ -280,6 +280,35 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotSta
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| GoodbotStatus::Text)
 }
 
+/// A text of at most this many bytes. No more of a longer one is read.
+///
+/// # Safety
+/// As [`text`].
+pub(crate) unsafe fn short_text<'a>(text: *const c_char, most: usize) -> Result<&'a str, GoodbotStatus> {
+    if text.is_null() {
+        return Err(GoodbotStatus::Null);
+    }
+    // SAFETY: the caller's promise; no byte after the text's end is looked at.
+    let is_end = |at: usize| unsafe { *text.add(at) } == 0;
+    let mut length = 0_usize;
+    // Four at a time, because the loop itself takes most of the instructions.
+    let end = loop {
+        if length > most || is_end(length) {
+            break length;
+        } else if is_end(length.wrapping_add(1)) {
+            break length.wrapping_add(1);
+        } else if is_end(length.wrapping_add(2)) {
+            break length.wrapping_add(2);
+        } else if is_end(length.wrapping_add(3)) {
+            break length.wrapping_add(3);
+        }
+        length = length.wrapping_add(4);
+    };
+    let length = Some(end).filter(|&end| end <= most).ok_or(GoodbotStatus::Text)?;
+    // SAFETY: the text has these bytes.
+    core::str::from_utf8(unsafe { core::slice::from_raw_parts(text.cast(), length) }).map_err(|_| GoodbotStatus::Text)
+}
+
 /// Writes a value to the caller's pointer.
 ///
 /// # Safety

@@ -24,7 +24,7 @@ pub enum GoodbotStatus {
     Memory = 4,
     /// The memory is not aligned to 8 bytes.
     Alignment = 5,
-    /// A text is not UTF-8.
+    /// A text is not UTF-8, or longer than its call takes.
     Text = 6,
     /// A table is full: `goodbot_full` says which.
     Full = 7,
@@ -273,7 +273,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"the handle is none, or its memory was moved or written over",
         c"the memory is too small; ask for its size",
         c"the memory is not aligned to 8 bytes",
-        c"a text is not UTF-8",
+        c"a text is not UTF-8, or longer than this call takes",
         c"a table is full; goodbot_full says which",
         c"the home or table is described wrongly, or the call is for the other kind of robot",
         c"there is no home yet; describe it and build it",

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "learning")]
 use crate::robot::look;
-use crate::robot::{Goodbot, Robot, give, text, with};
+use crate::robot::{Goodbot, Robot, give, short_text, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::world::{World, in_world};
 use core::ffi::c_char;
@@ -186,8 +186,12 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
     }
 }
 
-/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; that it or a
-/// word of it is too long is told by `goodbot_hear_on`.
+/// Most bytes of a command that is heard in parts.
+pub const GOODBOT_MOST_COMMAND_BYTES: usize = 1024;
+
+/// Begins to hear a command as `goodbot_hear` does, but in parts: call `goodbot_hear_on` until it is done. The command is copied; one with
+/// more than `GOODBOT_MOST_COMMAND_BYTES` is refused with `TEXT`. `goodbot_hear_on` tells that it has no word, too many, or one that is too
+/// long. The tasks are known after its first call.
 ///
 /// # Safety
 /// `robot` is null or a handle, `command` null or a C string in UTF-8.
@@ -196,7 +200,7 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            let command = text(command)?;
+            let command = short_text(command, GOODBOT_MOST_COMMAND_BYTES)?;
             in_world!(&robot.world, |domain, state| robot.agent.begin_hearing(domain, state, command)?);
             Ok(GoodbotStatus::Ok)
         })

@@ -1,5 +1,5 @@
 /* A search for the input that takes the most instructions of a call: worlds, lessons and sentences are drawn from a genome, a list of
-   bytes; where a changed genome makes a call longer, it is kept. Each call has the smallest budget, the tables those of the preset
+   bytes; each call keeps the genome that made it longest, and these are changed further. Each call has the smallest budget, the tables those of the preset
    GOODBOT_OWN, or larger ones with LARGE. Prints the most of each call; with VERBOSE, the genome of each trial, and which calls it made
    longer. `cargo xtask worst` runs it on the emulated board mps2-an386, whose counter it reads. */
 #include "goodbot.h"
@@ -49,7 +49,7 @@ static int32_t counted(enum call call, int32_t result) {
 /* ---- the genome ---- */
 
 enum { GENES = 22 };
-static unsigned char best[GENES], genome[GENES];
+static unsigned char best[CALLS][GENES], genome[GENES];
 static uint32_t noise = SEED * 2654435761u + 1;
 
 static uint32_t random_number(void) {
@@ -72,11 +72,11 @@ static uint32_t draw(uint32_t below) {
 /* ---- the world: a robot carries things between places ---- */
 
 #ifdef LARGE
-enum { MOST_PLACES = 12, MOST_THINGS = 3, MOST_TASKS = 64 };
+enum { MOST_PLACES = 12, MOST_THINGS = 3, MOST_TASKS = 64, MOST_NAMES = 96 };
 #else
-enum { MOST_PLACES = 8, MOST_THINGS = 2, MOST_TASKS = 16 };
+enum { MOST_PLACES = 13, MOST_THINGS = 2, MOST_TASKS = 16, MOST_NAMES = 32 };
 #endif
-/* A call describes one task to the language model, whatever the budget, and each derived fact of each object takes part in it. */
+/* A call asks for all derived facts of an object, whatever the budget. */
 enum { MOST_FACTS = 3 };
 enum { ROBOT, PLACE, THING };
 static uint32_t places, things, states, facts;
@@ -91,13 +91,14 @@ static const goodbot_proposition propositions[] = {
 static const char *const all_tasks[] = {
     "robotAt(?r, ?p)", "thingAt(?t, ?p)", "carries(?r, ?t)", "thingAt(?t, ?p) & robotAt(?r, ?q)",
     "robotAt(?r, ?p) avoiding robotAt(?r, ?q)", "robotAt(?r, ?p) through robotAt(?r, ?q)", "thingAt(?t, ?p) & carries(?r, ?u)",
-    "thingAt(?t, ?p) avoiding robotAt(?r, ?q)",
+    "thingAt(?t, ?p) avoiding robotAt(?r, ?q)", "thingAt(?t, ?p) & thingAt(?u, ?q)",
 };
+enum { KINDS = sizeof all_tasks / sizeof *all_tasks };
 static goodbot_object objects[1 + MOST_PLACES + MOST_THINGS];
 static char object_names[1 + MOST_PLACES + MOST_THINGS][8], values[40][12];
 static goodbot_action actions[15];
 static char action_names[15][4];
-static const char *tasks[8];
+static const char *tasks[KINDS];
 static goodbot_table table;
 
 /* A state: the robot's place, and each thing's, where `places` is the robot's hand. */
@@ -110,6 +111,7 @@ static uint32_t place_of(uint32_t state, uint32_t what) {
 static bool step(void *context, uint32_t state, uint8_t action, uint32_t *next) {
     uint32_t at = place_of(state, 0), unit = places;
     (void)context;
+    if (gene(15, 0, 1)) action %= 4; /* The extra actions do the same as others, or nothing. */
     if (action == 0 && at + 1 < places) { *next = state + 1; return true; }
     if (action == 1 && at > 0) { *next = state - 1; return true; }
     for (uint32_t thing = 1; thing <= things; thing++, unit *= places + 1) {
@@ -137,9 +139,12 @@ static const char *derived(void *context, uint32_t state, uint8_t object, uint32
 }
 
 static void make_world(void) {
-    uint32_t value = 0, count = 0, kinds_of_task = 0, room = MOST_TASKS, extra = gene(3, 0, 11);
+    uint32_t value = 0, different, count = 0, kinds_of_task = 0, room = MOST_TASKS, extra = gene(3, 0, 11);
     places = gene(0, 2, MOST_PLACES), things = gene(1, 1, MOST_THINGS), facts = gene(2, 0, MOST_FACTS), states = places;
     for (uint32_t thing = 0; thing < things; thing++) states *= places + 1;
+    /* Objects and values share the room for names. */
+    different = MOST_NAMES - (1 + places + things);
+    different = gene(4, 3, different < 40 ? different : 40);
     memset(objects, 0, sizeof objects);
     for (uint32_t at = 0; at < 40; at++) sprintf(values[at], "v%lu", (unsigned long)at);
     for (uint32_t at = 0; at < 1 + places + things; at++) {
@@ -147,15 +152,15 @@ static void make_world(void) {
         sprintf(object_names[count], "o%lu", (unsigned long)at);
         object->name = object_names[count++];
         object->object_class = at == 0 ? ROBOT : at <= places ? PLACE : THING;
-        for (uint32_t attribute = 0; at > 0 && attribute < 3; attribute++) object->values[attribute] = values[value++ % gene(4, 3, 40)];
+        for (uint32_t attribute = 0; at > 0 && attribute < 3; attribute++) object->values[attribute] = values[value++ % different];
     }
     for (uint32_t at = 0; at < 4 + extra; at++) {
         sprintf(action_names[at], "a%lu", (unsigned long)at);
         actions[at] = (goodbot_action){action_names[at], (uint8_t)(1 + (at * gene(5, 0, 3)) % 4)};
     }
     for (uint32_t at = 0; at < gene(6, 1, 8); at++) {
-        uint32_t kind = (at + gene(7, 0, 7)) % 8, t = things, p = places;
-        uint32_t tasks_of_kind[] = {p, t * p, t, t * p * p, p * p, p * p, t * t * p, t * p * p};
+        uint32_t kind = (at + gene(7, 0, KINDS - 1)) % KINDS, t = things, p = places, pairs = p * (p - 1);
+        uint32_t tasks_of_kind[KINDS] = {p, t * p, t, t * pairs, pairs, pairs, t * (t - 1) * p, t * pairs, t * (t - 1) * pairs / 2};
         if (tasks_of_kind[kind] > room) continue;
         room -= tasks_of_kind[kind];
         tasks[kinds_of_task++] = all_tasks[kind];
@@ -172,18 +177,27 @@ static void make_world(void) {
 
 static char sentence[8192];
 
-/* A sentence of up to 64 words: the words' numbers come from a vocabulary of the genome's size, their letters are alike or not. */
+/* A sentence of up to 64 words: the words' numbers come from a vocabulary of the genome's size, their letters are alike or not. One sentence
+   in eight is long instead: so many letters, dots, blanks, marks or words that most are refused. Letters may be beyond ASCII. */
 static void say(int most_words) {
     char *to = sentence;
+    static const char *const repeated[] = {"aa", "..", "  ", "a ", "\xc3\xa9", "\xcc\x81"};
+    if (!most_words && draw(256) < gene(16, 0, 32)) {
+        const char *of = repeated[draw(6)];
+        for (uint32_t left = draw(GOODBOT_MOST_COMMAND_BYTES / 2 + 50); left; left--) *to++ = of[0], *to++ = of[1];
+        strcpy(to, draw(2) ? " a" : "");
+        return;
+    }
     uint32_t count = gene(8, 1, 64), vocabulary = gene(9, 1, 200), letters = gene(10, 2, 44), alike = gene(11, 0, 2);
     if (most_words) count = 64;
-    for (uint32_t word = 0; word < count; word++) {
+    for (uint32_t word = 0; word < count && to + 2 * letters < sentence + GOODBOT_MOST_COMMAND_BYTES; word++) {
         uint32_t number = draw(vocabulary);
         for (uint32_t letter = 0; letter < letters; letter++) {
             uint32_t apart = number * (letter + 3) + letter;
             if (alike == 0) apart = number >> (letter % 8);
             if (alike == 1) apart = letter + 4 < letters ? 3 : (number >> 4 * (letter % 4)) & 15;
-            *to++ = (char)('a' + apart % 26);
+            if (gene(17, 0, 3) == 3) *to++ = '\xc3', *to++ = (char)(0xa0 + apart % 23);
+            else *to++ = (char)('a' + apart % 26);
         }
         *to++ = ' ';
     }
@@ -338,28 +352,41 @@ static void live(void) {
     (void)COUNT(TRAINER, goodbot_trainer(robot, 0.7f, 0.7f, 0.1f));
 }
 
+/* The calls that do all at once, which may take as long as they do. */
+static bool is_bounded(int call) {
+    return call != EXPLAIN_WORD && call != QUESTION && call != SAID && call != LEAST_CAPACITIES;
+}
+
+/* One of the calls that a control loop makes: the longest of three. */
+static int drawn_call(void) {
+    int chosen = CALLS;
+    for (int draws = 3; draws > 0 || chosen == CALLS; draws--) {
+        int other = (int)(random_number() % CALLS);
+        if (is_bounded(other) && (chosen == CALLS || most[other] > most[chosen])) chosen = other;
+    }
+    return chosen;
+}
+
 int main(void) {
     for (uint32_t trial = 0; trial < TRIALS; trial++) {
-        bool better = false;
-        memcpy(genome, best, sizeof genome);
         if (trial == 0) {
             for (int at = 0; at < GENES; at++) genome[at] = 128;
         } else if (trial % 4 == 1) {
             for (int at = 0; at < GENES; at++) genome[at] = (unsigned char)(random_number() >> 9);
         } else {
+            memcpy(genome, best[drawn_call()], sizeof genome);
             for (uint32_t changes = 1 + random_number() % 4; changes; changes--) genome[random_number() % GENES] = (unsigned char)(random_number() >> 9);
         }
         memset(now, 0, sizeof now);
         live();
         for (int call = 0; call < CALLS; call++) {
             if (now[call] <= most[call]) continue;
-            better = better || now[call] > most[call] + most[call] / 50;
             most[call] = now[call];
+            memcpy(best[call], genome, sizeof genome);
 #ifdef VERBOSE
             if (most[call] > 40000) printf("%s %lu; ", names[call], (unsigned long)most[call]);
 #endif
         }
-        if (better) memcpy(best, genome, sizeof best);
 #ifdef VERBOSE
         printf("genome");
         for (int at = 0; at < GENES; at++) printf(" %d", genome[at]);

@@ -198,13 +198,6 @@ impl<'t> Symbols<'t> {
         Ok(symbol)
     }
 
-    /// Whether a new text of this many bytes would find room.
-    #[cfg(feature = "ways")]
-    pub(crate) fn has_room(&self, bytes: usize) -> bool {
-        let end = self.read().byte_len().saturating_add(bytes);
-        *self.len < self.ends.len().min(usize::from(u16::MAX) - 1) && end <= self.bytes.len().min(usize::from(u16::MAX))
-    }
-
     /// Forgets one text. The later texts move up: each of their symbols decreases by one.
     pub fn remove(&mut self, symbol: Symbol) {
         let position = symbol.index();

@@ -15,10 +15,36 @@ use goodbot_capi::table::init::{goodbot_table_set_state, goodbot_table_state};
 use goodbot_capi::tasks::GOODBOT_MOST_TASKS;
 use goodbot_capi::training::*;
 use robots::{Lift, Owned, at_home, describe, hear_and_plan, in_homes, of_table, small};
-use std::ffi::{CStr, c_void};
+use std::ffi::{CStr, CString, c_void};
 use std::ptr::{null, null_mut};
 
 const NOT_UTF_8: &CStr = c"\xff";
+
+#[test]
+fn a_command_heard_in_parts_has_an_end_that_is_soon_found() {
+    let owned = at_home();
+    let robot = owned.robot;
+    let begin = |command: &str| unsafe { goodbot_begin_hearing(robot, CString::new(command).unwrap().as_ptr()) };
+    let mut tasks = 0;
+    unsafe {
+        assert_eq!(goodbot_hear(robot, c"go to the green room".as_ptr()), GoodbotStatus::Ok);
+        for long in ["a", " ", "go "] {
+            assert_eq!(begin(&long.repeat(GOODBOT_MOST_COMMAND_BYTES + 1)), GoodbotStatus::Text);
+        }
+        assert_eq!(goodbot_begin_hearing(robot, NOT_UTF_8.as_ptr()), GoodbotStatus::Text);
+        assert_eq!((goodbot_task_count(robot, &raw mut tasks), tasks > 0), (GoodbotStatus::Ok, true), "the session goes on");
+        let space = " ".repeat(GOODBOT_MOST_COMMAND_BYTES - 2);
+        for (command, status) in [(space.clone() + "go", GoodbotStatus::Ok), (space, GoodbotStatus::EmptyCommand)] {
+            assert_eq!(begin(&command), GoodbotStatus::Ok);
+            let (mut calls, mut heard) = (0, GoodbotStatus::Working);
+            while heard == GoodbotStatus::Working {
+                heard = goodbot_hear_on(robot, 1);
+                calls += 1;
+            }
+            assert_eq!((heard, calls > 30), (status, true), "{calls} calls");
+        }
+    }
+}
 
 #[test]
 fn every_function_refuses_a_null_handle() {

@@ -6,7 +6,7 @@ use super::settings::Asking;
 use crate::capacity::QUESTIONS_PER_SESSION;
 use crate::feedback::{Words, binary_entropy};
 use crate::memory::AgentMemory;
-use crate::oomdp::{Domain, StateKey, apply};
+use crate::oomdp::{ActionSet, Domain, StateKey, apply};
 use crate::planning::Progress;
 use crate::session::{Agent, AgentError, Evidence};
 use crate::task::TaskSet;
@@ -131,7 +131,8 @@ impl<M: AgentMemory> Agent<M> {
                 return Ok(self.asks(&looking, asks));
             }
             let action = self.onward(looking.followed, Some(&words).filter(|_| self.options.telling), &mut |_| 0);
-            looking.add(words.information(self.right(action)));
+            let right = self.right(ActionSet::of(action)).next().unwrap_or(0.0);
+            looking.add(words.information(right));
             let next = apply(domain, &state, action).map_or(looking.at, |next| domain.key(&next));
             if looking.asks.is_some() {
                 if looking.at != looking.start {

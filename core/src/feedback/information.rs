@@ -36,8 +36,9 @@ impl Words {
     /// The feedback expected by this belief.
     pub fn expected(belief: BeliefRef<'_>) -> Self {
         let (mut right, mut wrong) = ([0.0; 3], [0.0; 3]);
+        let whole = belief.whole();
         for (position, (strategy, _)) in belief.strategies().iter().enumerate() {
-            let share = belief.strategy_probability(position);
+            let share = belief.strategy_among(position, whole);
             let words = [Feedback::Reward, Feedback::Punish, Feedback::Neutral];
             for ((right, wrong), word) in right.iter_mut().zip(&mut wrong).zip(words) {
                 *right += share * strategy.probability(word, true);

@@ -137,27 +137,19 @@ impl Choice {
 
 /// The symbols that are looked for at once: a bit each.
 const LOOKED_FOR: u16 = u32::BITS as u16;
-/// The symbols that one part of the work forgets: for each, all training data are renamed.
-const FORGOTTEN_AT_ONCE: usize = 1;
 
 /// Which of the symbols from `first` on are used: a search for each would go through all that use them each time.
 fn used_from<'s>(first: u16, used: impl Iterator<Item = &'s Symbol>) -> u32 {
     used.map(|symbol| symbol.0.wrapping_sub(first)).filter(|&at| at < LOOKED_FOR).fold(0, |bits, at| bits | 1 << at)
 }
 
-/// The last symbols before `end` that are not used, the last one first, and the position before which others may be.
-fn last_unused<'s>(end: u16, used: impl Iterator<Item = &'s Symbol>) -> (Vec<Symbol, FORGOTTEN_AT_ONCE, u8>, u16) {
+/// The last symbol before `end` that is not used, if it is among those looked for, and the position before which others may be. One part of
+/// the work forgets one symbol, because all training data are renamed for it.
+fn last_unused<'s>(end: u16, used: impl Iterator<Item = &'s Symbol>) -> (Option<Symbol>, u16) {
     let first = end.saturating_sub(LOOKED_FOR);
-    let (bits, mut unused) = (used_from(first, used), Vec::new());
-    for position in (first..end).rev() {
-        if bits >> position.wrapping_sub(first) & 1 == 0 {
-            let _ = unused.push(Symbol(position));
-        }
-        if unused.is_full() {
-            return (unused, position);
-        }
-    }
-    (unused, first)
+    let bits = used_from(first, used);
+    let unused = (first..end).rev().find(|position| bits >> position.wrapping_sub(first) & 1 == 0);
+    (unused.map(Symbol), unused.unwrap_or(first))
 }
 
 impl LanguageMut<'_> {
@@ -351,13 +343,17 @@ impl LanguageMut<'_> {
     /// Looks at one more session. Returns the chosen one after the last.
     fn choose_on(&self, choice: &mut Choice) -> Option<u16> {
         if choice.looked < choice.among {
-            let (session, is_strange) = (choice.looked, self.is_strange(choice.looked));
+            let (session, data) = (choice.looked, self.bitext.read());
+            // Going through all sessions for each word takes most of the work, so it is done once for both.
+            let rarest = if choice.want == Want::Session { self.rarest(session) } else { WELL_KNOWN };
+            let has_own = || if choice.want == Want::Session { rarest <= 1 } else { self.has_own_word(session) };
+            let is_strange = !data.heard_again(session) && has_own();
             choice.looked = session.saturating_add(1);
             if is_strange {
                 choice.strange = choice.strange.saturating_add(1);
                 choice.oldest_strange = choice.oldest_strange.or(Some(session));
             }
-            let rank = self.rank(session, choice.want, is_strange);
+            let rank = self.rank(session, choice.want, is_strange, rarest);
             if choice.best.is_none_or(|(_, best)| rank > best) {
                 choice.best = Some((session, rank));
             }
@@ -369,7 +365,7 @@ impl LanguageMut<'_> {
     }
 
     /// The rank of a session: how little is lost with it.
-    fn rank(&self, session: u16, want: Want, is_strange: bool) -> Rank {
+    fn rank(&self, session: u16, want: Want, is_strange: bool, rarest: usize) -> Rank {
         let data = self.bitext.read();
         let length = |session| data.sentence(session).len();
         let short = |count: usize| u16::try_from(count).unwrap_or(u16::MAX);
@@ -380,18 +376,18 @@ impl LanguageMut<'_> {
                 [2, u16::MAX.saturating_sub(short(as_long)), 0]
             }
             Want::Vocabulary if is_strange => [3, 0, 0],
-            Want::Vocabulary => [2, short(self.own_words(session)), 0],
+            // One that is not strange has a word of its own only if it was heard again.
+            Want::Vocabulary => [2, short(if data.heard_again(session) { self.own_words(session) } else { 0 }), 0],
             Want::Lengths(_) | Want::Session => {
                 let times = self.times_kept(session);
-                [u16::from(times > 1), short(times.saturating_add(self.rarest(session))), short(data.pairs_of(session).len())]
+                [u16::from(times > 1), short(times.saturating_add(rarest)), short(data.pairs_of(session).len())]
             }
         }
     }
 
-    /// Whether the command was heard once and has a word that no other session has.
-    fn is_strange(&self, session: u16) -> bool {
-        let data = self.bitext.read();
-        !data.heard_again(session) && data.sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
+    /// Whether the session has a word that no other session has.
+    fn has_own_word(&self, session: u16) -> bool {
+        self.bitext.read().sentence(session).iter().any(|&word| self.sessions_with(word, 2) <= 1)
     }
 
     /// The number of sessions with the same command, itself included.
@@ -417,11 +413,11 @@ impl LanguageMut<'_> {
         self.bitext.read().sentence(session).iter().map(|&word| self.sessions_with(word, WELL_KNOWN)).min().unwrap_or(WELL_KNOWN)
     }
 
-    /// Forgets some of the words before `end` that no session has, the last ones first, and moves `end` before them.
+    /// Forgets the last word before `end` that no session has, and moves `end` before it.
     fn remove_unused_words(&mut self, sentence: &mut [Option<Symbol>], end: &mut u16) {
         let unused;
         (unused, *end) = last_unused(*end, self.bitext.words_mut().iter());
-        for word in unused {
+        if let Some(word) = unused {
             self.words.remove(word);
             self.bitext.words_mut().iter_mut().for_each(|other| close_up(other, word));
             for heard in sentence.iter_mut() {
@@ -431,13 +427,15 @@ impl LanguageMut<'_> {
         }
     }
 
-    /// Forgets some of the machine tokens before `end` that neither a machine command nor the new session uses, the last ones first, and
-    /// moves `end` before them. Returns whether there were any.
+    /// Forgets the last machine token before `end` that neither a machine command nor the new session uses, and moves `end` before it.
+    /// Returns whether there was any.
     fn remove_unused_tokens(&mut self, session_tokens: &mut [Symbol], end: &mut u16) -> bool {
         let unused;
         (unused, *end) = last_unused(*end, self.bitext.tokens_mut().iter().chain(&*session_tokens));
-        unused.iter().for_each(|&token| self.remove_token(token, session_tokens));
-        !unused.is_empty()
+        if let Some(token) = unused {
+            self.remove_token(token, session_tokens);
+        }
+        unused.is_some()
     }
 
     /// Forgets a machine token that nothing uses. The later ones move up.

@@ -4,21 +4,23 @@
 use super::LanguageMut;
 use super::forgetting::Unheard;
 use super::spelling::{Search, variant_on};
-use super::tokenizer::{Sentence, composed_word, pieces, word_form};
+use super::tokenizer::{LETTERS_AT_ONCE, Look, Pieces, Sentence, composed_word, word_form};
 use crate::capacity::{Capacity, CapacityError, WORDS_PER_COMMAND};
 
 /// How far a command is heard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Heard {
-    /// Bytes of the command up to the next word.
-    at: u32,
+    /// How far it is looked at for the next word, after the last word that was heard.
+    look: Look,
+    /// The words so far.
+    words: u16,
     /// The search for the known word that the next word counts as.
     search: Search,
 }
 
 impl Heard {
     /// Nothing is heard yet.
-    pub(crate) const START: Self = Self { at: 0, search: Search::START };
+    pub(crate) const START: Self = Self { look: Look::START, words: 0, search: Search::START };
 }
 
 impl LanguageMut<'_> {
@@ -37,24 +39,32 @@ impl LanguageMut<'_> {
     ) -> Result<bool, CapacityError> {
         let letters = usize::from(self.settings().word_letters);
         let learned = self.learned_words();
-        if heard.at == 0 {
+        if *heard == Heard::START {
             *self.unheard = Unheard::NONE;
         }
-        let mut rest = pieces(command.get(heard.at as usize..).unwrap_or(""));
         while *left > 0 {
-            let Some(piece) = rest.next() else { return Ok(true) };
+            let mut pieces = Pieces::from(command, heard.look);
+            let Some(piece) = pieces.look_on(LETTERS_AT_ONCE.max(*left)) else {
+                heard.look = pieces.look;
+                return Ok(false);
+            };
+            let Some(piece) = piece else {
+                // Those without room are only counted.
+                let (most, count) = (WORDS_PER_COMMAND, usize::from(heard.words));
+                return if count > most { Err(CapacityError::new(Capacity::WordsPerCommand, most, count)) } else { Ok(true) };
+            };
             if sentence.is_full() {
-                let count = WORDS_PER_COMMAND.saturating_add(1).saturating_add(rest.count());
-                return Err(CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, count));
+                *left = left.saturating_sub(1);
+            } else {
+                let word = composed_word(piece)?;
+                let Some(known) = variant_on(self.words.read(), learned, &word, letters, &mut heard.search, left) else { return Ok(false) };
+                let symbol = known.or_else(|| self.words.intern(word_form(&word, self.settings().letters_kept())).ok());
+                if symbol.is_none() {
+                    self.note_unheard(&word);
+                }
+                let _ = sentence.push(symbol);
             }
-            let word = composed_word(piece)?;
-            let Some(known) = variant_on(self.words.read(), learned, &word, letters, &mut heard.search, left) else { return Ok(false) };
-            let symbol = known.or_else(|| self.words.intern(word_form(&word, self.settings().letters_kept())).ok());
-            if symbol.is_none() {
-                self.note_unheard(&word);
-            }
-            let _ = sentence.push(symbol);
-            *heard = Heard { at: command.len().saturating_sub(rest.left()) as u32, search: Search::START };
+            *heard = Heard { look: pieces.look, words: heard.words.saturating_add(1), search: Search::START };
         }
         Ok(false)
     }

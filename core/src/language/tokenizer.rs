@@ -102,34 +102,63 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
     Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
 }
 
-/// Whether a command has any word.
-pub(crate) fn has_pieces(command: &str) -> bool {
-    command.chars().any(is_alphanumeric)
+/// Whether a command can have a word. Only the first letters are looked at.
+pub(crate) fn may_have_pieces(command: &str) -> bool {
+    let mut letters = command.chars();
+    letters.by_ref().take(LETTERS_AT_ONCE as usize).any(is_alphanumeric) || letters.next().is_some()
 }
 
+/// With a small budget, a part of the work looks at this many letters. One beyond ASCII can take a controller 500 instructions.
+pub(super) const LETTERS_AT_ONCE: u32 = 32;
+
 pub(super) const fn pieces(command: &str) -> Pieces<'_> {
-    Pieces { rest: command }
+    Pieces { command, look: Look::START }
+}
+
+/// How far the letters of a command are looked at for its next piece, in bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Look {
+    seen: u32,
+    /// The beginning of the piece, and its end so far.
+    start: u32,
+    end: u32,
+    /// The script of its last letter.
+    before: Script,
+    /// Whether it has a letter or a digit.
+    says: bool,
+}
+
+impl Look {
+    /// At nothing yet.
+    pub(super) const START: Self = Self { seen: 0, start: 0, end: 0, before: Script::Spaced, says: false };
 }
 
 /// The pieces of a command, found letter by letter: iterator adapters would take twice the flash on a controller.
 pub(super) struct Pieces<'c> {
-    rest: &'c str,
+    command: &'c str,
+    pub(super) look: Look,
 }
 
-impl Pieces<'_> {
-    /// Bytes after the last piece.
-    pub(super) const fn left(&self) -> usize {
-        self.rest.len()
+impl<'c> Pieces<'c> {
+    /// The pieces that are not looked at yet.
+    pub(super) const fn from(command: &'c str, look: Look) -> Self {
+        Self { command, look }
     }
-}
 
-impl<'c> Iterator for Pieces<'c> {
-    type Item = &'c str;
-
+    /// Looks for the next piece in at most `most` letters. `None` if there are more letters to look at, otherwise the piece, or that there is
+    /// none.
     #[inline(never)]
-    fn next(&mut self) -> Option<&'c str> {
-        let (mut start, mut end, mut before, mut says) = (0_usize, 0_usize, Script::Spaced, false);
-        for (at, letter) in self.rest.char_indices() {
+    pub(super) fn look_on(&mut self, mut most: u32) -> Option<Option<&'c str>> {
+        let command = self.command;
+        let Look { mut seen, mut start, mut end, mut before, mut says } = self.look;
+        for letter in command.get(seen as usize..).unwrap_or("").chars() {
+            if most == 0 {
+                self.look = Look { seen, start, end, before, says };
+                return None;
+            }
+            most = most.saturating_sub(1);
+            let at = seen;
+            seen = seen.saturating_add(letter.len_utf8() as u32);
             if is_apostrophe(letter) {
                 // At either end of a word they are not part of it.
                 continue;
@@ -141,9 +170,8 @@ impl<'c> Iterator for Pieces<'c> {
             let now = Script::of(letter);
             if end > start && !(is_of_word && now.goes_on(before)) {
                 if says {
-                    let (command, after) = self.rest.split_at_checked(at)?;
-                    self.rest = after;
-                    return command.get(start..end);
+                    self.look = Look { seen: at, start: at, end: at, ..Look::START };
+                    return Some(command.get(start as usize..end as usize));
                 }
                 end = start;
             }
@@ -151,13 +179,20 @@ impl<'c> Iterator for Pieces<'c> {
                 if end <= start {
                     start = at;
                 }
-                (end, before) = (at.saturating_add(letter.len_utf8()), now);
+                (end, before) = (seen, now);
                 says |= is_alphanumeric(letter);
             }
         }
-        let last = self.rest.get(start..end).filter(|_| says);
-        self.rest = "";
-        last
+        self.look = Look { seen, start: seen, end: seen, ..Look::START };
+        Some(command.get(start as usize..end as usize).filter(|_| says))
+    }
+}
+
+impl<'c> Iterator for Pieces<'c> {
+    type Item = &'c str;
+
+    fn next(&mut self) -> Option<&'c str> {
+        self.look_on(u32::MAX).flatten()
     }
 }
 
@@ -284,6 +319,25 @@ mod tests {
         let long = "go ".repeat(10_000);
         let error = for_each_word(&long, |_| Ok(())).unwrap_err();
         assert_eq!(error, CapacityError::new(Capacity::WordsPerCommand, WORDS_PER_COMMAND, 10_000));
+    }
+
+    #[test]
+    fn a_command_looked_at_letter_by_letter_has_the_same_words() {
+        for command in
+            ["", " ", "don't go: the ‘tan-coloured’ room！", "去 red 的房间。", "ห้องสีแดง e\u{301}", "\u{301} 'a' \u{301}..b\u{301}"]
+        {
+            let (mut look, mut found) = (Look::START, std::vec::Vec::new());
+            loop {
+                let mut pieces = Pieces::from(command, look);
+                match pieces.look_on(1) {
+                    Some(None) => break,
+                    Some(Some(piece)) => found.push(piece),
+                    None => {}
+                }
+                look = pieces.look;
+            }
+            assert_eq!(found, super::pieces(command).collect::<std::vec::Vec<_>>(), "{command}");
+        }
     }
 
     #[test]

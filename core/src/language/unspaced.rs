@@ -19,7 +19,7 @@
 //! ```
 
 /// The class of a letter, which decides whether a piece ends before it.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Script {
     /// Of a script with spaces.
     Spaced,

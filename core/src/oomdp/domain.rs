@@ -33,6 +33,8 @@ impl Action {
 pub struct ActionSet(pub(crate) u16);
 
 impl ActionSet {
+    /// The most actions of a set.
+    pub(crate) const MOST: usize = 16;
     /// No action.
     pub const EMPTY: Self = Self(0);
     /// Only doing nothing.
@@ -76,7 +78,7 @@ impl ActionSet {
         core::iter::from_fn(move || {
             let next = rest.trailing_zeros();
             rest &= rest.wrapping_sub(1);
-            (next < 16).then_some(Action(next as u8))
+            ((next as usize) < Self::MOST).then_some(Action(next as u8))
         })
     }
 }

@@ -9,12 +9,12 @@ pub fn digest(schema: &Schema<'_>) -> u32 {
     digest_of(schema, schema.propositions.len(), schema.attributes.len())
 }
 
-/// Whether a digest is that of an earlier version of this vocabulary: of its first propositional functions and its first attributes, so that
-/// every position in a model means what it meant.
+/// The number of attributes of an earlier version of this vocabulary, which has its first propositional functions and first attributes, so
+/// that their positions in a model mean what they meant; `None` if it has no version of this digest.
 #[cfg(feature = "snapshot")]
-pub fn continues(schema: &Schema<'_>, earlier: u32) -> bool {
-    (1..=schema.propositions.len())
-        .any(|propositions| (0..=schema.attributes.len()).any(|attributes| digest_of(schema, propositions, attributes) == earlier))
+pub fn continued(schema: &Schema<'_>, earlier: u32) -> Option<usize> {
+    (0..=schema.attributes.len())
+        .find(|&attributes| (1..=schema.propositions.len()).any(|propositions| digest_of(schema, propositions, attributes) == earlier))
 }
 
 /// The digest of the first propositional functions and attributes.
@@ -63,9 +63,9 @@ mod tests {
     #[test]
     fn a_vocabulary_continues_one_with_less_at_its_end() {
         let earlier = Schema { propositions: &SCHEMA.propositions[..1], attributes: &SCHEMA.attributes[..1], ..SCHEMA };
-        assert!(continues(&SCHEMA, digest(&earlier)) && continues(&SCHEMA, digest(&SCHEMA)));
-        assert!(!continues(&earlier, digest(&SCHEMA)), "an older version does not know the rest");
-        assert!(!continues(&SCHEMA, digest(&Schema { propositions: &SCHEMA.propositions[1..], ..SCHEMA })), "positions moved");
-        assert!(!continues(&SCHEMA, 0));
+        assert_eq!((continued(&SCHEMA, digest(&earlier)), continued(&SCHEMA, digest(&SCHEMA))), (Some(1), Some(2)));
+        assert_eq!(continued(&earlier, digest(&SCHEMA)), None, "an older version does not know the rest");
+        assert_eq!(continued(&SCHEMA, digest(&Schema { propositions: &SCHEMA.propositions[1..], ..SCHEMA })), None, "positions moved");
+        assert_eq!(continued(&SCHEMA, 0), None);
     }
 }

@@ -20,7 +20,7 @@ use crate::language::{LanguageMut, LanguageRef, Sentence};
 use crate::memory::{AgentMemory, AgentTables, SessionTablesRef};
 use crate::oomdp::{Action, ActionSet, Domain, DomainFlaw, StateKey, apply, digest};
 use crate::planning::{Judgement, OptimalSet, Plan, PlanTables, Planner, Progress, Ways};
-use crate::probability::{Scaled, total};
+use crate::probability::Scaled;
 use crate::random::below;
 use crate::symbols::Symbol;
 #[cfg(feature = "talk")]
@@ -441,6 +441,8 @@ impl<M: AgentMemory> Agent<M> {
     /// learning begins when the session is over.
     pub(crate) fn workspace_to_training(&mut self) {
         self.hear_words_to_the_end();
+        #[cfg(feature = "ways")]
+        self.describe_anew();
         self.planned = None;
         self.planner.release_marks();
     }
@@ -531,19 +533,39 @@ impl<M: AgentMemory> Agent<M> {
             if let Some(last) = self.done.last().filter(|&last| actions.contains(last)) {
                 return last;
             }
-            let told = |action: Action| words.information(self.right(action));
-            let most = actions.iter().map(told).fold(0.0, f32::max);
-            actions = actions.iter().filter(|&action| told(action) >= most).fold(ActionSet::EMPTY, ActionSet::with);
+            let (mut most, mut telling) = (0.0, ActionSet::EMPTY);
+            for (action, right) in actions.iter().zip(self.right(actions)) {
+                let told = words.information(right);
+                if told > most {
+                    (most, telling) = (told, ActionSet::EMPTY);
+                }
+                if told >= most {
+                    telling = telling.with(action);
+                }
+            }
+            actions = telling;
         }
         actions.iter().nth(draw(actions.len())).unwrap_or(Action::NOOP)
     }
 
-    /// The probability that an action is right in the planned state, over the tasks for which that is known; 0 if it is known for none.
-    pub(crate) fn right(&self, action: Action) -> f32 {
+    /// The probability that each of these actions is right in the planned state, in order, over the tasks for which that is known; 0 if it is
+    /// known for none.
+    pub(crate) fn right(&self, actions: ActionSet) -> impl Iterator<Item = f32> {
         let (plan, belief) = (self.planned(), self.belief());
-        let weight = |judgement| total(plan.judged(action, judgement).iter().map(|task| belief.weight(task)));
-        let right = weight(Judgement::Correct);
-        right.over(right.plus(weight(Judgement::Incorrect)))
+        let mut sums = [[Scaled::ZERO; 2]; ActionSet::MOST];
+        // Each task is weighed once for all actions.
+        for task in 0..self.task_count {
+            let optimal = plan.optimal(task);
+            if optimal.exact().is_none() {
+                continue;
+            }
+            let weight = belief.weight(task);
+            for (action, [right, wrong]) in actions.iter().zip(&mut sums) {
+                let sum = if optimal.judge(action) == Judgement::Correct { right } else { wrong };
+                *sum = sum.plus(weight);
+            }
+        }
+        sums.into_iter().map(|[right, wrong]| right.over(right.plus(wrong)))
     }
 
     /// Records that `action` was done in `state`, which must have been planned. Returns the state that it leads to. Pass on the trainer's

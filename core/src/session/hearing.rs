@@ -7,7 +7,7 @@ use super::phase::{Phase, Position, Prior, Progressed};
 use crate::feedback::Belief;
 use crate::language::Model;
 use crate::language::hearing::Heard;
-use crate::language::tokenizer::has_pieces;
+use crate::language::tokenizer::may_have_pieces;
 use crate::memory::AgentMemory;
 use crate::oomdp::{Domain, check_actions, digest, vocabulary};
 use crate::planning::Progress;
@@ -39,33 +39,33 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Begins to hear a command in parts, otherwise as [`hear`](Self::hear) does: call [`hear_on`](Self::hear_on) until it is done.
     ///
-    /// The command is copied to where plans are made. One with more bytes than fit there is heard here at once.
+    /// The command is copied to where plans are made. One with more bytes than fit there is heard here at once. The first part begins the
+    /// belief, and then the tasks are known.
     ///
     /// # Errors
-    /// As [`hear`](Self::hear), but a command or a word that is too long is told by [`hear_on`](Self::hear_on).
+    /// As [`hear`](Self::hear), but [`hear_on`](Self::hear_on) tells a command or a word that is too long, and a long command without a word.
     pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
-        let is_kept = self.open(domain, state, command, self.options.done, true)?;
-        self.begin_to_understand()?;
-        if is_kept {
-            self.progressed = Progressed::Words(Heard::START, command.len() as u32);
+        if self.open(domain, state, command, self.options.done, true)? {
+            self.progressed = Progressed::Begun(core::mem::take(&mut self.task_count) as u8, command.len() as u32);
+            return Ok(());
         }
-        Ok(())
+        self.begin_to_understand()
     }
 
     /// Continues to hear the command, with at most about `budget` table cells of work (at least one machine command). The belief does not
     /// depend on the budget. A known word that a new word is compared with counts as a cell; at least 32 of them are compared.
     ///
     /// # Errors
-    /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain, and
-    /// [`AgentError::Capacity`]; in the last case the session ends.
+    /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain,
+    /// [`AgentError::EmptyCommand`] and [`AgentError::Capacity`]; in the last two cases the session ends.
     pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
-        if let Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) = self.progressed {
+        if let Progressed::Begun(..) | Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
             }
             let mut left = budget.max(1);
-            // One after the other, because both together take more stack.
-            let result = match self.hear_words_on(&mut left) {
+            // One after the other, because all together take more stack.
+            let result = match self.begin_words(&mut left).and_then(|()| self.hear_words_on(&mut left)) {
                 Ok(true) if left > 0 => self.understand_on(domain, left),
                 Ok(_) => Ok(Progress::Working),
                 Err(error) => Err(error),
@@ -165,7 +165,7 @@ impl<M: AgentMemory> Agent<M> {
             }
             None => language.hear_into(command, &mut self.sentence)?,
         }
-        if if is_kept { !has_pieces(command) } else { self.sentence.is_empty() } {
+        if if is_kept { !may_have_pieces(command) } else { self.sentence.is_empty() } {
             return Err(AgentError::EmptyCommand);
         }
         check_actions(domain)?;
@@ -187,6 +187,17 @@ impl<M: AgentMemory> Agent<M> {
         Ok(is_kept)
     }
 
+    /// Begins the belief, if a command is kept at the front of the workspace and its words are not begun.
+    fn begin_words(&mut self, left: &mut u32) -> Result<(), AgentError> {
+        if let Progressed::Begun(tasks, bytes) = self.progressed {
+            self.task_count = tasks.into();
+            self.begin_to_understand()?;
+            self.progressed = Progressed::Words(Heard::START, bytes);
+            *left = left.saturating_sub(self.task_count as u32);
+        }
+        Ok(())
+    }
+
     /// Hears on the words of a command, if it is kept at the front of the workspace. Returns whether all are heard.
     #[inline(never)]
     fn hear_words_on(&mut self, left: &mut u32) -> Result<bool, AgentError> {
@@ -197,13 +208,16 @@ impl<M: AgentMemory> Agent<M> {
         // Words need none of the counts.
         let mut language = self.language.called_with(tables.language, &mut []);
         let is_heard = language.hear_on(command, &mut heard, &mut self.sentence, left)?;
+        if is_heard && self.sentence.is_empty() {
+            return Err(AgentError::EmptyCommand);
+        }
         self.progressed = if is_heard { Progressed::Opened } else { Progressed::Words(heard, bytes) };
         Ok(is_heard)
     }
 
     /// Hears the words of a command that is kept in the workspace, which other work needs now. A session whose command is too long ends.
     pub(crate) fn hear_words_to_the_end(&mut self) {
-        if self.hear_words_on(&mut { u32::MAX }).is_err() {
+        if self.begin_words(&mut { u32::MAX }).and_then(|()| self.hear_words_on(&mut { u32::MAX })).is_err() {
             (self.start, self.progressed) = (None, Progressed::Idle);
         }
     }

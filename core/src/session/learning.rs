@@ -46,7 +46,7 @@ impl<M: AgentMemory> Agent<M> {
     pub fn forget(&mut self) {
         match self.progressed {
             // A half-heard command is no session.
-            Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) => self.end_session(),
+            Progressed::Begun(..) | Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) => self.end_session(),
             _ => self.complete_joining(),
         }
         self.set_ended();

@@ -52,7 +52,10 @@ impl fmt::Display for Phase {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Progressed {
     Idle,
-    /// The possible tasks are known, and the command's words are being heard. The command, of this many bytes, is at the front of the
+    /// The possible tasks are found, so many; the belief is still that of the session before. The command, of this many bytes, is at the
+    /// front of the workspace.
+    Begun(u8, u32),
+    /// The command's words are being heard. The command, of this many bytes, is at the front of the
     /// workspace.
     Words(Heard, u32),
     /// The words are known.
@@ -76,7 +79,7 @@ impl Progressed {
     /// The phase, of an agent whose language model is in training or not.
     pub(super) const fn phase(&self, is_training: bool) -> Phase {
         match self {
-            Self::Words(..) | Self::Opened | Self::Hearing(..) => Phase::Hearing,
+            Self::Begun(..) | Self::Words(..) | Self::Opened | Self::Hearing(..) => Phase::Hearing,
             Self::Weighing(..) | Self::Keeping(_) | Self::Tidying(_) => Phase::Finishing,
             Self::Idle | Self::Ready | Self::Ended if is_training => Phase::Learning,
             Self::Idle => Phase::Idle,

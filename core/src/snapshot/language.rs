@@ -3,9 +3,7 @@
 use super::checking::Checking;
 use super::contents::Contents;
 use super::error::{RestoreError, SaveError};
-#[cfg(feature = "layer")]
-use super::record::symbols;
-use super::restoring::{Restoring, Stage};
+use super::restoring::{AddedAttributes, Restoring, Stage};
 use super::saving::Model;
 use crate::capacity::Capacities;
 #[cfg(feature = "layer")]
@@ -106,10 +104,10 @@ impl<'t> LanguageRef<'t> {
 impl LanguageMut<'_> {
     /// Takes over the tasks of all sessions, if this memory has the layer. Without them, a layer has no effect.
     #[cfg(feature = "layer")]
-    fn take_over_possible(&mut self, contents: &Contents<'_>) {
+    fn take_over_possible(&mut self, contents: &Contents<'_>, added: AddedAttributes) {
         let Some(possible) = self.possible_mut() else { return };
         for record in contents.possible_commands.iter() {
-            let _ = possible.add_command(&symbols(&record));
+            let _ = possible.add_command(&added.symbols(&record));
         }
         let mut pairs = contents.possible.iter();
         for count in contents.possible_counts.iter() {
@@ -131,11 +129,11 @@ impl LanguageMut<'_> {
     }
 
     /// Completes the training data, and begins training.
-    pub(super) fn complete(&mut self, checking: &Checking<'_>) -> Result<(), RestoreError> {
+    pub(super) fn complete(&mut self, checking: &Checking<'_>, added: AddedAttributes) -> Result<(), RestoreError> {
         #[cfg(feature = "layer")]
-        self.take_over_possible(&Contents::of(checking)?);
+        self.take_over_possible(&Contents::of(checking)?, added);
         #[cfg(not(feature = "layer"))]
-        let _ = checking;
+        let _ = (checking, added);
         let _ = self.data_replaced();
         self.begin_training();
         Ok(())

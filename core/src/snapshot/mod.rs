@@ -116,7 +116,7 @@
 //!   probability or a number about rests outside 0 to 1, lags that do not sum to 1, all strategies' probabilities 0, more than 1,000
 //!   rounds;
 //! - its digest is not that of the robot's domain. [`Agent::restore_earlier`](crate::Agent::restore_earlier), and C, also take that of
-//!   the domain's first propositions and attributes, because positions then mean the same;
+//!   the domain's first propositions and attributes, because positions then mean the same, and derived facts move behind the attributes;
 //! - it does not fit into the robot's memory: the error names the field of [`Capacities`](crate::Capacities) to raise, its size and the
 //!   needed size.
 

@@ -5,13 +5,14 @@ use super::contents::Contents;
 use super::error::{Part, RestoreError};
 use super::record::{CommandRecord, HEADER_BYTES, PairRecord, SessionRecord, symbols};
 use super::section::{Section, take};
-use crate::capacity::WORDS_PER_COMMAND;
+use crate::capacity::{TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::language::model::{LanguageState, Unlearned};
 use crate::language::{LanguageMut, LanguageRef};
 use crate::memory::LanguageTables;
 use crate::oomdp::{Schema, vocabulary};
 use crate::planning::Progress;
 use crate::symbols::Symbol;
+use crate::task::role::{Marker, VALUE_SORTS};
 use heapless::Vec;
 
 /// A model that is being restored in parts: [`Agent::restore_on`](crate::Agent::restore_on).
@@ -29,6 +30,7 @@ pub struct Restoring<'a> {
     pub(super) mark: u32,
     /// A vocabulary, and the earlier version of it that the model has; 0 if none is known.
     pub(super) continued: (u32, u32),
+    added: AddedAttributes,
 }
 
 /// The next step.
@@ -53,6 +55,40 @@ pub(super) enum Stage {
     Done,
 }
 
+/// The attributes of an earlier version of a vocabulary, and how many were added after them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct AddedAttributes {
+    before: usize,
+    added: usize,
+}
+
+impl AddedAttributes {
+    /// The same vocabulary.
+    const NONE: Self = Self { before: 0, added: 0 };
+
+    /// A machine command of the earlier version. Its derived facts move behind the added attributes: they come after all attributes.
+    pub(super) fn symbols(self, record: &CommandRecord) -> Vec<Symbol, TOKENS_PER_COMMAND> {
+        if self.added == 0 {
+            return symbols(record);
+        }
+        let (mut moved, mut has_room) = (Vec::new(), true);
+        for &token in record {
+            let mut symbol = Symbol(token);
+            if let Some(marker) = Marker::of(symbol) {
+                let is_derived = usize::from(marker.sort >> 1) >= self.before;
+                let sort = usize::from(marker.sort).saturating_add(if is_derived { self.added << 1 } else { 0 });
+                has_room = sort < VALUE_SORTS;
+                symbol = Marker { sort: sort as u8, ..marker }.symbol();
+            }
+            if has_room {
+                // There are no more symbols than the record has, so they fit.
+                let _ = moved.push(symbol);
+            }
+        }
+        moved
+    }
+}
+
 impl<'a> Restoring<'a> {
     /// A model file of which nothing is read yet.
     pub fn of(model: &'a [u8]) -> Self {
@@ -65,15 +101,19 @@ impl<'a> Restoring<'a> {
             unlearned: Unlearned::NONE,
             mark: 0,
             continued: (0, 0),
+            added: AddedAttributes::NONE,
         }
     }
 
     /// Also takes the model if it was learned with an earlier version of the domain's vocabulary: with fewer propositional functions or
-    /// attributes at the end of their lists. Nothing of it is lost then. Call it before the first part; again it does nothing.
+    /// attributes at the end of their lists. Nothing of it is lost then, but derived facts beside four attributes. Call it before the first
+    /// part; again it does nothing.
     pub fn continue_vocabulary(&mut self, schema: &Schema<'_>) {
         if self.continued.0 == 0 {
             let mut rest = self.checking.bytes.get(HEADER_BYTES..).unwrap_or(&[]);
-            let earlier = take(&mut rest).filter(|&earlier| vocabulary::continues(schema, earlier)).unwrap_or(0);
+            let known = take(&mut rest).and_then(|earlier| Some((earlier, vocabulary::continued(schema, earlier)?)));
+            let (earlier, before) = known.unwrap_or((0, schema.attributes.len()));
+            self.added = AddedAttributes { before, added: schema.attributes.len().saturating_sub(before) };
             self.continued = (vocabulary::digest(schema), earlier);
         }
     }
@@ -111,7 +151,7 @@ impl<'a> Restoring<'a> {
             }
             Stage::Commit => {
                 language.exchange(&mut self.unlearned);
-                language.with(tables, workspace).complete(&self.checking)?;
+                language.with(tables, workspace).complete(&self.checking, self.added)?;
                 self.stage = Stage::Done;
                 *left = left.saturating_sub(1);
             }
@@ -213,7 +253,7 @@ impl<'a> Restoring<'a> {
                     return Some(0);
                 }
                 let record: CommandRecord = take(&mut self.rest)?;
-                let _ = language.bitext_mut().add_command(&symbols(&record));
+                let _ = language.bitext_mut().add_command(&self.added.symbols(&record));
                 Some(record.len())
             }
             Stage::Session(_) if self.of_session > 0 => {

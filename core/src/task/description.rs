@@ -116,6 +116,8 @@ pub struct Scene<S> {
     forms: [u16; LIFTED_TASKS],
     /// The interning of tokens.
     interning: Interning,
+    #[cfg(feature = "ways")]
+    written: Written,
     /// For each of the first objects and each attribute one more than the value's token, 0 if it was not needed yet.
     tokens: [[u16; ATTRIBUTES]; REMEMBERED],
     #[cfg(all(feature = "ways", feature = "talk"))]
@@ -168,6 +170,22 @@ const REMEMBERED: usize = 16;
 /// Marks a value without a token: it is empty, or found no room.
 const NO_TOKEN: u16 = u16::MAX;
 
+/// The objects that a description has so far. One counts for each group in which it may have a value.
+#[cfg(feature = "ways")]
+#[derive(Clone, Copy, Debug)]
+struct Written {
+    /// By earlier parts of the work.
+    before: u16,
+    all: u16,
+    /// Whether the rest is left to a later part.
+    is_broken_off: bool,
+}
+
+#[cfg(feature = "ways")]
+impl Written {
+    const NONE: Self = Self { before: 0, all: 0, is_broken_off: false };
+}
+
 impl<S> Scene<S> {
     /// The scene of a session that starts from a state.
     pub const fn new(state: S) -> Self {
@@ -175,7 +193,9 @@ impl<S> Scene<S> {
             state,
             spoken: None,
             forms: [0; LIFTED_TASKS],
-            interning: Interning::of_new(u32::MAX),
+            interning: Interning::UNBOUNDED,
+            #[cfg(feature = "ways")]
+            written: Written::NONE,
             tokens: [[0; ATTRIBUTES]; REMEMBERED],
             #[cfg(all(feature = "ways", feature = "talk"))]
             conversation: Conversation::NEW,
@@ -188,15 +208,31 @@ impl<S> Scene<S> {
         Self { conversation, ..self }
     }
 
-    /// Lets the next descriptions add at most so many new tokens of values.
-    pub(crate) fn allow_new(&mut self, most: u32) {
-        self.interning = Interning::of_new(most);
+    /// Lets the next description go on after the objects that earlier parts of the work have written, and look for about so many tokens of
+    /// values.
+    #[cfg(feature = "ways")]
+    pub(crate) const fn describe_on(&mut self, written: u16, tokens: u32) {
+        (self.interning, self.written) = (Interning::at_most(tokens), Written { before: written, ..Written::NONE });
     }
 
-    /// Whether the last description was broken off, because it needs more new tokens than it may add. What it has added stays: described
-    /// again, the task needs fewer.
-    pub(crate) fn is_broken_off(&self) -> bool {
-        self.interning.is_broken_off()
+    /// The number of objects that are written, if the last description was broken off; `None` if it is whole.
+    #[cfg(feature = "ways")]
+    pub(crate) fn broken_off(&self) -> Option<u16> {
+        Some(self.written.all).filter(|_| self.written.is_broken_off)
+    }
+
+    /// Whether the next description goes on where an earlier part has broken off.
+    #[cfg(feature = "ways")]
+    const fn goes_on(&mut self) -> bool {
+        self.written.all = 0;
+        self.written.before > 0
+    }
+
+    /// Always `false`.
+    #[cfg(not(feature = "ways"))]
+    #[expect(clippy::unused_self, reason = "as with the feature")]
+    const fn goes_on(&mut self) -> bool {
+        false
     }
 
     /// The token of the lifted task at a position.
@@ -238,7 +274,6 @@ impl<S> Scene<S> {
             true => None,
             false => match self.interning.intern(name, value, tokens) {
                 Ok(token) => Some(token).filter(|&token| !is_marker(token)),
-                Err(error) if self.interning.is_broken_off() => return Err(error),
                 Err(error) if matches!(error.capacity, Capacity::Tokens | Capacity::TokenBytes) => None,
                 Err(error) => return Err(error),
             },
@@ -251,10 +286,10 @@ impl<S> Scene<S> {
 }
 
 /// Replaces `description` by that of a task, which grounds a lifted task of `all`. Its tokens are interned in `tokens`, which must not
-/// forget any while the scene is in use.
+/// forget any while the scene is in use. If the scene [goes on](Scene::describe_on), `description` has what earlier parts wrote.
 ///
 /// # Errors
-/// A [`CapacityError`] if `tokens` has no room for the lifted task's own token.
+/// A [`CapacityError`] if `tokens` has no room for the lifted task's own token, and any if the description was broken off.
 pub fn describe<D: Domain + ?Sized>(
     domain: &D,
     all: &[LiftedTask],
@@ -263,10 +298,12 @@ pub fn describe<D: Domain + ?Sized>(
     tokens: &mut Symbols<'_>,
     description: &mut Tokens,
 ) -> Result<(), CapacityError> {
-    description.clear();
-    let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(()) };
-    let form = scene.form(&domain.world().schema, usize::from(task.lifted), lifted, tokens)?;
-    let _ = description.push(form);
+    let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(description.clear()) };
+    if !scene.goes_on() {
+        description.clear();
+        let form = scene.form(&domain.world().schema, usize::from(task.lifted), lifted, tokens)?;
+        let _ = description.push(form);
+    }
     let bound: Chosen = task.bindings.iter().take(lifted.variables().len()).copied().collect();
     let mut with_role = Chosen::NONE;
     let world = domain.world();
@@ -296,6 +333,10 @@ pub fn describe<D: Domain + ?Sized>(
         let kind = if spoken.places.contains(class.0) { RoleKind::OtherPlace } else { RoleKind::Other };
         let others = description.chosen(class, &|object| !with_role.contains(object));
         description.write(Role::of_class(kind, class), &others)?;
+    }
+    #[cfg(feature = "ways")]
+    {
+        description.scene.written = Written::NONE;
     }
     Ok(())
 }
@@ -503,49 +544,124 @@ impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
         if sort >= VALUE_SORTS {
             return Ok(());
         }
-        let marker = Marker { role, sort: sort as u8 };
-        let Self { domain, scene, tokens, description, .. } = self;
-        let (first, mut broken_off) = (description.len() + 1, Ok(()));
-        let interning = &mut scene.interning;
+        let mut group = OpenGroup::new(Marker { role, sort: sort as u8 }, self.description);
         for object in objects.iter() {
+            if self.is_done(&mut group)? {
+                continue;
+            }
+            let Self { domain, scene, tokens, description, .. } = self;
+            let interning = &mut scene.interning;
             let mut tell = |fact: &str| {
-                if broken_off.is_err() {
-                    return;
+                if let Some(token) = interning.intern("is", fact, tokens).ok().filter(|&token| !is_marker(token)) {
+                    let _ = group.take(token, description);
                 }
-                let token = interning.intern("is", fact, tokens);
-                if interning.is_broken_off() {
-                    broken_off = token.map(drop);
-                    return;
-                }
-                let Some(token) = token.ok().filter(|&token| !is_marker(token)) else { return };
-                if description.len() < first && description.push(marker.symbol()).is_err() {
-                    return;
-                }
-                insert(description, first, token);
             };
             domain.tell_derived(&scene.state, object, &mut tell);
             #[cfg(feature = "talk")]
             scene.conversation.tell(*domain, object, &mut tell);
         }
-        if description.len() == first {
-            description.pop();
-        }
-        broken_off
+        group.close(self.description);
+        Ok(())
     }
 
+    /// Writes the group of a role's values of an attribute.
     fn write_group(&mut self, marker: Marker, attribute: usize, objects: &Chosen) -> Result<(), CapacityError> {
-        let first = self.description.len() + 1;
+        #[cfg_attr(not(feature = "ways"), expect(unused_mut, reason = "as with the feature"))]
+        let mut group = OpenGroup::new(marker, self.description);
         for object in objects.iter() {
-            let Some(token) = self.scene.token(&self.world, object, attribute, self.tokens)? else { continue };
-            if self.description.len() < first && self.description.push(marker.symbol()).is_err() {
-                return Ok(());
+            #[cfg(feature = "ways")]
+            if self.is_done(&mut group)? {
+                continue;
             }
-            insert(self.description, first, token);
+            let Some(token) = self.scene.token(&self.world, object, attribute, self.tokens)? else { continue };
+            if !group.take(token, self.description) {
+                #[cfg(not(feature = "ways"))]
+                return Ok(());
+                #[cfg(feature = "ways")]
+                {
+                    group.is_left_out = true;
+                }
+            }
         }
-        if self.description.len() == first {
-            self.description.pop();
-        }
+        group.close(self.description);
         Ok(())
+    }
+
+    /// Whether nothing is to be done for the next object of a group.
+    ///
+    /// # Errors
+    /// Any, if the description is broken off before this object.
+    #[cfg(feature = "ways")]
+    fn is_done(&mut self, group: &mut OpenGroup) -> Result<bool, CapacityError> {
+        let written = &mut self.scene.written;
+        let is_earlier = written.all < written.before;
+        if !is_earlier && group.goes_on {
+            group.goes_on = false;
+            // An earlier part has begun the group.
+            let last = self.description.iter().rposition(|&symbol| is_marker(symbol));
+            if let Some(last) = last.filter(|&last| self.description.get(last) == Some(&group.marker.symbol())) {
+                group.first = last.saturating_add(1);
+            }
+        }
+        if !is_earlier && !group.is_left_out && self.scene.interning.is_spent() {
+            if group.has_objects && self.description.len() < group.first {
+                // The next part finds the group by its marker.
+                let _ = self.description.push(group.marker.symbol());
+            }
+            written.is_broken_off = true;
+            return Err(CapacityError::full(Capacity::Tokens, 0));
+        }
+        written.all = written.all.saturating_add(1);
+        group.has_objects = true;
+        group.goes_on = is_earlier;
+        Ok(is_earlier || group.is_left_out)
+    }
+}
+
+/// The last group of a description, while it is written.
+struct OpenGroup {
+    marker: Marker,
+    /// The position of its first value.
+    first: usize,
+    /// Whether it has objects so far, with values or without.
+    #[cfg(feature = "ways")]
+    has_objects: bool,
+    /// Whether an earlier part of the work has written its objects so far.
+    #[cfg(feature = "ways")]
+    goes_on: bool,
+    /// Whether the description has no room for it.
+    #[cfg(feature = "ways")]
+    is_left_out: bool,
+}
+
+impl OpenGroup {
+    fn new(marker: Marker, description: &Tokens) -> Self {
+        Self {
+            marker,
+            first: description.len() + 1,
+            #[cfg(feature = "ways")]
+            has_objects: false,
+            #[cfg(feature = "ways")]
+            goes_on: false,
+            #[cfg(feature = "ways")]
+            is_left_out: false,
+        }
+    }
+
+    /// Takes a value. Returns whether there is room for the group.
+    fn take(&self, value: Symbol, description: &mut Tokens) -> bool {
+        if description.len() < self.first && description.push(self.marker.symbol()).is_err() {
+            return false;
+        }
+        insert(description, self.first, value);
+        true
+    }
+
+    /// A group without values is none.
+    fn close(&self, description: &mut Tokens) {
+        if description.len() == self.first {
+            description.pop();
+        }
     }
 }
 

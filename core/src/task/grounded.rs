@@ -55,15 +55,19 @@ impl GroundedTask {
     }
 
     /// Whether this task and another of the same lifted task have the same propositions in another order: `done(a) & done(b)`, and
-    /// `done(b) & done(a)`. With a single proposition, different objects are different tasks.
+    /// `done(b) & done(a)`.
     fn is_same(&self, other: &Self, lifted: &LiftedTask) -> bool {
-        let has = |task: &Self, part| task.parts(lifted).any(|own| own == part);
-        // The same propositions have the same objects in them. Their sum tells most tasks apart sooner than the propositions do.
-        let objects = |task: &Self| task.bindings.iter().map(|object| usize::from(object.0)).sum::<usize>();
-        lifted.propositions().len() > 1
-            && objects(self) == objects(other)
-            && self.parts(lifted).all(|part| has(other, part))
-            && other.parts(lifted).all(|part| has(self, part))
+        // Different objects are bound, so both have as many different propositions.
+        self.parts(lifted).all(|part| other.parts(lifted).any(|own| own == part))
+    }
+
+    /// A number that is the same for the same objects in another order, and for few others.
+    fn mix(&self) -> u32 {
+        // Not a loop: it is computed for each pair of tasks.
+        let [ObjectId(a), ObjectId(b), ObjectId(c), ObjectId(d), ObjectId(e), ObjectId(f)] = self.bindings;
+        let [a, b, c, d, e, f] = [u32::from(a), u32::from(b), u32::from(c), u32::from(d), u32::from(e), u32::from(f)];
+        let sum = a.wrapping_add(b).wrapping_add(c).wrapping_add(d).wrapping_add(e).wrapping_add(f);
+        sum << 8 | (a ^ b ^ c ^ d ^ e ^ f)
     }
 
     /// A proposition of the lifted task, with the objects in it.
@@ -196,11 +200,20 @@ pub(crate) fn ground_unless(
         if let Some(start) = bindings {
             bindings = next_binding(objects, task, start, true);
         }
+        // If each propositional function occurs once, different objects are different tasks.
+        let several = task.propositions().len() > 1;
+        let repeats = several
+            && task.parts().enumerate().any(|(position, (kind, one))| {
+                task.parts().take(position).any(|(other_kind, other)| other_kind == kind && other.proposition == one.proposition)
+            });
         while let Some(bound) = bindings {
             let grounded = GroundedTask { lifted: position as u8, bindings: bound, ..GroundedTask::UNUSED };
             let earlier = tasks.get(first..count).unwrap_or(&[]);
-            let is_twin =
-                || earlier.iter().any(|other| other.is_same(&grounded, task)) || task.has_way() && Way::of(&grounded, task).is_twin();
+            let is_twin = || {
+                let mix = if repeats { grounded.mix() } else { 0 };
+                repeats && earlier.iter().any(|other| other.mix() == mix && other.is_same(&grounded, task))
+                    || task.has_way() && Way::of(&grounded, task).is_twin()
+            };
             if !(holds(&grounded, task) || is_twin()) {
                 if let Some(slot) = tasks.get_mut(count).filter(|_| count < limit) {
                     *slot = grounded;

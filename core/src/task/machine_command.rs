@@ -55,7 +55,7 @@ impl Expression {
         } else if lifted.has_way() {
             sort(&mut facts, |fact| after_goal(domain, lifted, task, fact));
         }
-        let mut interning = Interning::of_new(u32::MAX);
+        let mut interning = Interning::UNBOUNDED;
         for fact in &facts {
             let Some(attribute) = schema.attributes.get(usize::from(fact.attribute)) else { continue };
             let Some(carrier) = attribute.carriers.get(usize::from(fact.carrier)) else { continue };
@@ -199,36 +199,30 @@ pub(super) struct Interning {
     /// The token before, near which the next one is looked for.
     #[cfg(feature = "ways")]
     near: Symbol,
-    /// The new tokens that may be added yet; `None` once one more was wanted. Without the feature `ways` there is no end of them: such
-    /// robots have few facts, and little room for code.
+    /// The tokens that may be looked for yet. Without the feature `ways` there is no end of them: such robots have few facts, and little
+    /// room for code.
     #[cfg(feature = "ways")]
-    left: Option<u32>,
+    left: u32,
 }
 
 impl Interning {
-    /// At most so many new tokens.
+    /// Of any number of tokens.
     #[cfg(feature = "ways")]
-    pub(super) const fn of_new(most: u32) -> Self {
-        Self { near: Symbol(0), left: Some(most) }
-    }
-
-    /// Any number of new tokens.
+    pub(super) const UNBOUNDED: Self = Self::at_most(u32::MAX);
+    /// Of any number of tokens.
     #[cfg(not(feature = "ways"))]
-    pub(super) const fn of_new(_most: u32) -> Self {
-        Self {}
-    }
+    pub(super) const UNBOUNDED: Self = Self {};
 
-    /// Whether more new tokens were wanted than may be added.
+    /// Of about so many tokens.
     #[cfg(feature = "ways")]
-    pub(super) const fn is_broken_off(self) -> bool {
-        self.left.is_none()
+    pub(super) const fn at_most(tokens: u32) -> Self {
+        Self { near: Symbol(0), left: tokens }
     }
 
-    /// Always `false`.
-    #[cfg(not(feature = "ways"))]
-    #[expect(clippy::unused_self, reason = "as with the feature")]
-    pub(super) const fn is_broken_off(self) -> bool {
-        false
+    /// Whether as many tokens were looked for as may be.
+    #[cfg(feature = "ways")]
+    pub(super) const fn is_spent(self) -> bool {
+        self.left == 0
     }
 
     /// The symbol of an [`attribute_token`].
@@ -244,9 +238,10 @@ impl Interning {
     /// The symbol of an [`attribute_token`]. One that is known is found without making its text.
     ///
     /// # Errors
-    /// A [`CapacityError`] if there is no room, or no more new tokens may be added.
+    /// A [`CapacityError`] if there is no room.
     #[cfg(feature = "ways")]
     pub(super) fn intern(&mut self, prefix: &str, value: &str, tokens: &mut Symbols<'_>) -> Result<Symbol, CapacityError> {
+        self.left = self.left.saturating_sub(1);
         let (prefix, value) = (prefix.as_bytes(), value.as_bytes());
         let (first, rest) = value.split_at_checked(1).unwrap_or((&[], &[]));
         let capital = first.first().map(u8::to_ascii_uppercase);
@@ -258,17 +253,7 @@ impl Interning {
         });
         self.near = match known {
             Some(known) => known,
-            None => {
-                let left = self.left.and_then(|left| left.checked_sub(1));
-                // A token without room is left out, each time anew.
-                if left.is_none() && tokens.has_room(length) {
-                    self.left = None;
-                    return Err(CapacityError::full(Capacity::Tokens, 0));
-                }
-                let added = tokens.add([prefix, capital.as_slice(), rest])?;
-                self.left = left;
-                added
-            }
+            None => tokens.add([prefix, capital.as_slice(), rest])?,
         };
         Ok(self.near)
     }
@@ -282,7 +267,7 @@ mod tests {
     fn a_token_that_is_interned_in_parts_is_the_same_as_with_its_text() {
         let (mut bytes, mut ends, mut len) = ([0; 96], [0; 9], 0);
         let mut tokens = Symbols::new(&mut bytes, &mut ends, &mut len, Capacity::Tokens, Capacity::TokenBytes);
-        let mut interning = Interning::of_new(8);
+        let mut interning = Interning::at_most(12);
         for value in ["leftmost", "first", "", "é", "fast", "leftmost", "Red", "red", "F", "leftmosT", "first"] {
             let text = attribute_token("is", value).unwrap();
             let before = tokens.read().find(&text);
@@ -291,13 +276,9 @@ mod tests {
             assert!(before.is_none_or(|before| before == interned), "{value}");
             assert_eq!(tokens.intern(&text), Ok(interned));
         }
-        assert!(!interning.is_broken_off());
-        assert!(interning.intern("is", "new", &mut tokens).is_err() && interning.is_broken_off());
-        // Where the table is full, waiting for the next part would not help.
-        tokens.intern("last").unwrap();
-        let mut interning = Interning::of_new(0);
-        assert!(interning.intern("is", "new", &mut tokens).is_err() && !interning.is_broken_off());
+        assert!(!interning.is_spent());
+        assert!(interning.intern("is", "new", &mut tokens).is_ok() && interning.is_spent());
         let long = "a".repeat(NAME_BYTES);
-        assert_eq!(Interning::of_new(1).intern("is", &long, &mut tokens).unwrap_err(), attribute_token("is", &long).unwrap_err());
+        assert_eq!(Interning::at_most(1).intern("is", &long, &mut tokens).unwrap_err(), attribute_token("is", &long).unwrap_err());
     }
 }

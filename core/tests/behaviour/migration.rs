@@ -9,7 +9,11 @@ use goodbot::oomdp::{
 };
 use goodbot::session::Weights;
 use goodbot::snapshot::{Contents, Migrated, Migration, RestoreError};
+#[cfg(feature = "ways")]
+use goodbot::symbols::Symbol;
 use goodbot::task::LiftedTask;
+#[cfg(feature = "ways")]
+use goodbot::task::Marker;
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 
 /// A home whose names are those of another version.
@@ -177,4 +181,59 @@ fn what_moved_is_understood_and_what_is_gone_is_named() {
     assert_eq!((lost.last().map(String::as_str), sessions), (Some("blockInRoom"), vec![2, 3]));
     assert_eq!(Migration { from: schema, ..migration }.of(&model), Err(RestoreError::OtherDomain));
     assert_eq!(migration.of(&model[..model.len() - 1]).unwrap_err(), Contents::read(&model[..model.len() - 1]).unwrap_err());
+}
+
+/// Each group of a machine command: its sort of values, and the first value's token.
+#[cfg(feature = "ways")]
+fn sorts(model: &[u8]) -> Vec<(u8, String)> {
+    let contents = Contents::read(model).unwrap();
+    let tokens: Vec<_> = contents.tokens.iter().collect();
+    let mut sorts = Vec::new();
+    for command in contents.commands.iter() {
+        for pair in command.windows(2) {
+            if let Some(Marker { sort, .. }) = Marker::of(Symbol::new(pair[0])) {
+                sorts.push((sort, tokens[usize::from(pair[1])].to_owned()));
+            }
+        }
+    }
+    sorts
+}
+
+#[cfg(feature = "ways")]
+#[test]
+fn facts_of_old_lessons_are_not_taken_for_values_of_an_attribute_that_was_added() {
+    let (home, start) = rooms(HomeHeap::new(&Capacities::SMALL), Some(Cell::new(4, 2)));
+    let tasks = |schema: &Schema<'_>| ["agentInRoom(?a, ?r)", "blockInRoom(?o, ?r)"].map(|text| LiftedTask::parse(text, schema).unwrap());
+    let of_colors = Schema { attributes: &home::SCHEMA.attributes[..1], ..home::SCHEMA };
+    let home = home.with_derived(true);
+    let old = Version { home: &home, schema: of_colors, meant: &[0, 1, 2, 3] };
+    let mut learner = agent(&tasks(&of_colors));
+    for command in ["go to the red room", "take the chair to the green room"] {
+        learner.hear(&old, &start, command).unwrap();
+        let _ = learner.finish(&old).unwrap();
+        learner.learn_fully();
+    }
+    let model = learner.saved().unwrap();
+    let is_fact = |token: &str| token.starts_with("is");
+    assert!(sorts(&model).iter().any(|(sort, token)| *sort == 2 && is_fact(token)));
+    // The next version tells shapes too, and a later one two attributes more: facts find no room beside four.
+    let carriers = [Carrier::new(BLOCK, "made")];
+    let third =
+        [home::SCHEMA.attributes[0], home::SCHEMA.attributes[1], Attribute::new("made", &carriers), Attribute::new("use", &carriers)];
+    for attributes in [home::SCHEMA.attributes, &third] {
+        let schema = Schema { attributes, ..home::SCHEMA };
+        let new = Version { home: &home, schema, meant: &[0, 1, 2, 3] };
+        let mut robot = agent(&tasks(&schema));
+        robot.hear(&new, &start, "go").unwrap();
+        robot.restore_earlier(&new, &model).unwrap();
+        robot.learn_fully();
+        let restored = robot.saved().unwrap();
+        for (sort, token) in sorts(&restored) {
+            assert_eq!(usize::from(sort) == attributes.len() * 2, is_fact(&token), "{sort} {token}");
+        }
+        // As it is migrated on a host.
+        let migration = Migration { from: of_colors, to: schema, kinds: [&tasks(&of_colors), &tasks(&schema)], renamed: &[] };
+        assert_eq!(sorts(&migration.of(&model).unwrap().model), sorts(&restored));
+        robot.hear(&new, &start, "go to the red room").unwrap();
+    }
 }

@@ -412,8 +412,9 @@ fn what_was_learned_is_the_same_whatever_the_budget() {
 
 #[test]
 fn tasks_among_many_new_values_are_described_the_same_whatever_the_budget() {
-    let colors: Vec<String> = (0..30).map(|number| format!("hue{number}")).collect();
-    let described = |budget: u32, tokens: usize| {
+    // Two rooms in the middle are alike, and their tasks have one description.
+    let colors: Vec<String> = (0..30).map(|number| format!("hue{}", if number == 15 { 14 } else { number })).collect();
+    let described = |budget: u32, tokens: usize, is_interrupted: bool| {
         let mut memory = HeapMemory::new(&Capacities { tokens, ..Capacities::STANDARD });
         let mut builder = HomeBuilder::new(&mut memory.home);
         for (number, color) in colors.iter().enumerate() {
@@ -427,17 +428,30 @@ fn tasks_among_many_new_values_are_described_the_same_whatever_the_budget() {
         let (home, state) = builder.build(Moves::Push).unwrap();
         let mut agent = Agent::new(memory.agent, &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
         agent.begin_hearing(&home, &state, "go").unwrap();
-        while agent.hear_on(&home, budget).unwrap() == Progress::Working {}
+        let mut calls = 0;
+        while agent.hear_on(&home, budget).unwrap() == Progress::Working {
+            calls += 1;
+            if is_interrupted {
+                let _ = agent.save_in_place().unwrap();
+            }
+        }
+        agent.begin_finishing(&home).unwrap();
+        while agent.finish_on(&home, budget).unwrap().is_none() {
+            calls += 1;
+        }
         let (candidates, tokens) = (agent.candidates(), agent.language().tokens());
+        assert!(candidates.entries().len() < agent.tasks().len());
         let text = |entry| candidates.tokens(entry).iter().map(|&token| tokens.text(token).to_owned()).collect::<Vec<_>>();
-        let descriptions: Vec<_> = candidates.entries().iter().map(|entry| (text(entry), entry.likelihood)).collect();
-        (descriptions, tokens.iter().map(|(_, text)| text.to_owned()).collect::<Vec<_>>())
+        let descriptions: Vec<_> = candidates.entries().iter().map(|entry| (text(entry), entry.likelihood, entry.weight)).collect();
+        (calls, (descriptions, tokens.iter().map(|(_, text)| text.to_owned()).collect::<Vec<_>>()))
     };
-    for (tokens, known) in [(Capacities::STANDARD.tokens, 31), (20, 20)] {
-        let whole = described(u32::MAX, tokens);
-        assert!(whole.1.len() >= known, "{whole:?}");
-        for budget in [1, 10, 100] {
-            assert_eq!(described(budget, tokens), whole);
+    for (tokens, known) in [(Capacities::STANDARD.tokens, 30), (20, 20)] {
+        let (calls, whole) = described(u32::MAX, tokens, false);
+        assert!(calls == 0 && whole.1.len() >= known, "{calls} {whole:?}");
+        for (budget, is_interrupted) in [(1, false), (10, false), (100, false), (1, true)] {
+            let (calls, parts) = described(budget, tokens, is_interrupted);
+            assert!(calls > 20, "{calls} calls of budget {budget}");
+            assert_eq!(parts, whole, "{budget} {is_interrupted}");
         }
     }
 }
@@ -499,6 +513,39 @@ fn a_new_word_is_compared_with_few_known_words_at_a_time_and_means_the_same() {
     assert_eq!(model, whole.saved().unwrap());
     while parts.hear_on(&home, 1).unwrap() == Progress::Working {}
     assert_eq!((parts.sentence(), bits(&parts)), (whole.sentence(), bits(&whole)));
+}
+
+#[test]
+fn a_long_command_is_looked_at_in_parts_and_heard_the_same() {
+    let mut homes = HeapMemory::new(&Capacities::SMALL);
+    let (home, state) = home(&mut homes.home, ["green", "blue", "red"], Some(("yellow", "bag")), [0, 1, 2]);
+    let full = |capacity, limit, given| Err(AgentError::Capacity(CapacityError::new(capacity, limit, given)));
+    let (space, marks, word) = (" ".repeat(500), "\u{301}'.".repeat(200), "é".repeat(24));
+    for (command, words) in [
+        (format!("{space}go{space}there'{space}"), Ok(2)),
+        (format!("go{marks}{word}, {}", "'".repeat(500)), Ok(2)),
+        (format!("{}去 red 的房间。", space.replace(' ', "!")), Ok(5)),
+        (space + &marks, Err(AgentError::EmptyCommand)),
+        ("a".repeat(700), full(Capacity::NameBytes, 48, 700)),
+        ("go, ".repeat(300), full(Capacity::WordsPerCommand, 64, 300)),
+    ] {
+        let mut heard = Vec::new();
+        for budget in [1, 40, u32::MAX] {
+            let (mut agent, mut calls) =
+                (Agent::new(AgentHeap::new(&Capacities::STANDARD), &paper_tasks().unwrap(), Options::DEFAULT).unwrap(), 1);
+            agent.begin_hearing(&home, &state, &command).unwrap();
+            let mut result = agent.hear_on(&home, budget);
+            while result == Ok(Progress::Working) {
+                result = agent.hear_on(&home, budget);
+                calls += 1;
+            }
+            assert!(budget > 1 || calls * 32 > command.chars().count(), "{calls} calls for {command}");
+            assert_eq!(result.map(|_| agent.sentence().len()), words, "{command}");
+            let texts: Vec<_> = agent.language().words().iter().map(|(_, text)| text.to_owned()).collect();
+            heard.push((agent.sentence().to_vec(), texts));
+        }
+        assert!(heard.windows(2).all(|two| two[0] == two[1]), "{heard:?}");
+    }
 }
 
 #[test]

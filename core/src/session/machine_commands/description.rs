@@ -11,18 +11,24 @@ use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, Worl
 use crate::probability::Scaled;
 use crate::session::agent::Agent;
 use crate::session::candidates::Candidates;
-#[cfg(feature = "layer")]
+#[cfg(any(feature = "layer", feature = "ways"))]
 use crate::session::candidates::CandidatesRef;
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
+#[cfg(feature = "ways")]
+use crate::session::phase::Progressed;
 use crate::session::phase::{Phase, Position};
 use crate::symbols::Symbol;
 use crate::task::description::{Scene, describe, form_token, groups};
 use crate::task::machine_command::Tokens;
 use heapless::Vec;
 
-/// A part of the work of a small budget adds at most this many tokens of values: each is compared with all that are known.
-const NEW_TOKENS: u32 = 16;
+/// With a small budget, a part of the work looks for about this many tokens of values: each is compared with those that are known.
+#[cfg(feature = "ways")]
+const LOOKED_FOR: u32 = 24;
+/// The position in a description that is made at once, because other work took the memory of its first part.
+#[cfg(feature = "ways")]
+const AT_ONCE: u16 = u16::MAX;
 
 /// A domain in which every proposition holds, or none.
 struct Constant<'d, D: ?Sized> {
@@ -62,6 +68,54 @@ impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
 }
 
 impl<M: AgentMemory> Agent<M> {
+    /// Goes on describing the task at the position. A part that is broken off is kept in the workspace, and the position counts the objects
+    /// that it has. Returns whether the description is whole.
+    #[cfg_attr(feature = "ways", inline(never))]
+    #[cfg_attr(not(feature = "ways"), inline(always))]
+    fn describe_on<D: Domain + ?Sized>(
+        &mut self,
+        domain: &D,
+        scene: &mut Scene<D::State>,
+        position: &mut Position,
+        left: u32,
+        description: &mut Tokens,
+    ) -> Result<bool, AgentError> {
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
+        // A description needs none of the counts.
+        let mut language = self.language.with(language, &mut []);
+        #[cfg(feature = "ways")]
+        let kept: &mut [u16] = bytemuck::cast_slice_mut(workspace);
+        #[cfg(feature = "ways")]
+        {
+            let is_at_once = position.constraint == AT_ONCE || kept.len() <= TOKENS_PER_COMMAND;
+            let written = if is_at_once { 0 } else { position.constraint };
+            if written > 0 {
+                let length = kept.first().map_or(0, |&length| usize::from(length));
+                for &token in kept.iter().skip(1).take(length) {
+                    let _ = description.push(Symbol(token));
+                }
+            }
+            scene.describe_on(written, if is_at_once { u32::MAX } else { LOOKED_FOR.max(left) });
+        }
+        let described = describe(domain, &self.lifted, task, scene, language.tokens_mut(), description);
+        #[cfg(feature = "ways")]
+        {
+            position.constraint = scene.broken_off().unwrap_or(0);
+            if position.constraint > 0 {
+                let tokens = core::iter::once(description.len() as u16).chain(description.iter().map(|token| token.0));
+                kept.iter_mut().zip(tokens).for_each(|(slot, token)| *slot = token);
+                // The last plan left its marks there.
+                self.planned = None;
+                self.planner.release_marks();
+                return Ok(false);
+            }
+        }
+        #[cfg(not(feature = "ways"))]
+        let _ = (workspace, left);
+        Ok(described.map(|()| true)?)
+    }
+
     /// Continues Pr(e|t) for the task at the position. The position keeps the progress: `constraint` counts the words read, `sum` is their
     /// probability. Returns whether it is done.
     #[inline(never)]
@@ -72,21 +126,18 @@ impl<M: AgentMemory> Agent<M> {
         position: &mut Position,
         left: &mut u32,
     ) -> Result<bool, AgentError> {
+        let mut description = Tokens::new();
+        let added = self.candidates().added_for(position.task);
+        if added.is_none() && !self.describe_on(domain, scene, position, *left, &mut description)? {
+            *left = 0;
+            return Ok(false);
+        }
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(position.task) else { return Ok(true) };
         let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
-        let added = match candidates.read().added_for(position.task) {
+        let added = match added {
             Some(added) => added,
             None => {
-                let mut description = Tokens::new();
-                scene.allow_new(NEW_TOKENS.max(*left));
-                let described = describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description);
-                if scene.is_broken_off() {
-                    *left = 0;
-                    return Ok(false);
-                }
-                described?;
                 *left = left.saturating_sub(description.len() as u32);
                 if let Some(entry) = candidates.read().find(&description).and_then(|found| candidates.read().entries().get(found)) {
                     position.sum = entry.likelihood;
@@ -111,6 +162,20 @@ impl<M: AgentMemory> Agent<M> {
             entry.likelihood = reading.probability;
         }
         Ok(done)
+    }
+
+    /// Begins a description anew that is kept in the workspace, which other work needs now.
+    #[cfg(feature = "ways")]
+    pub(in crate::session) fn describe_anew(&mut self) {
+        let (model, candidates) =
+            (self.options.language.model.in_use(), CandidatesRef::new(self.memory.read().session.candidates, self.candidates));
+        if let Progressed::Hearing(position, _) | Progressed::Weighing(position, _) = &mut self.progressed
+            && model == Model::Roles
+            && position.constraint > 0
+            && candidates.added_for(position.task).is_none()
+        {
+            position.constraint = AT_ONCE;
+        }
     }
 
     /// Adds a task's description to the candidates, with Pr(e|t).
@@ -142,24 +207,25 @@ impl<M: AgentMemory> Agent<M> {
         position: &mut Position,
         left: &mut u32,
         mut each: impl FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError>,
-    ) -> Result<(), AgentError> {
-        let AgentTables { language, session, workspace } = self.memory.lend();
-        let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(position.task) else { return Ok(()) };
-        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
+    ) -> Result<bool, AgentError> {
         let mut description = Tokens::new();
+        let added = self.candidates().added_for(position.task);
+        if added.is_none() && !self.describe_on(domain, scene, position, *left, &mut description)? {
+            *left = 0;
+            return Ok(false);
+        }
+        let AgentTables { language, session, workspace } = self.memory.lend();
+        let language = self.language.with(language, workspace);
+        let mut candidates = Candidates::new(session.candidates, &mut self.candidates);
         let read = candidates.read();
-        match read.added_for(position.task).and_then(|added| read.entries().get(added)) {
-            Some(entry) => {
-                let _ = description.extend_from_slice(read.tokens(entry));
-            }
-            None => describe(domain, &self.lifted, task, scene, language.tokens_mut(), &mut description)?,
+        if let Some(entry) = added.and_then(|added| read.entries().get(added)) {
+            let _ = description.extend_from_slice(read.tokens(entry));
         }
         let value = each(&mut candidates, language.read(), &self.sentence, &description, 1.0)?;
         position.sum = position.sum.plus(value);
         let cells = description.len().saturating_mul(self.sentence.len().max(1)).saturating_mul(4);
         *left = left.saturating_sub(cells as u32);
-        Ok(())
+        Ok(true)
     }
 
     /// Weighs the kinds of task.

@@ -101,7 +101,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<bool, AgentError> {
         match (self.model(), scene) {
             (Model::Model2, _) => self.for_each_constraint(domain, position, left, &mut each),
-            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each).map(|()| true),
+            (Model::Roles, Some(scene)) => self.with_description(domain, scene, position, left, each),
             (Model::Roles, None) => Ok(true),
         }
     }
