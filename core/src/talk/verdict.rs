@@ -8,7 +8,7 @@ use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
 use super::reworded::reversed;
 use super::several::Parting;
-use super::syntax::has_new_name;
+use super::syntax::{has_new_name, is_question};
 use super::words::Words;
 use crate::memory::AgentMemory;
 use crate::oomdp::Domain;
@@ -162,7 +162,7 @@ impl<M: AgentMemory> Agent<M> {
                 doubts: judged.doubts,
             };
             // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-            let is_reference = clues.points_back && clues.is_clear();
+            let is_reference = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
             let probability = probability(&clues).max(if is_reference { share * clues.of_tasks } else { 0.0 });
             (context.wording.observe)(&Reading {
                 hypothesis,

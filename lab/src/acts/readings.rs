@@ -117,7 +117,12 @@ fn readings(
             values.push(value);
         });
         if words.borrow().is_empty() {
-            reading.clues.spoken().for_each(&mut |hash, texts| words.borrow_mut().push((hash, texts.join(" ").trim().to_string())));
+            let mut words = words.borrow_mut();
+            reading.clues.spoken().for_each(&mut |hash, texts| {
+                if words.iter().all(|(other, _)| *other != hash) {
+                    words.push((hash, texts.join(" ").trim().to_string()));
+                }
+            });
         }
         let &Reading { hypothesis, tasks, is_negated, .. } = reading;
         let (kind, to_kind) = (reading.clues.kind(), reading.clues.to_kind());

@@ -5,7 +5,7 @@ use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
 use super::super::verdict::Doubts;
 use super::words::Spoken;
-use crate::voice::classes::{Class, Classes};
+use crate::voice::classes::Class;
 
 /// The sorts of words: 32 closed classes of new words, the same of words that lessons had, then the sorts below.
 const CLASSES: usize = Class::ALL.len();
@@ -126,8 +126,7 @@ impl<'u> Sorts<'u> {
             }
         }
         // What its own words mean, lessons have told: "turn on" is no task in a home, and one where lamps are.
-        let is_own = |word: &Heard| word.is_of_lessons() && word.of_table == Classes::NONE;
-        let is_taught = |word: &Heard| word.is_name || word.is_of_task || is_own(word);
+        let is_taught = |word: &Heard| word.is_of_lessons() || word.is_name;
         let taught = words().filter(|&(said, mended)| is_taught(said) || is_taught(mended)).map(|(said, _)| said.piece);
         let spoken = Spoken::of(utterance, taught);
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
@@ -173,8 +172,7 @@ pub struct Clues<'s> {
 impl Clues<'_> {
     /// Whether the words make the reading probable, and nothing speaks against it.
     pub(in super::super) fn is_clear(&self) -> bool {
-        let objects = self.is_asked || self.doubts != Doubts::NONE || self.spoken().says(self.kind()) < 0.0;
-        !objects && self.share * self.of_tasks >= clear_from(self.lessons)
+        self.doubts == Doubts::NONE && self.share * self.of_tasks >= clear_from(self.lessons)
     }
 
     /// The kind of the reading, from 1 to [`KINDS`].

@@ -1,4 +1,4 @@
-//! The features of an utterance that its words tell: each word that lessons gave no task, its beginning, and each pair of neighbours. "Paint" and
+//! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours. "Paint" and
 //! "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
@@ -6,7 +6,9 @@
 
 use super::clues::KINDS;
 use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
+use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::{Word, for_each_piece};
+use heapless::Vec;
 
 /// The features' hashes are below this.
 pub const HASHED: usize = STARTS_OF * 256;
@@ -23,20 +25,26 @@ const BORDER: &str = "^";
 #[derive(Clone, Copy)]
 pub struct Spoken<'u> {
     utterance: &'u str,
-    /// The pieces that name something, or an act, by the lessons: one bit each.
+    /// The pieces that lessons had, one bit each.
     taught: u64,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
 }
 
 impl<'u> Spoken<'u> {
-    /// Of an utterance, and the numbers of its pieces that name something, or an act.
+    /// Of an utterance, and the numbers of its pieces that lessons had.
     pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
         let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
         let mut spoken = Self { utterance, taught, says: [0; KINDS] };
-        let mut says = [0_i16; KINDS];
+        let (mut says, mut heard) = ([0_i16; KINDS], Vec::<u32, WORDS_PER_COMMAND>::new());
         spoken.for_each(&mut |feature, _| {
-            for (sum, weight) in says.iter_mut().zip(weights(feature)) {
+            let weights = weights(feature);
+            if weights == [0; KINDS] || heard.contains(&feature) {
+                return;
+            }
+            // Beyond so many, a repetition counts again.
+            let _ = heard.push(feature);
+            for (sum, weight) in says.iter_mut().zip(weights) {
                 *sum = sum.saturating_add(weight);
             }
         });
@@ -49,7 +57,8 @@ impl<'u> Spoken<'u> {
         self.says.get(kind.saturating_sub(1)).map_or(0.0, |&sum| f32::from(sum) * SCALE_OF_WORDS)
     }
 
-    /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice.
+    /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice, and
+    /// counts once.
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
         let mut number = 0_u32;
         // The word before, if it is no such piece.
@@ -98,16 +107,15 @@ fn weights(feature: u32) -> [i16; KINDS] {
 mod tests {
     use super::*;
     use std::string::String;
-    use std::vec::Vec;
 
-    fn features(utterance: &str, taught: &[u8]) -> Vec<String> {
-        let mut features = Vec::new();
+    fn features(utterance: &str, taught: &[u8]) -> std::vec::Vec<String> {
+        let mut features = std::vec::Vec::new();
         Spoken::of(utterance, taught.iter().copied()).for_each(&mut |_, texts| features.push(texts.join("~")));
         features
     }
 
     #[test]
-    fn words_their_beginnings_and_pairs_are_features_unless_lessons_told_what_they_mean() {
+    fn words_their_beginnings_and_pairs_are_features_unless_lessons_had_them() {
         let here = ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "please~", "plea~*"];
         assert_eq!(features("Nip over to the RED room, please", &[4, 5]), here);
         assert_eq!(features("don't", &[]), ["don~", "^~don", "t~", "don~t"]);
@@ -126,5 +134,6 @@ mod tests {
         assert_eq!(kinds("Would you mind"), kinds("would YOU mind"));
         assert_ne!(kinds("would you mind"), [0.0; KINDS]);
         assert_eq!(kinds(""), [0.0; KINDS]);
+        assert_eq!(kinds("please please please"), kinds("please please"));
     }
 }
