@@ -1,6 +1,6 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, Clues, Sorts, asks, clear_from, probability};
+use super::acceptance::{ACTS_FROM, Clues, DONE_FROM, Sorts, asks, clear_from, probability};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
@@ -172,8 +172,10 @@ impl<M: AgentMemory> Agent<M> {
                 clues: &clues,
             });
             if best.is_none_or(|(_, _, most, _)| probability > most) {
+                // After the first of several commands, the others follow.
+                let least = if clues.is_done && hypothesis != Hypothesis::Several { DONE_FROM } else { ACTS_FROM };
                 let is_possible = !judged.doubts.has(Doubt::Impossible as usize);
-                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > ACTS_FROM)));
+                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > least)));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.

@@ -330,8 +330,8 @@ fn a_robot_that_is_taught_waits_where_there_is_nothing_to_do_and_tries_when_it_i
     let home = Home { rooms: vec!["red", "blue", "green"], blocks: vec![("yellow", "chair", 1)], robot: 0 }.json();
     let requests = format!(
         "home {home}\ncommand go to the red room\nstep\ncommand hello\ncommand go to the red room\ncommand go to the red room\nforget\n\
-         command don't go to the red room\nforget\ncommand don't go to the blue room\ncommand why don't you go to the blue room\n\
-         command why don't you go to the blue room\ncommand go to the blue room\n"
+         command don't go to the red room\nforget\ncommand don't go to the blue room\ncommand nobody said don't go to the blue room\n\
+         command nobody said don't go to the blue room\ncommand go to the blue room\n"
     );
     let run = goodbot(&["teach", "--model", &model, "--log", &format!("{model}.jsonl")], requests.as_bytes());
     let answers: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
