@@ -298,7 +298,10 @@ pub fn describe<D: Domain + ?Sized>(
     tokens: &mut Symbols<'_>,
     description: &mut Tokens,
 ) -> Result<(), CapacityError> {
-    let Some(lifted) = all.get(usize::from(task.lifted)) else { return Ok(description.clear()) };
+    let Some(lifted) = all.get(usize::from(task.lifted)) else {
+        description.clear();
+        return Ok(());
+    };
     if !scene.goes_on() {
         description.clear();
         let form = scene.form(&domain.world().schema, usize::from(task.lifted), lifted, tokens)?;

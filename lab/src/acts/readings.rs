@@ -16,6 +16,9 @@ use goodbot_lesson::home;
 use goodbot_lesson::name::task_name;
 use std::cell::RefCell;
 
+/// Words as features: their hashes, and what they are.
+pub type Words = Vec<(u32, String)>;
+
 /// A sentence as a robot reads it.
 #[derive(Clone, Debug)]
 pub struct Said {
@@ -23,8 +26,8 @@ pub struct Said {
     pub author: String,
     /// Its language.
     pub language: String,
-    /// Its words, as features: their hashes, and what they are.
-    pub words: Vec<(u32, String)>,
+    /// Its words.
+    pub words: Words,
     /// Whether something is to be done.
     pub is_meant: bool,
     /// Its readings.
@@ -99,7 +102,7 @@ fn readings(
     home: &Home<&mut HomeHeap>,
     start: &HomeState,
     sentence: &Sentence,
-) -> Result<(Vec<(u32, String)>, Vec<Read>), AgentError> {
+) -> Result<(Words, Vec<Read>), AgentError> {
     agent.resume(goodbot::talk::Conversation::NEW);
     let mut state = *start;
     if let Some(before) = &sentence.before {

@@ -100,7 +100,7 @@ fn weights(feature: u32) -> [i16; KINDS] {
     let (begin, end) = (usize::from(begin), usize::from(end));
     let found = HASHES.get(begin..end).and_then(|hashes| hashes.binary_search(&(feature as u8)).ok());
     let found = found.and_then(|at| OF_WORDS.get(at.saturating_add(begin)));
-    found.map_or(NONE, |&packed| [0, 4, 8, 12].map(|shift| i16::from((packed << (12 - shift)) as i16 >> 12)))
+    found.map_or(NONE, |&packed| [0, 4, 8, 12].map(|shift| (packed << (12 - shift)) as i16 >> 12))
 }
 
 #[cfg(test)]
