@@ -117,8 +117,8 @@ test('a log with a table of closed words of its own is heard with that table', a
     await tab.getByText(told).first().waitFor();
   };
   // With "nix" as a negation, the same words forbid that room, and teach no command.
-  await load(page, [...session({}), ...session({ utterance: command, closed_words: 'negation: nix' })], 'The robot has gone through the log');
-  await load(other, [...session({}), ...session({ utterance: command })], 'The robot has gone through the log');
+  await load(page, [...session({ command: 'go to the red room' }), ...session({ utterance: command, closed_words: 'negation: nix' })], 'The robot has gone through the log');
+  await load(other, [...session({ command: 'go to the red room' }), ...session({ utterance: command })], 'The robot has gone through the log');
   assert.deepEqual([await sessions(page), await sessions(other)], [1, 2]);
   assert.notDeepEqual(await model(page), await model(other));
   await load(page, session({ closed_words: 'colour: nix' }), 'line 1 of this log cannot be used: “closed_words” is no table of words');
