@@ -286,7 +286,7 @@ impl<S> Scene<S> {
 }
 
 /// Replaces `description` by that of a task, which grounds a lifted task of `all`. Its tokens are interned in `tokens`, which must not
-/// forget any while the scene is in use. If the scene [goes on](Scene::describe_on), `description` has what earlier parts wrote.
+/// forget any while the scene is in use. If the scene goes on, `description` has what earlier parts wrote.
 ///
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room for the lifted task's own token, and any if the description was broken off.
