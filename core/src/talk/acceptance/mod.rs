@@ -16,8 +16,6 @@ pub(super) use clues::{Sorts, asks, clear_from};
 use weights::{BIAS, SCALE, WEIGHTS};
 pub use words::{HASHED, Spoken};
 
-const _: () = assert!(WEIGHTS.len() == CLUES);
-
 /// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as four and a half questions: then acting
 /// costs less than asking. `docs/talk.md` tells how often it is wrong with people whom it never heard.
 pub const ACTS_FROM: f32 = 0.78;
