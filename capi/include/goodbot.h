@@ -1422,7 +1422,7 @@ goodbot_status goodbot_restore_on(struct goodbot *robot,
 
 // Gives the robot everyday sentences to begin with, from a starter: a model that
 // `goodbot learn --starter en --learner roles --out starter.goodbot` writes. The sentences are learned from beside the robot's own sessions,
-// and the more of these there are, the fewer sentences: beside n sessions, the part 1 / (1 + n / 4). Call it once the robot is made or has
+// and the more of these there are, the fewer sentences: beside n sessions, the part 1 / (1 + n / 32). Call it once the robot is made or has
 // its model back, and again after `goodbot_finish`; each call replaces the sentences of the one before. Then call `goodbot_learn` until it
 // is done. A session under way ends unlearned.
 //

@@ -1,7 +1,7 @@
 //! Starters: goodbot's own everyday sentences in five languages, for a robot to begin with. Its own sessions replace them.
 //!
 //! A starter is a text with words for values, and with sentences that have gaps for these words. Each sentence becomes a labelled session
-//! in a home that has the things it names. Beside n sessions of the user, the share 1 / (1 + n / 4) of the sentences is learned from: with
+//! in a home that has the things it names. Beside n sessions of the user, the share 1 / (1 + n / 32) of the sentences is learned from: with
 //! many sessions, the user's own words count alone.
 
 use goodbot::home::{AGENT_IN_ROOM, BLOCK_IN_ROOM};

@@ -76,15 +76,17 @@ fn starter() -> (Owned, Vec<u8>) {
 #[test]
 fn a_robot_begins_with_a_starter_and_leaves_more_of_it_with_each_lesson() {
     let (_first, model) = starter();
-    let robot = at_home();
+    let robot = with_room_for(20);
     assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 8));
-    for (own, left) in [(1, 7), (2, 6), (3, 5), (4, 4)] {
+    for own in 1..=11 {
         assert_eq!(lesson(robot.robot, c"go to the green room"), GoodbotStatus::Ok);
+        let left = (8 * 32_u32).div_ceil(32 + own);
         assert_eq!((join(robot.robot, &model), sessions(robot.robot)), ((GoodbotStatus::Ok, left), own + left));
     }
+    assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 6));
     leave(robot.robot);
-    let alone = at_home();
-    for _ in 0..4 {
+    let alone = with_room_for(20);
+    for _ in 0..11 {
         assert_eq!(lesson(alone.robot, c"go to the green room"), GoodbotStatus::Ok);
     }
     assert_eq!(sessions(robot.robot), sessions(alone.robot));
@@ -97,15 +99,15 @@ fn a_starter_does_not_take_the_robots_own_sessions_with_it() {
     // The robot's own session is in the starter too.
     assert_eq!(lesson(robot.robot, c"one a"), GoodbotStatus::Ok);
     let own = saved(robot.robot);
-    assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 6));
+    assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 7));
     leave(robot.robot);
     assert_eq!(saved(robot.robot), own);
     // Restored sessions are the robot's own.
-    assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 6));
+    assert_eq!(join(robot.robot, &model), (GoodbotStatus::Ok, 7));
     let both = saved(robot.robot);
     assert_eq!(unsafe { goodbot_restore(robot.robot, both.as_ptr(), both.len()) }, GoodbotStatus::Ok);
     leave(robot.robot);
-    assert_eq!(sessions(robot.robot), 7);
+    assert_eq!(sessions(robot.robot), 8);
 }
 
 #[test]
