@@ -46,7 +46,12 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     };
     let light = r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#;
     assert_eq!(lamps(12, light), Ok(4_096));
-    assert!(lamps(16, light).is_err_and(|it| it.contains("field \"actions\": give the robot 16 actions")));
+    assert_eq!(lamps(16, light), Ok(65_536));
+    // Each ordered pair of 16 lamps, and each lamp.
+    let many = format!(r#"{{"name":"swap","parameters":{{"?a":"lamp","?b":"lamp"}},"effects":["on(?a)","!on(?b)"]}},{light}"#);
+    assert!(lamps(16, &many).is_err_and(|it| {
+        it.ends_with("field \"actions\": give the robot 256 actions with their objects, and 255 are the most; give them fewer parameters")
+    }));
     let all: Vec<String> = (0..64).map(|lamp| format!("\"on(l{lamp})\"")).collect();
     let all = format!(r#"{{"name":"all","effects":[{}]}}"#, all.join(","));
     assert!(lamps(64, &all).is_err_and(|it| it.contains("\"propositions.on\": gives more states than can be numbered")));
@@ -60,6 +65,33 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     ] {
         assert!(lamps(2, action).is_err_and(|it| it.contains(told)), "{told}");
     }
+}
+
+#[test]
+fn a_robot_may_have_255_actions() {
+    let rooms: Vec<String> = (0..255).map(|room| format!(r#"{{"name":"room{room}","class":"room"}}"#)).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["room"],"attributes":{{}},"propositions":{{"in":["room"]}},"variables":["in"],"objects":[{}],
+        "facts":["in(room0)"],"task_kinds":["in(?r)"],"actions":[{{"name":"go","parameters":{{"?r":"room"}},"effects":["in(?r)"]}}]}}"#,
+        rooms.join(",")
+    );
+    let file = WorldFile::parse(&text).expect("a world");
+    let counts = robot::with(&file, |robot, start| (robot.actions().len(), check(robot, start, 1_000).map(|checked| checked.states)));
+    assert_eq!(counts, Ok((255, Ok(255))));
+    for room in [1, 15, 16, 63, 64, 128, 254] {
+        let task = format!("in(room{room})").parse().expect("a task");
+        assert_eq!(robot::plan(&file, &task), Ok(Some(vec![format!("go(room{room})")])));
+    }
+}
+
+#[test]
+fn of_more_than_fifteen_actions_those_that_are_never_possible_are_left_out_if_a_controller_can_hold_the_rest() {
+    let light = r#"{"name":"light","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"]}"#;
+    let lit: Vec<String> = (0..20).map(|lamp| format!("\"on(l{lamp})\"")).collect();
+    let counts =
+        |dark: usize| robot::with(&lamps(20, &lit[dark..].join(","), light), |robot, _| (robot.actions().len(), robot.state_count()));
+    assert_eq!(counts(15), Ok((15, 1 << 15)));
+    assert_eq!(counts(16), Ok((20, 1 << 20)));
 }
 
 /// A world of `count` lamps; those of `on` are on at first.

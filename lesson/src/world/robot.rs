@@ -5,7 +5,8 @@
 //! values.
 //!
 //! Every choice of objects has a digit, so a session may begin in a state that no action leads to. If that makes too many states or
-//! actions, values and actions that can never occur from the file's facts on are left out.
+//! actions, values and actions that can never occur from the file's facts on are left out; so they are if no more actions are left then than
+//! a controller can hold.
 
 use crate::home::full;
 use crate::name::task_name;
@@ -372,7 +373,7 @@ impl Digit {
     }
 }
 
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Mechanism {
     digits: Vec<Digit>,
     states: u64,
@@ -384,7 +385,7 @@ struct Mechanism {
 }
 
 /// An action with objects for its parameters.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Grounded {
     name: String,
     cost: u8,
@@ -392,7 +393,7 @@ struct Grounded {
     cases: Vec<Case>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Case {
     conditions: Vec<(usize, u64, bool)>,
     effects: Vec<(usize, u64)>,
@@ -445,9 +446,15 @@ impl Mechanism {
         for (position, action) in file.actions.iter().enumerate() {
             mechanism.ground(position, action, schema, objects)?;
         }
-        if mechanism.number().is_err() || mechanism.actions.len() > Action::MOST {
+        let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
+        if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
             let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
-            mechanism.keep_possible(&start);
+            // What fits is left whole, unless a controller can hold the rest alone.
+            let mut possible = if fits { mechanism.clone() } else { std::mem::take(&mut mechanism) };
+            possible.keep_possible(&start);
+            if !fits || possible.actions.len() <= Action::MOST_ON_CONTROLLERS {
+                mechanism = possible;
+            }
         }
         if let Err(digit) = mechanism.number() {
             let of_digit = |&(_, &(of, _)): &(&Key, &(usize, u64))| of == digit;
