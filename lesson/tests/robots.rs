@@ -85,6 +85,31 @@ fn a_robot_may_have_255_actions() {
 }
 
 #[test]
+fn actions_of_one_name_are_cases_of_one_action_and_the_first_possible_one_takes_effect() {
+    let press = r#"{"name":"press","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"],"cost":2},
+        {"name":"wait","effects":["!on(l0)"]},
+        {"name":"press","parameters":{"?it":"lamp"},"effects":["!on(?it)"],"cost":2},
+        {"name":"press","effects":["on(l1)"],"cost":2}"#;
+    robot::with(&lamps(2, "", press), |robot, dark| {
+        let kinds: Vec<(&str, u8)> = robot.actions().iter().map(|kind| (kind.name, kind.cost)).collect();
+        assert_eq!(kinds, [("press(l0)", 2), ("press(l1)", 2), ("wait", 1), ("press", 2)]);
+        let press = |state: u64| robot.step(&state, Action::new(1)).expect("a state");
+        assert_eq!(robot.facts(press(dark)).iter().map(ToString::to_string).collect::<Vec<_>>(), ["on(l1)"]);
+        assert_eq!(press(press(dark)), dark);
+    })
+    .expect("a robot");
+}
+
+#[test]
+fn cases_of_an_action_cost_the_same() {
+    let text = r#"{"type":"world","name":"w","classes":["lamp"],"attributes":{},"propositions":{"on":["lamp"]},"objects":[{"name":"l0","class":"lamp"}],
+        "task_kinds":["on(?l)"],"actions":[{"name":"press","conditions":["!on(l0)"],"effects":["on(l0)"]},{"name":"press","effects":["!on(l0)"],"cost":3}]}"#;
+    let refused = WorldFile::parse(text).expect_err("two costs").to_string();
+    let told = "field \"actions[1]\": costs 3, and an earlier case of \"press\" costs 1; give all cases of an action the same cost";
+    assert!(refused.ends_with(told), "{refused}");
+}
+
+#[test]
 fn of_more_than_fifteen_actions_those_that_are_never_possible_are_left_out_if_a_controller_can_hold_the_rest() {
     let light = r#"{"name":"light","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"]}"#;
     let lit: Vec<String> = (0..20).map(|lamp| format!("\"on(l{lamp})\"")).collect();

@@ -443,8 +443,8 @@ impl Mechanism {
                 mechanism.fixed.insert(key);
             }
         }
-        for (position, action) in file.actions.iter().enumerate() {
-            mechanism.ground(position, action, schema, objects)?;
+        for position in 0..file.actions.len() {
+            mechanism.ground(position, &file.actions, schema, objects)?;
         }
         let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
         if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
@@ -597,7 +597,12 @@ impl Mechanism {
         Ok(start)
     }
 
-    fn ground(&mut self, position: usize, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
+    /// Adds one of the file's actions with each choice of objects, or its cases to those of an earlier action of the same name and objects.
+    fn ground(&mut self, position: usize, all: &[ActionOfWorld], schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
+        let Some((action, before)) = all.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
+        let has_earlier_cases = before.iter().any(|other| other.name == action.name);
+        let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
+        let earlier: HashMap<String, usize> = earlier.map(|(at, action)| (action.name.clone(), at)).collect();
         let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
         let mut free: Vec<(&str, ClassId)> = Vec::new();
         for literal in &action.conditions {
@@ -623,7 +628,10 @@ impl Mechanism {
                 let arguments: Vec<&str> =
                     bound.iter().filter_map(|(name, _)| binding.get(name)).map(|&object| objects.name(object)).collect();
                 let name = if arguments.is_empty() { action.name.clone() } else { format!("{}({})", action.name, arguments.join(",")) };
-                self.actions.push(Grounded { name, cost: action.cost, cases });
+                match earlier.get(&name).and_then(|&at| self.actions.get_mut(at)) {
+                    Some(known) => known.cases.append(&mut cases),
+                    None => self.actions.push(Grounded { name, cost: action.cost, cases }),
+                }
             }
             Ok(())
         };
