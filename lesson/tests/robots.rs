@@ -119,6 +119,52 @@ fn of_more_than_fifteen_actions_those_that_are_never_possible_are_left_out_if_a_
     assert_eq!(counts(16), Ok((20, 1 << 20)));
 }
 
+/// A house of this many lamps that are on or off; half of them are on. An action for each lamp to light it, and one to
+/// darken it.
+fn house(count: usize, more: &str) -> WorldFile {
+    let objects: Vec<String> = (0..count).map(|lamp| format!(r#"{{"name":"l{lamp}","class":"lamp"}}"#)).collect();
+    let facts: Vec<String> = (0..count).map(|lamp| format!(r#""{}(l{lamp})""#, if lamp % 2 == 0 { "on" } else { "off" })).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"house","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"],"off":["lamp"]}},
+        "objects":[{}],"facts":[{}],"task_kinds":["on(?l)","off(?l)"],"actions":[
+        {{"name":"light","parameters":{{"?l":"lamp"}},"conditions":["off(?l)"],"effects":["on(?l)","!off(?l)"]}},
+        {{"name":"dim","parameters":{{"?l":"lamp"}},"conditions":["!off(?l)"],"effects":["off(?l)","!on(?l)"]}}{more}]}}"#,
+        objects.join(","),
+        facts.join(",")
+    );
+    WorldFile::parse(&text).expect("a world")
+}
+
+#[test]
+fn propositions_that_are_opposites_share_a_digit_where_there_would_be_too_many_states() {
+    // Each lamp is on or off, which the file says by two propositions.
+    let of = |file: &WorldFile| robot::with(file, |robot, _| (robot.actions().len(), robot.state_count()));
+    assert_eq!(of(&house(16, "")), Ok((32, 1 << 32)));
+    assert_eq!(of(&house(40, "")), Ok((80, 1 << 40)));
+    assert_eq!(of(&house(63, "")), Ok((126, 1 << 63)));
+    // Where an action may light a lamp that is not off, both have digits of their own.
+    let broken = r#",{"name":"spark","effects":["on(l1)"]}"#;
+    assert_eq!(of(&house(40, broken)), Ok((81, 1 << 41)));
+    let many = house(40, "");
+    robot::with(&many, |robot, start| {
+        let on = |state: u64| robot.facts(state).iter().filter(|fact| fact.function() == "on").count();
+        assert_eq!((on(start), robot.facts(start).len()), (20, 40));
+        assert_eq!(robot.step(&start, Action::new(0)), None, "l0 is on");
+        let lit = robot.step(&start, Action::new(1)).expect("a state");
+        assert_eq!((on(lit), robot.facts(lit).len()), (21, 40));
+        assert_eq!(robot.step(&lit, Action::new(41)), Some(start));
+        assert_eq!(robot.state_of(&robot.facts(lit)), Ok(lit));
+        let mut facts = robot.facts(start);
+        facts.push("on(l1)".parse().expect("a fact"));
+        assert!(robot.state_of(&facts).is_err_and(|told| told.message.contains("the opposite of a fact before it")));
+        facts.retain(|fact| fact.arguments() != ["l1"]);
+        assert!(robot.state_of(&facts).is_err_and(|told| told.message.starts_with("say neither on(l1) nor off(l1)")));
+    })
+    .expect("a robot");
+    assert_eq!(robot::plan(&many, &"on(l39)".parse().expect("a task")), Ok(Some(vec!["light(l39)".to_owned()])));
+    assert_eq!(robot::plan(&many, &"off(l38)".parse().expect("a task")), Ok(Some(vec!["dim(l38)".to_owned()])));
+}
+
 /// A world of `count` lamps; those of `on` are on at first.
 fn lamps(count: usize, on: &str, actions: &str) -> WorldFile {
     let objects: Vec<String> = (0..count).map(|lamp| format!(r#"{{"name":"l{lamp}","class":"lamp"}}"#)).collect();
