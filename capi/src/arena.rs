@@ -59,7 +59,7 @@ pub const fn after<T>(at: usize, count: usize) -> usize {
 
 /// The same for all types, so that it is linked once.
 #[inline(never)]
-const fn after_values(at: usize, size: usize, align: usize, count: usize) -> usize {
+pub const fn after_values(at: usize, size: usize, align: usize, count: usize) -> usize {
     match at.checked_next_multiple_of(align) {
         Some(first) => first.saturating_add(size.saturating_mul(count)),
         None => usize::MAX,

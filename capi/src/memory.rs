@@ -1,6 +1,6 @@
 //! The memory that a robot takes, and the capacities that its lessons need.
 
-use crate::arena::{after, after_agent, after_home};
+use crate::arena::{after, after_agent, after_home, after_values};
 use crate::capacities::GoodbotCapacities;
 use crate::robot::{Goodbot, Robot, give, look, with};
 use crate::status::GoodbotStatus;
@@ -8,8 +8,9 @@ use crate::status::GoodbotStatus;
 use crate::table;
 use crate::world::{World, in_world, usage};
 use goodbot::Capacities;
+use goodbot::oomdp::ActionSet;
 use goodbot::session::Lessons;
-use goodbot::task::TaskSet;
+use goodbot::task::{GroundedTask, TaskSet};
 
 /// Bytes that the small preset takes where a pointer has four bytes.
 pub const GOODBOT_SMALL_BYTES_32: usize = 21_920;
@@ -62,11 +63,19 @@ pub const fn bytes_32(capacities: &Capacities, table: bool) -> usize {
     (of_tables(capacities).saturating_add(own).saturating_add(BETWEEN) / 8).saturating_mul(8)
 }
 
-/// Bytes of the tables on a controller, where a task set is one word.
+/// Bytes of the tables on a controller, where a task set is one word, and a set of actions is two bytes.
 const fn of_tables(capacities: &Capacities) -> usize {
     let sets = capacities.goal_entries.saturating_add(capacities.ground_propositions);
     let wider = size_of::<TaskSet>().saturating_sub(size_of::<u64>()).saturating_mul(sets);
+    let wider = wider.saturating_add(of_tasks(capacities, size_of::<ActionSet>()).saturating_sub(of_tasks(capacities, size_of::<u16>())));
     after_agent(after_home(0, capacities), capacities).saturating_sub(wider)
+}
+
+/// Bytes of the tables between the hashed states and the workspace: a set of actions for each task, its distance, and the task itself.
+const fn of_tasks(capacities: &Capacities, set: usize) -> usize {
+    let at = after_values(0, set, align_of::<u16>(), capacities.tasks);
+    let at = after::<GroundedTask>(after::<u32>(at, capacities.tasks), capacities.tasks);
+    after::<u64>(at, 0)
 }
 
 #[cfg(target_pointer_width = "32")]

@@ -22,6 +22,21 @@ use heapless::Vec;
 
 /// The action of doing nothing, which every robot has.
 pub const GOODBOT_NOOP: u8 = 15;
+/// The action with this number in C. In one build with programs for hosts, doing nothing has another number there.
+fn action_of(number: u8) -> Action {
+    match number {
+        GOODBOT_NOOP => Action::NOOP,
+        // No robot in C has it.
+        number if number == Action::NOOP.index() as u8 => Action::new(GOODBOT_NOOP),
+        number => Action::new(number),
+    }
+}
+
+/// The number of an action in C.
+fn number_of(action: Action) -> u8 {
+    if action == Action::NOOP { GOODBOT_NOOP } else { action.index() as u8 }
+}
+
 /// "Good bot."
 pub const GOODBOT_REWARD: i32 = 1;
 /// "Bad bot."
@@ -265,7 +280,7 @@ pub unsafe extern "C" fn goodbot_decide(robot: *mut Goodbot, action: *mut u8, pl
             if !plan.is_null() {
                 give(plan, kind)?;
             }
-            give(action, decision.action.index() as u8)
+            give(action, number_of(decision.action))
         })
     }
 }
@@ -368,8 +383,8 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
             }
             let agent = &mut robot.agent;
             let came = in_world!(&mut robot.world, |domain, state| {
-                let came = agent.demonstrated(domain, state, Action::new(action))?;
-                *state = apply(domain, state, Action::new(action)).ok_or(GoodbotStatus::NotApplicable)?;
+                let came = agent.demonstrated(domain, state, action_of(action))?;
+                *state = apply(domain, state, action_of(action)).ok_or(GoodbotStatus::NotApplicable)?;
                 came
             });
             give(evidence, write(came))
@@ -388,7 +403,7 @@ pub unsafe extern "C" fn goodbot_done(robot: *mut Goodbot, action: u8) -> Goodbo
     unsafe {
         with(robot, |robot| {
             let agent = &mut robot.agent;
-            in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, Action::new(action))?);
+            in_world!(&mut robot.world, |domain, state| *state = agent.acted(domain, state, action_of(action))?);
             #[cfg(feature = "learning")]
             {
                 robot.told.nothing = robot.told.nothing.saturating_add(u16::from(robot.told.waits));

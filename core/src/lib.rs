@@ -58,7 +58,7 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, and 256 tasks |
+//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, 256 tasks, and 255 actions |
 //! | `layer` | with `alloc`: a discriminative layer above the role model |
 //! | `talk` | what people say besides commands |
 //! | `defmt` | errors and results in the format of defmt |

@@ -285,6 +285,16 @@ pub enum Problem {
         /// The cost.
         cost: u64,
     },
+    /// A case of an action that does not cost what its first case does.
+    #[error("costs {cost}, and an earlier case of {} costs {first}; give all cases of an action the same cost", quoted(.name))]
+    OtherCost {
+        /// The name of the action.
+        name: String,
+        /// The cost of this case.
+        cost: u8,
+        /// That of the first case.
+        first: u8,
+    },
     /// A command in a world without a line before it.
     #[error("no world {} could be read on a line before this one; put the world's line first", quoted(.name))]
     NoSuchWorld {

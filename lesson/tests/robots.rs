@@ -46,7 +46,12 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     };
     let light = r#"{"name":"light","parameters":{"?l":"lamp"},"effects":["on(?l)"]}"#;
     assert_eq!(lamps(12, light), Ok(4_096));
-    assert!(lamps(16, light).is_err_and(|it| it.contains("field \"actions\": give the robot 16 actions")));
+    assert_eq!(lamps(16, light), Ok(65_536));
+    // Each ordered pair of 16 lamps, and each lamp.
+    let many = format!(r#"{{"name":"swap","parameters":{{"?a":"lamp","?b":"lamp"}},"effects":["on(?a)","!on(?b)"]}},{light}"#);
+    assert!(lamps(16, &many).is_err_and(|it| {
+        it.ends_with("field \"actions\": give the robot 256 actions with their objects, and 255 are the most; give them fewer parameters")
+    }));
     let all: Vec<String> = (0..64).map(|lamp| format!("\"on(l{lamp})\"")).collect();
     let all = format!(r#"{{"name":"all","effects":[{}]}}"#, all.join(","));
     assert!(lamps(64, &all).is_err_and(|it| it.contains("\"propositions.on\": gives more states than can be numbered")));
@@ -60,6 +65,104 @@ fn what_is_too_large_for_a_robot_is_refused_by_its_field_at_once() {
     ] {
         assert!(lamps(2, action).is_err_and(|it| it.contains(told)), "{told}");
     }
+}
+
+#[test]
+fn a_robot_may_have_255_actions() {
+    let rooms: Vec<String> = (0..255).map(|room| format!(r#"{{"name":"room{room}","class":"room"}}"#)).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"w","classes":["room"],"attributes":{{}},"propositions":{{"in":["room"]}},"variables":["in"],"objects":[{}],
+        "facts":["in(room0)"],"task_kinds":["in(?r)"],"actions":[{{"name":"go","parameters":{{"?r":"room"}},"effects":["in(?r)"]}}]}}"#,
+        rooms.join(",")
+    );
+    let file = WorldFile::parse(&text).expect("a world");
+    let counts = robot::with(&file, |robot, start| (robot.actions().len(), check(robot, start, 1_000).map(|checked| checked.states)));
+    assert_eq!(counts, Ok((255, Ok(255))));
+    for room in [1, 15, 16, 63, 64, 128, 254] {
+        let task = format!("in(room{room})").parse().expect("a task");
+        assert_eq!(robot::plan(&file, &task), Ok(Some(vec![format!("go(room{room})")])));
+    }
+}
+
+#[test]
+fn actions_of_one_name_are_cases_of_one_action_and_the_first_possible_one_takes_effect() {
+    let press = r#"{"name":"press","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"],"cost":2},
+        {"name":"wait","effects":["!on(l0)"]},
+        {"name":"press","parameters":{"?it":"lamp"},"effects":["!on(?it)"],"cost":2},
+        {"name":"press","effects":["on(l1)"],"cost":2}"#;
+    robot::with(&lamps(2, "", press), |robot, dark| {
+        let kinds: Vec<(&str, u8)> = robot.actions().iter().map(|kind| (kind.name, kind.cost)).collect();
+        assert_eq!(kinds, [("press(l0)", 2), ("press(l1)", 2), ("wait", 1), ("press", 2)]);
+        let press = |state: u64| robot.step(&state, Action::new(1)).expect("a state");
+        assert_eq!(robot.facts(press(dark)).iter().map(ToString::to_string).collect::<Vec<_>>(), ["on(l1)"]);
+        assert_eq!(press(press(dark)), dark);
+    })
+    .expect("a robot");
+}
+
+#[test]
+fn cases_of_an_action_cost_the_same() {
+    let text = r#"{"type":"world","name":"w","classes":["lamp"],"attributes":{},"propositions":{"on":["lamp"]},"objects":[{"name":"l0","class":"lamp"}],
+        "task_kinds":["on(?l)"],"actions":[{"name":"press","conditions":["!on(l0)"],"effects":["on(l0)"]},{"name":"press","effects":["!on(l0)"],"cost":3}]}"#;
+    let refused = WorldFile::parse(text).expect_err("two costs").to_string();
+    let told = "field \"actions[1]\": costs 3, and an earlier case of \"press\" costs 1; give all cases of an action the same cost";
+    assert!(refused.ends_with(told), "{refused}");
+}
+
+#[test]
+fn of_more_than_fifteen_actions_those_that_are_never_possible_are_left_out_if_a_controller_can_hold_the_rest() {
+    let light = r#"{"name":"light","parameters":{"?l":"lamp"},"conditions":["!on(?l)"],"effects":["on(?l)"]}"#;
+    let lit: Vec<String> = (0..20).map(|lamp| format!("\"on(l{lamp})\"")).collect();
+    let counts =
+        |dark: usize| robot::with(&lamps(20, &lit[dark..].join(","), light), |robot, _| (robot.actions().len(), robot.state_count()));
+    assert_eq!(counts(15), Ok((15, 1 << 15)));
+    assert_eq!(counts(16), Ok((20, 1 << 20)));
+}
+
+/// A house of this many lamps that are on or off; half of them are on. An action for each lamp to light it, and one to
+/// darken it.
+fn house(count: usize, more: &str) -> WorldFile {
+    let objects: Vec<String> = (0..count).map(|lamp| format!(r#"{{"name":"l{lamp}","class":"lamp"}}"#)).collect();
+    let facts: Vec<String> = (0..count).map(|lamp| format!(r#""{}(l{lamp})""#, if lamp % 2 == 0 { "on" } else { "off" })).collect();
+    let text = format!(
+        r#"{{"type":"world","name":"house","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"],"off":["lamp"]}},
+        "objects":[{}],"facts":[{}],"task_kinds":["on(?l)","off(?l)"],"actions":[
+        {{"name":"light","parameters":{{"?l":"lamp"}},"conditions":["off(?l)"],"effects":["on(?l)","!off(?l)"]}},
+        {{"name":"dim","parameters":{{"?l":"lamp"}},"conditions":["!off(?l)"],"effects":["off(?l)","!on(?l)"]}}{more}]}}"#,
+        objects.join(","),
+        facts.join(",")
+    );
+    WorldFile::parse(&text).expect("a world")
+}
+
+#[test]
+fn propositions_that_are_opposites_share_a_digit_where_there_would_be_too_many_states() {
+    // Each lamp is on or off, which the file says by two propositions.
+    let of = |file: &WorldFile| robot::with(file, |robot, _| (robot.actions().len(), robot.state_count()));
+    assert_eq!(of(&house(16, "")), Ok((32, 1 << 32)));
+    assert_eq!(of(&house(40, "")), Ok((80, 1 << 40)));
+    assert_eq!(of(&house(63, "")), Ok((126, 1 << 63)));
+    // Where an action may light a lamp that is not off, both have digits of their own.
+    let broken = r#",{"name":"spark","effects":["on(l1)"]}"#;
+    assert_eq!(of(&house(40, broken)), Ok((81, 1 << 41)));
+    let many = house(40, "");
+    robot::with(&many, |robot, start| {
+        let on = |state: u64| robot.facts(state).iter().filter(|fact| fact.function() == "on").count();
+        assert_eq!((on(start), robot.facts(start).len()), (20, 40));
+        assert_eq!(robot.step(&start, Action::new(0)), None, "l0 is on");
+        let lit = robot.step(&start, Action::new(1)).expect("a state");
+        assert_eq!((on(lit), robot.facts(lit).len()), (21, 40));
+        assert_eq!(robot.step(&lit, Action::new(41)), Some(start));
+        assert_eq!(robot.state_of(&robot.facts(lit)), Ok(lit));
+        let mut facts = robot.facts(start);
+        facts.push("on(l1)".parse().expect("a fact"));
+        assert!(robot.state_of(&facts).is_err_and(|told| told.message.contains("the opposite of a fact before it")));
+        facts.retain(|fact| fact.arguments() != ["l1"]);
+        assert!(robot.state_of(&facts).is_err_and(|told| told.message.starts_with("say neither on(l1) nor off(l1)")));
+    })
+    .expect("a robot");
+    assert_eq!(robot::plan(&many, &"on(l39)".parse().expect("a task")), Ok(Some(vec!["light(l39)".to_owned()])));
+    assert_eq!(robot::plan(&many, &"off(l38)".parse().expect("a task")), Ok(Some(vec!["dim(l38)".to_owned()])));
 }
 
 /// A world of `count` lamps; those of `on` are on at first.

@@ -60,7 +60,8 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
         Err(_) => given.extract::<Items<String>>()?.0.into_iter().map(|name| (name, 1)).collect(),
     };
     if actions.is_empty() || actions.len() > Action::MOST {
-        return Err(value(format!("a robot has 1 to {} actions, and {} are given", Action::MOST, actions.len())));
+        let remedy = if actions.is_empty() { "name at least one" } else { "give several small ones one name" };
+        return Err(value(format!("a robot has 1 to {} actions, and {} are given; {remedy}", Action::MOST, actions.len())));
     }
     for (position, (name, cost)) in actions.iter().enumerate() {
         if !(1..=MOST_COST).contains(cost) {

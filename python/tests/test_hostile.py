@@ -193,7 +193,7 @@ def test_an_exception_in_a_robot_of_ones_own_arrives_and_the_agent_lives_on(faul
 @pytest.mark.parametrize(
     ("change", "text"),
     [
-        ({"actions": []}, "1 to 15 actions"),
+        ({"actions": []}, "1 to 255 actions"),
         ({"actions": {"on": 99}}, "cost must be 1 to 16"),
         ({"actions": ["noop"]}, "noop is every robot's"),
         ({"propositions": {}}, "name at least one"),

@@ -130,3 +130,39 @@ def test_too_many_objects_and_tasks_are_refused_by_name() -> None:
         heard(Many(256))
     with pytest.raises(ValueError, match="tasks: 257 is more than 256"):
         goodbot.Agent(capacities={"tasks": 257})
+
+
+class Walker:
+    """Goes from any place to any other in one step, by an action for each."""
+
+    propositions = {"at": ("place",)}
+    attributes = {"number": {"place": "placeIs"}}
+
+    def __init__(self, places: int) -> None:
+        self.actions = [f"go{place}" for place in range(places)]
+        self.objects = {f"place{place}": {"class": "place", "number": f"n{place}"} for place in range(min(places, 255))}
+        self.state_count = places
+
+    def step(self, state: int, action: str) -> int:
+        return int(action[2:])
+
+    def true(self, state: int) -> list[str]:
+        return [f"at(place{state})"]
+
+    def number(self, state: int) -> int:
+        return state
+
+
+def test_a_robot_has_at_most_255_actions() -> None:
+    walker = Walker(255)
+    agent = goodbot.Agent(["at(?p)"], domain=walker)
+    for meant in [1, 15, 16, 64, 254]:
+        agent.hear(walker, 0, "there", prior={f"at(place{meant})": 1.0})
+        agent.plan(walker, 0)
+        decision = agent.decide(walker, 0)
+        assert (decision.action, decision.plan) == (f"go{meant}", "toward")
+        assert agent.acted(walker, 0, decision.action) == meant
+        agent.plan(walker, meant)
+        assert agent.decide(walker, meant).action == "noop"
+    with pytest.raises(ValueError, match="a robot has 1 to 255 actions, and 256 are given; give several small ones one name"):
+        goodbot.Agent(["at(?p)"], domain=Walker(256))

@@ -4,6 +4,7 @@ use crate::robots::{Owned, small};
 use goodbot::feedback::Feedback;
 use goodbot::home::SCHEMA;
 use goodbot::memory::AgentHeap;
+use goodbot::oomdp::Action;
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::beliefs::{goodbot_task_count, goodbot_task_probability};
@@ -124,7 +125,7 @@ unsafe fn taught(
         let mut evidence = 0;
         for step in &walk.steps {
             while goodbot_plan(robot, 1_000) == GoodbotStatus::Working {}
-            let action = step.action.index() as u8;
+            let action = if step.action == Action::NOOP { GOODBOT_NOOP } else { step.action.index() as u8 };
             if walk.kind == Kind::Demonstration {
                 ok(goodbot_demonstration(robot, action, &raw mut evidence));
             } else {

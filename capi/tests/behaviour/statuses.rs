@@ -204,7 +204,7 @@ fn a_session_is_led_in_its_order_and_every_step_out_of_it_is_named() {
         hear_and_plan(robot, c"go to the green room");
         assert_eq!(goodbot_feedback(robot, 2, &raw mut evidence), GoodbotStatus::Number);
         assert_eq!(goodbot_feedback(robot, GOODBOT_REWARD, &raw mut evidence), GoodbotStatus::NothingDone);
-        for action in [4, 14, 16, 200] {
+        for action in [4, 14, 16, 200, 255] {
             assert_eq!(goodbot_demonstration(robot, action, &raw mut evidence), GoodbotStatus::NotApplicable);
             assert_eq!(goodbot_done(robot, action), GoodbotStatus::NotApplicable);
         }

@@ -3,7 +3,7 @@
 #[cfg(feature = "ways")]
 use super::ObjectId;
 use super::objects::for_each_word;
-use super::{GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
+use super::{ActionSet, GroundProposition, Objects, PushGrid, Schema, SearchKind, StateKey};
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -12,9 +12,11 @@ pub struct Action(pub(crate) u8);
 
 impl Action {
     /// Doing nothing: an action of every domain, not listed among its own.
-    pub const NOOP: Self = Self(15);
-    /// The most actions that a domain can have.
-    pub const MOST: usize = 15;
+    pub const NOOP: Self = Self(Self::MOST as u8);
+    /// The most actions that a domain can have: 15, and 255 with the feature `alloc`.
+    pub const MOST: usize = ActionSet::MOST - 1;
+    /// The most actions that a domain can have without the feature `alloc`, as on controllers.
+    pub const MOST_ON_CONTROLLERS: usize = 15;
 
     /// The action at this position.
     pub const fn new(position: u8) -> Self {
@@ -24,68 +26,6 @@ impl Action {
     /// The action's position among those of its domain.
     pub const fn index(self) -> usize {
         self.0 as usize
-    }
-}
-
-/// A set of actions, one bit each.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ActionSet(pub(crate) u16);
-
-impl ActionSet {
-    /// The most actions of a set.
-    pub(crate) const MOST: usize = 16;
-    /// No action.
-    pub const EMPTY: Self = Self(0);
-    /// Only doing nothing.
-    pub const NOOP: Self = Self::of(Action::NOOP);
-
-    /// The set of one action; empty for an action that no domain can have.
-    pub const fn of(action: Action) -> Self {
-        if action.0 > Action::NOOP.0 { Self::EMPTY } else { Self(1 << action.0) }
-    }
-
-    /// Whether the set has this action.
-    pub const fn contains(self, action: Action) -> bool {
-        self.0 & Self::of(action).0 != 0
-    }
-
-    /// The actions of either set.
-    #[must_use]
-    pub const fn union(self, other: Self) -> Self {
-        Self(self.0 | other.0)
-    }
-
-    /// The set with one action more.
-    #[must_use]
-    pub const fn with(self, action: Action) -> Self {
-        self.union(Self::of(action))
-    }
-
-    /// Whether the set is empty.
-    pub const fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
-    /// The number of actions.
-    pub const fn len(self) -> usize {
-        self.0.count_ones() as usize
-    }
-
-    /// The actions, in order.
-    pub fn iter(self) -> impl Iterator<Item = Action> {
-        let mut rest = self.0;
-        core::iter::from_fn(move || {
-            let next = rest.trailing_zeros();
-            rest &= rest.wrapping_sub(1);
-            ((next as usize) < Self::MOST).then_some(Action(next as u8))
-        })
-    }
-}
-
-impl FromIterator<Action> for ActionSet {
-    fn from_iter<I: IntoIterator<Item = Action>>(actions: I) -> Self {
-        actions.into_iter().fold(Self::EMPTY, Self::with)
     }
 }
 

@@ -4,6 +4,7 @@
 //! - `schema`: the classes, attributes and propositional functions of a domain, by name;
 //! - `objects`: the objects of one environment, and propositions about them;
 //! - `domain`: the [`Domain`] trait, by which a robot brings its own states and actions;
+//! - `action_set`: sets of actions, as wide as the robots of a controller or of a host need;
 //! - `push_grid`: the optional [`PushGrid`] trait, for robots that move pieces on a floor of cells;
 //! - `either`: one type for domains of two kinds;
 //! - `soundness`: checks that a domain keeps the rules of the trait;
@@ -12,6 +13,7 @@
 //! - `vocabulary`: the digest that identifies a vocabulary;
 //! - `divider`: exact division through a reciprocal.
 
+pub(crate) mod action_set;
 pub(crate) mod divider;
 pub(crate) mod domain;
 pub(crate) mod either;
@@ -24,8 +26,9 @@ pub(crate) mod state_key;
 pub(crate) mod vocabulary;
 
 pub use crate::memory::{ObjectTables, ObjectTablesRef};
+pub use action_set::ActionSet;
 pub(crate) use divider::Divider;
-pub use domain::{Action, ActionKind, ActionSet, Domain, MOST_COST, World, action_name, action_named, apply};
+pub use domain::{Action, ActionKind, Domain, MOST_COST, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
 pub use either::Either;
 pub use objects::{GroundProposition, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};

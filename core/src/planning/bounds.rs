@@ -40,10 +40,15 @@ pub(super) struct Bounds {
     search: Option<AStar>,
 }
 
-/// Whether bounds are sound on this floor: every action costs 1, and pieces move only by a plain push or a swap.
+/// A state of A* has so many bits for its first actions.
+const MOST_ACTIONS: usize = 16;
+
+/// Whether bounds are sound on this floor: every action costs 1, pieces move only by a plain push or a swap, and A* can tell the actions
+/// apart.
 fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
     let directions = grid.floor().directions;
     grid.pushes_plainly()
+        && own_actions(grid).count() <= MOST_ACTIONS
         && grid.actions().iter().all(|kind| kind.cost == 1)
         && (grid.swaps() || own_actions(grid).all(|action| directions.contains(&action)))
 }

@@ -233,9 +233,17 @@ fn ring<D: Domain + ?Sized>(domain: &D) -> usize {
     usize::from(highest).saturating_add(1)
 }
 
-/// The number of bytes for a state's first actions.
+/// The number of bytes for a state's first actions: a bit for each action.
 fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
-    if domain.actions().len() > 8 { 2 } else { 1 }
+    let actions = domain.actions().len();
+    // A controller has at most two bytes.
+    if ActionSet::MOST > 16 && actions > 16 {
+        actions.min(Action::MOST).div_ceil(8)
+    } else if actions > 8 {
+        2
+    } else {
+        1
+    }
 }
 
 /// The least [`Capacities::states`](crate::Capacities::states) with room for every state of a domain, so that plans are exact. It is the

@@ -538,7 +538,7 @@ impl RowSearch {
         at = word;
         for action in 0..self.actions {
             if let Some(plane) = planes.get_mut(at) {
-                *plane |= if first.0 >> action & 1 == 1 { bit } else { 0 };
+                *plane |= if first.has(action) { bit } else { 0 };
             }
             at = at.wrapping_add(self.words);
         }

@@ -673,7 +673,7 @@ impl<M: AgentMemory> Agent<M> {
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
         let possible = Belief::new(session.belief, &mut self.belief).observe(&|strategy, task| {
             let optimal = plan.optimal(task).exact()?;
-            let others = ActionSet(plan.applicable().0 & !optimal.0);
+            let others = plan.applicable().without(optimal);
             if others.is_empty() {
                 return Some(1.0 / optimal.len().max(1) as f32);
             }

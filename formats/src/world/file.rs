@@ -36,7 +36,8 @@ pub struct ObjectOfWorld {
     pub attributes: Vec<(String, String)>,
 }
 
-/// An action of a world.
+/// An action of a world, or one of its cases: the actions of one name are cases of one action, and the first one whose conditions hold takes
+/// effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ActionOfWorld {
     /// Its name.

@@ -18,7 +18,8 @@
 //!
 //! An action has a `name`, `parameters` (from variables such as `?room` to classes), `conditions` and `effects` (lists of propositions with
 //! variables or objects; `!` negates a proposition) and a `cost` of 1 to 16. Only `name` and `effects` are required. If a variable of its
-//! conditions is no parameter, it gets a value with which they hold.
+//! conditions is no parameter, it gets a value with which they hold. Further actions of the same name are further cases of it, of the same
+//! cost: the first case whose conditions hold takes effect.
 //!
 //! A log of worlds has worlds, and commands and sessions in worlds on earlier lines. A world is valid until another of the same name. A
 //! session is as in a log of homes, but in place of `environment` it has `world`, the world's name, and `facts`, the propositions that hold

@@ -140,8 +140,9 @@ impl WorldFile {
         let known = WorldClasses::of(self);
         for node in list.list()? {
             let action = ActionOfWorld::read(&node, &known)?;
-            if actions.iter().any(|other| other.name == action.name) {
-                return Err(node.error(Problem::DuplicateName { name: action.name }));
+            // Entries of one name are cases of one action.
+            if let Some(first) = actions.iter().find(|other| other.name == action.name && other.cost != action.cost) {
+                return Err(node.error(Problem::OtherCost { name: action.name, cost: action.cost, first: first.cost }));
             }
             actions.push(action);
         }

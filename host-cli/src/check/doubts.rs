@@ -5,7 +5,7 @@ use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{Action, Domain};
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
 use goodbot_formats::session::SessionHeader;
-use goodbot_formats::world::Literal;
+use goodbot_formats::world::{ActionOfWorld, Literal};
 use goodbot_lesson::home;
 use goodbot_lesson::world::robot::Robot;
 use std::collections::{BTreeMap, BTreeSet, HashSet, VecDeque};
@@ -119,6 +119,10 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
     let seen = if all { seen(robot, start) } else { BTreeMap::new() };
     for (position, action) in robot.file().actions.iter().enumerate() {
         let name = &action.name;
+        let others = |actions: &[ActionOfWorld]| actions.iter().any(|other| other.name == *name);
+        let actions = &robot.file().actions;
+        let is_first = !others(actions.get(..position).unwrap_or(&[]));
+        let is_only = is_first && !others(actions.get(position + 1..).unwrap_or(&[]));
         if let Some(literal) = contradicted(&action.effects) {
             let message = format!("{literal} both holds and does not hold after {name}; the last one counts, so leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
@@ -128,9 +132,10 @@ pub fn of_actions(robot: &Robot<'_>, start: u64, all: bool) -> Vec<(String, Stri
             doubts.push((format!("actions[{position}]"), message));
         }
         if let Some(literal) = contradicted(&action.conditions) {
-            let message = format!("{literal} is to hold and not to hold, so that {name} can never be done; leave one of the two out");
+            let what = if is_only { name.clone() } else { format!("this case of {name}") };
+            let message = format!("{literal} is to hold and not to hold, so that {what} can never be done; leave one of the two out");
             doubts.push((format!("actions[{position}]"), message));
-        } else if all {
+        } else if all && is_first {
             let message = match seen.get(name.as_str()) {
                 None => format!(
                     "{name} is possible in no state that the robot reaches from these facts; correct its conditions, or leave it out"
@@ -161,7 +166,7 @@ fn two_values<'a>(variables: &[String], effects: &'a [Literal]) -> Option<(&'a L
 fn seen<'r>(robot: &'r Robot<'_>, start: u64) -> BTreeMap<&'r str, bool> {
     let name = |kind: &'r str| kind.split('(').next().unwrap_or(kind);
     let (mut seen, mut known, mut open) = (BTreeMap::new(), HashSet::from([start]), VecDeque::from([start]));
-    let of_file = robot.file().actions.len();
+    let of_file = robot.file().actions.iter().map(|action| &action.name).collect::<HashSet<_>>().len();
     while let Some(state) = open.pop_front() {
         if seen.len() == of_file && seen.values().all(|&changes| changes) {
             break;

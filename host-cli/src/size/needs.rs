@@ -4,7 +4,7 @@ use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::oomdp::{Domain, PushGrid};
+use goodbot::oomdp::{Action, Domain, PushGrid};
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
@@ -87,7 +87,7 @@ impl Needs {
             }
             Some(file) => {
                 let least = robot::with(&file.world, |robot, _| {
-                    has_few_states(robot)?;
+                    is_for_controllers(robot)?;
                     least_of_world(robot, &lessons, learner)
                 });
                 let least = least.flatten().map_err(|flaw| file.fault(&flaw.field, &flaw.message))?;
@@ -139,11 +139,18 @@ impl Needs {
     }
 }
 
-/// Refuses a world with too many states for a controller.
+/// Refuses a world with too many actions or states for a controller.
 ///
 /// # Errors
-/// The number of its states, and what to do.
-pub fn has_few_states(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
+/// The number of them, and what to do.
+pub fn is_for_controllers(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
+    let (actions, most) = (robot.actions().len(), Action::MOST_ON_CONTROLLERS);
+    if actions > most {
+        let message = format!(
+            "give the robot {actions} actions with their objects, and {most} are the most for a controller; give them fewer parameters"
+        );
+        return Err(WorldFlaw { field: "actions".to_owned(), message });
+    }
     let count = robot.state_count();
     if count <= MOST_STATES_OF_WORLD as u64 {
         return Ok(());

@@ -6,7 +6,7 @@ mod c;
 mod rust;
 mod source;
 
-use crate::size::needs::{MOST_STATES_OF_WORLD, has_few_states, least_of_world};
+use crate::size::needs::{MOST_STATES_OF_WORLD, is_for_controllers, least_of_world};
 use clap::{Args, ValueHint};
 use goodbot::capacity::WORDS_PER_COMMAND;
 use goodbot::oomdp::check;
@@ -66,9 +66,9 @@ pub fn run(options: &TableOptions) -> Result<(), Failure> {
 }
 
 fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String, WorldFlaw> {
-    // The kinds of task and the number of states are checked before the states themselves, which take longer.
+    // The kinds of task and the numbers of actions and states are checked before the states themselves, which take longer.
     let kinds = robot::tasks(robot.file(), robot)?;
-    has_few_states(robot)?;
+    is_for_controllers(robot)?;
     check(robot, start, MOST_STATES_OF_WORLD).map_err(|error| WorldFlaw { field: "actions".to_owned(), message: error.to_string() })?;
     let capacities = least_of_world(robot, &Lessons::new(options.sessions, options.words), Learner::Roles.options())?;
     let source = Source::of(robot, start, kinds, capacities);

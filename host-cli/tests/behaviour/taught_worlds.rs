@@ -8,13 +8,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// A command, and its task.
-type Lesson = (&'static str, &'static str);
+type Lesson<'l> = (&'l str, &'l str);
 
 /// A world, the lessons of its robot, and a command that it then understands.
 struct Course {
     world: &'static str,
-    lessons: &'static [Lesson],
-    asked: Lesson,
+    lessons: &'static [Lesson<'static>],
+    asked: Lesson<'static>,
 }
 
 const COURSES: [Course; 4] = [
@@ -65,7 +65,7 @@ fn world_file(name: &str) -> String {
 }
 
 /// Teaches all lessons, with feedback to each step, until the robot has rightly rested three times. Returns the answers that have beliefs.
-fn teach(arguments: &[&str], lessons: &[Lesson]) -> Vec<Value> {
+fn teach(arguments: &[&str], lessons: &[Lesson<'_>]) -> Vec<Value> {
     let mut robot = Robot::new(arguments);
     let mut answers = vec![];
     for (command, meant) in lessons {
@@ -136,6 +136,62 @@ fn the_example_worlds_are_taught_line_by_line_and_every_command_reads_what_came_
         }
         let first = lines_of(&goodbot(&["inspect", &less, "--sessions", "--json"], b""));
         assert_eq!(first.len(), count - 1);
+    }
+}
+
+const ROOMS: [&str; 10] = ["kitchen", "bedroom", "hall", "bath", "attic", "cellar", "study", "garage", "porch", "loft"];
+const COLOURS: [&str; 4] = ["red", "blue", "green", "white"];
+
+/// A house with a lamp of each colour in each of these rooms, and an action for each lamp to light it, and one to dim it. All are off but
+/// the kitchen's blue one and the last room's green one.
+fn house(rooms: usize) -> Value {
+    let lamps = rooms * COLOURS.len();
+    let lamp = |lamp: usize| json!({"name": format!("lamp{lamp}"), "class": "lamp", "attributes": {"color": COLOURS[lamp % 4], "room": ROOMS[lamp / 4]}});
+    let is = |lamp: usize| format!("{}(lamp{lamp})", if [1, lamps - 2].contains(&lamp) { "lampOn" } else { "lampOff" });
+    let action = |name, from, to| {
+        let [from, to] = [from, to].map(|proposition| format!("{proposition}(?l)"));
+        json!({"name": name, "parameters": {"?l": "lamp"}, "conditions": [from], "effects": [to, format!("!{from}")]})
+    };
+    json!({
+        "type": "world", "name": "house", "classes": ["lamp"], "attributes": {"color": ["lamp"], "room": ["lamp"]},
+        "propositions": {"lampOn": ["lamp"], "lampOff": ["lamp"]}, "objects": (0..lamps).map(lamp).collect::<Vec<_>>(),
+        "facts": (0..lamps).map(is).collect::<Vec<_>>(), "task_kinds": ["lampOn(?l)", "lampOff(?l)"],
+        "actions": [action("light", "lampOff", "lampOn"), action("dim", "lampOn", "lampOff")]
+    })
+}
+
+#[test]
+fn a_house_of_sixteen_actions_and_one_of_eighty_are_taught_and_obey() {
+    for rooms in [2, 10] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+        let (world, model, log) = (path("house.json"), path("house.goodbot"), path("house.jsonl"));
+        std::fs::write(&world, house(rooms).to_string()).expect("a file");
+        let checked = goodbot(&["check", &world], b"");
+        assert!(checked.output.contains(&format!("a robot of {} actions", 8 * rooms)), "{}{}", checked.output, checked.messages);
+        let lesson = |lamp: usize, how: &str, meant: &str| {
+            (format!("the {} one in the {} {how}", COLOURS[lamp % 4], ROOMS[lamp / 4]), format!("{meant}(lamp{lamp})"))
+        };
+        let on = (0..rooms.max(4)).map(|number| lesson(number % rooms * 4 + number % 4, "on", "lampOn"));
+        let lessons: Vec<_> = on.chain([1, 4 * rooms - 2].map(|lamp| lesson(lamp, "off", "lampOff"))).collect();
+        let lessons: Vec<Lesson<'_>> = lessons.iter().map(|(command, meant)| (command.as_str(), meant.as_str())).collect();
+        teach(&[&world, "--seed", "5", "--model", &model], &lessons);
+        // No lesson was about this lamp.
+        let (command, meant) = lesson(4, "on", "lampOn");
+        let asked = lines_of(&goodbot(&["ask", "--with", &model, "--environment", &world, "--json", &command], b""));
+        assert_eq!((asked[0]["task"].as_str(), &asked[0]["plan"]), (Some(meant.as_str()), &json!(["light(lamp4)"])), "{}", asked[0]);
+        let mut robot = Robot::new(&[&world, "--model", &model]);
+        robot.one(&format!("command {command}"));
+        assert_eq!([robot.one("step"), robot.one("step")].map(|step| step["action"].clone()), ["light(lamp4)", "noop"]);
+        drop(robot);
+        for command in ["check", "replay"] {
+            assert_eq!(goodbot(&[command, &log], b"").code, 0);
+        }
+        for command in [["size", &world].as_slice(), &["table", &world, "--c"], &["table", &world, "--rust"]] {
+            let refused = goodbot(command, b"");
+            let told = format!("actions\": give the robot {} actions with their objects, and 15 are the most for a controller", 8 * rooms);
+            assert!(refused.code == 2 && refused.messages.contains(&told), "{}", refused.messages);
+        }
     }
 }
 

@@ -424,6 +424,26 @@ fn an_action_that_does_nothing_or_contradicts_itself_is_warned_of() {
 }
 
 #[test]
+fn an_action_of_several_cases_is_warned_of_once() {
+    let world = |cases: &str| {
+        format!(
+            r#"{{"type":"world","name":"w","classes":["lamp"],"attributes":{{}},"propositions":{{"on":["lamp"]}},"objects":[{{"name":"a","class":"lamp"}}],
+            "actions":[{{"name":"press","conditions":["!on(a)"],"effects":["on(a)"]}},{cases}],"task_kinds":["on(?l)"]}}"#
+        )
+    };
+    let warnings = |cases: &str| goodbot(&["check", "-"], world(cases).as_bytes()).messages;
+    assert_eq!(warnings(r#"{"name":"press","effects":["!on(a)"]}"#), "");
+    let never = warnings(r#"{"name":"press","conditions":["on(a)","!on(a)"],"effects":["!on(a)"]}"#);
+    assert!(
+        never.contains("\"actions[1]\": warning: on(a) is to hold and not to hold, so that this case of press can never be done"),
+        "{never}"
+    );
+    let keeps = r#"{"name":"keep","conditions":["on(a)"],"effects":["on(a)"]}"#;
+    let keeps = warnings(&format!("{keeps},{keeps}"));
+    assert!(keeps.contains("\"actions[1]\": warning: keep changes nothing in any state") && keeps.lines().count() == 1, "{keeps}");
+}
+
+#[test]
 fn a_problem_of_the_planning_field_is_a_world_that_is_checked_and_taught() {
     let pddl =
         |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("../lesson/tests/pddl").join(name).to_str().expect("UTF-8").to_owned();

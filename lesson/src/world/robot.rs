@@ -5,7 +5,8 @@
 //! values.
 //!
 //! Every choice of objects has a digit, so a session may begin in a state that no action leads to. If that makes too many states or
-//! actions, values and actions that can never occur from the file's facts on are left out.
+//! actions, values and actions that can never occur from the file's facts on are left out; so they are if no more actions are left then than
+//! a controller can hold. If there still are too many states, two propositions of which one always holds, such as on and off, share a digit.
 
 use crate::home::full;
 use crate::name::task_name;
@@ -372,7 +373,7 @@ impl Digit {
     }
 }
 
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 struct Mechanism {
     digits: Vec<Digit>,
     states: u64,
@@ -384,7 +385,7 @@ struct Mechanism {
 }
 
 /// An action with objects for its parameters.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Grounded {
     name: String,
     cost: u8,
@@ -392,7 +393,7 @@ struct Grounded {
     cases: Vec<Case>,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Case {
     conditions: Vec<(usize, u64, bool)>,
     effects: Vec<(usize, u64)>,
@@ -442,12 +443,22 @@ impl Mechanism {
                 mechanism.fixed.insert(key);
             }
         }
-        for (position, action) in file.actions.iter().enumerate() {
-            mechanism.ground(position, action, schema, objects)?;
+        for position in 0..file.actions.len() {
+            mechanism.ground(position, &file.actions, schema, objects)?;
         }
-        if mechanism.number().is_err() || mechanism.actions.len() > Action::MOST {
+        let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
+        if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
             let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
-            mechanism.keep_possible(&start);
+            // What fits is left whole, unless a controller can hold the rest alone.
+            let mut possible = if fits { mechanism.clone() } else { std::mem::take(&mut mechanism) };
+            possible.keep_possible(&start);
+            if !fits || possible.actions.len() <= Action::MOST_ON_CONTROLLERS {
+                mechanism = possible;
+            }
+            if mechanism.number().is_err() {
+                let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
+                mechanism.join_opposites(&start);
+            }
         }
         if let Err(digit) = mechanism.number() {
             let of_digit = |&(_, &(of, _)): &(&Key, &(usize, u64))| of == digit;
@@ -518,6 +529,47 @@ impl Mechanism {
         self.digits = kept.map(|values| Digit { unit: 0, values: values.len() as u64 }).collect();
     }
 
+    /// Lets two propositions share a digit if one of them holds and the other does not, and each action that changes one changes the other:
+    /// lamps that are on or off then have half as many digits.
+    fn join_opposites(&mut self, start: &[u64]) {
+        // For each digit, the cases that set it, and the last value that each gives it.
+        let mut changes: Vec<BTreeMap<usize, u64>> = vec![BTreeMap::new(); self.digits.len()];
+        for (number, case) in self.actions.iter().flat_map(|action| &action.cases).enumerate() {
+            for &(digit, value) in &case.effects {
+                changes.iter_mut().skip(digit).take(1).for_each(|of_digit| {
+                    of_digit.insert(number, value);
+                });
+            }
+        }
+        // The digits of variables have a proposition for each value.
+        let of_variables: BTreeSet<usize> = self.places.values().filter(|&&(_, value)| value == 0).map(|&(digit, _)| digit).collect();
+        let mut alone: HashMap<(u64, BTreeMap<usize, u64>), usize> = HashMap::new();
+        // The new position of each digit, and whether its values are exchanged.
+        let (mut joined, mut next) = (Vec::new(), 0..);
+        for (digit, (of_digit, &value)) in changes.into_iter().zip(start).enumerate() {
+            let is_of_variable = of_variables.contains(&digit);
+            let opposite = (exchanged(value), of_digit.iter().map(|(&case, &value)| (case, exchanged(value))).collect());
+            let other = if is_of_variable { None } else { alone.remove(&opposite) };
+            let place = other.or_else(|| next.next()).unwrap_or(0);
+            if other.is_none() && !is_of_variable {
+                alone.insert((value, of_digit), place);
+            }
+            joined.push((place, other.is_some()));
+        }
+        let at = |digit: &mut usize, value: &mut u64| {
+            if let Some(&(place, is_exchanged)) = joined.get(*digit) {
+                (*digit, *value) = (place, if is_exchanged { exchanged(*value) } else { *value });
+            }
+        };
+        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+            case.conditions.iter_mut().for_each(|(digit, value, _)| at(digit, value));
+            case.effects.iter_mut().for_each(|(digit, value)| at(digit, value));
+        }
+        self.places.values_mut().for_each(|(digit, value)| at(digit, value));
+        let kept = std::mem::take(&mut self.digits).into_iter().zip(&joined).filter(|(_, (_, is_joined))| !is_joined);
+        self.digits = kept.map(|(digit, _)| digit).collect();
+    }
+
     /// The possible values of each digit, and perhaps more: each effect counts as if the old value stayed possible too.
     fn possible(&self, start: &[u64]) -> Vec<BTreeSet<u64>> {
         let mut possible: Vec<BTreeSet<u64>> = start.iter().map(|&value| BTreeSet::from([value])).collect();
@@ -559,7 +611,7 @@ impl Mechanism {
         schema: &Schema<'_>,
         objects: Objects<'_>,
     ) -> Result<Vec<u64>, WorldFlaw> {
-        let (mut start, mut told, mut fixed) = (vec![0; self.digits.len()], BTreeSet::new(), BTreeSet::new());
+        let (mut start, mut told, mut fixed) = (vec![0; self.digits.len()], BTreeMap::new(), BTreeSet::new());
         for (position, fact) in facts.iter().enumerate() {
             let key = key(schema, objects, fact);
             let Some(&(digit, value)) = self.places.get(&key) else {
@@ -569,8 +621,12 @@ impl Mechanism {
                 fixed.insert(key);
                 continue;
             };
-            if !told.insert(digit) && variables.iter().any(|name| name == fact.function()) {
+            let before = told.insert(digit, value);
+            if before.is_some() && variables.iter().any(|name| name == fact.function()) {
                 return flaw(format!("facts[{position}]"), "gives a variable a second value; leave one of the two");
+            }
+            if before.is_some_and(|before| before != value) {
+                return flaw(format!("facts[{position}]"), "is the opposite of a fact before it, by all actions; leave one of the two");
             }
             start.iter_mut().skip(digit).take(1).for_each(|slot| *slot = value);
         }
@@ -579,18 +635,38 @@ impl Mechanism {
         }
         let mut places: Vec<(&Key, &(usize, u64))> = self.places.iter().collect();
         places.sort();
-        for (&(proposition, arguments), &(digit, _)) in places {
-            let name = schema.proposition_name(proposition);
-            if variables.iter().any(|variable| variable == name) && !told.contains(&digit) {
-                let count = schema.parameters(proposition).len() - 1;
+        let opposites: HashMap<usize, &Key> =
+            places.iter().filter(|(_, (_, value))| *value == 0).map(|&(key, &(digit, _))| (digit, key)).collect();
+        for (key, &(digit, value)) in places {
+            if told.contains_key(&digit) {
+                continue;
+            }
+            let named = |&(proposition, arguments): &Key, without: usize| {
+                let count = schema.parameters(proposition).len() - without;
                 let of: Vec<&str> = arguments.iter().take(count).map(|&object| objects.name(object)).collect();
+                (schema.proposition_name(proposition), of)
+            };
+            let (name, of) = named(key, 1);
+            if variables.iter().any(|variable| variable == name) {
                 return flaw("facts", format!("say no value of the variable {name} of {}; add it", of.join(", ")));
+            }
+            if let Some(opposite) = opposites.get(&digit).filter(|_| value == 1) {
+                let [one, other] = [key, opposite].map(|key| {
+                    let (name, of) = named(key, 0);
+                    format!("{name}({})", of.join(","))
+                });
+                return flaw("facts", format!("say neither {one} nor {other}, and by all actions one of them holds; add it"));
             }
         }
         Ok(start)
     }
 
-    fn ground(&mut self, position: usize, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
+    /// Adds one of the file's actions with each choice of objects, or its cases to those of an earlier action of the same name and objects.
+    fn ground(&mut self, position: usize, all: &[ActionOfWorld], schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
+        let Some((action, before)) = all.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
+        let has_earlier_cases = before.iter().any(|other| other.name == action.name);
+        let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
+        let earlier: HashMap<String, usize> = earlier.map(|(at, action)| (action.name.clone(), at)).collect();
         let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
         let mut free: Vec<(&str, ClassId)> = Vec::new();
         for literal in &action.conditions {
@@ -616,7 +692,10 @@ impl Mechanism {
                 let arguments: Vec<&str> =
                     bound.iter().filter_map(|(name, _)| binding.get(name)).map(|&object| objects.name(object)).collect();
                 let name = if arguments.is_empty() { action.name.clone() } else { format!("{}({})", action.name, arguments.join(",")) };
-                self.actions.push(Grounded { name, cost: action.cost, cases });
+                match earlier.get(&name).and_then(|&at| self.actions.get_mut(at)) {
+                    Some(known) => known.cases.append(&mut cases),
+                    None => self.actions.push(Grounded { name, cost: action.cost, cases }),
+                }
             }
             Ok(())
         };
@@ -671,6 +750,11 @@ fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; A
         Ok(())
     })?;
     Ok(all)
+}
+
+/// The other value of a digit with two.
+const fn exchanged(value: u64) -> u64 {
+    1_u64.wrapping_sub(value)
 }
 
 /// The object of each variable.

@@ -50,7 +50,7 @@ pub fn calls(input: &[u8]) {
                 let feedback = choices.one_of(&[Feedback::Reward, Feedback::Punish, Feedback::Neutral]);
                 // Judges an action that the bytes choose, or else the last one that was done.
                 let action = Action::new(choices.byte());
-                if action.index() < 64
+                if (action.index() < 64 || action == Action::NOOP)
                     && let Ok(next) = agent.acted(home, state, action)
                 {
                     *state = next;

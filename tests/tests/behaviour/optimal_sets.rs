@@ -123,7 +123,7 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
     }
 }
 
-/// A home with costs of its own, where a piece's cell may decide no proposition.
+/// A home with costs of its own, where a piece's cell may decide no proposition. Actions beyond the home's do what its last one does.
 struct Unlike<'d, D: Domain> {
     home: &'d D,
     actions: Vec<ActionKind<'d>>,
@@ -143,7 +143,8 @@ impl<D: PushGrid> Domain for Unlike<'_, D> {
     }
 
     fn step(&self, state: &D::State, action: Action) -> Option<D::State> {
-        self.home.step(state, action)
+        let last = self.home.actions().len() - 1;
+        self.home.step(state, Action::new(action.index().min(last) as u8))
     }
 
     fn holds(&self, proposition: &GroundProposition, state: &D::State) -> bool {
@@ -187,6 +188,14 @@ impl<D: PushGrid> PushGrid for Unlike<'_, D> {
     fn can_pull(&self) -> bool {
         self.home.can_pull()
     }
+
+    fn pushes_plainly(&self) -> bool {
+        self.home.pushes_plainly()
+    }
+
+    fn swaps(&self) -> bool {
+        self.home.swaps()
+    }
 }
 
 #[test]
@@ -200,6 +209,35 @@ fn a_floor_with_actions_of_different_costs_or_with_goals_of_several_pieces_gives
         let actions = home.actions().iter().enumerate().map(|(position, kind)| ActionKind::new(kind.name, cost_of(position))).collect();
         let unlike = Unlike { home: &home, actions, tells_pieces };
         assert!(compare(&unlike, &start, &home::paper_tasks().unwrap(), 3) > 0);
+    }
+}
+
+#[test]
+fn a_robot_of_as_many_actions_as_a_host_can_hold_gets_the_optimal_sets_of_brute_force() {
+    let lifted = home::paper_tasks().unwrap();
+    for count in [15, 16, 17, 64, 65, Action::MOST] {
+        let (mut random, mut memory) = (Pcg32::new(11, 11), HeapMemory::new(&ROOMY));
+        let (home, start) =
+            random_home(&mut random, Size { columns: 2, rows: 1, side: 3, blocks: 1 }, Moves::PushAndPull, &mut memory.home);
+        let names: Vec<String> = (0..count).map(|position| format!("action{position}")).collect();
+        // In rows of states, and one by one.
+        for cost in [1, 2] {
+            let cost_of = |position: usize| if position.is_multiple_of(3) { cost } else { 1 };
+            let kinds = names.iter().enumerate().map(|(position, name)| ActionKind::new(name, cost_of(position)));
+            let many = Unlike { home: &home, actions: kinds.collect(), tells_pieces: true };
+            assert!(compare(&many, &start, &lifted, 7) > 0);
+        }
+        // By bounds, or not at all.
+        let many = Unlike { home: &home, actions: names.iter().map(|name| ActionKind::new(name, 1)).collect(), tells_pieces: true };
+        let tasks = with_opposites(&many, &start, &lifted);
+        let truth = BruteForce::new(&many, &start, &lifted, &tasks);
+        let mut planner = OwnPlanner::new(&Capacities { states: 1_024, hashed_states: 64, ..ROOMY }, &many, &lifted, &tasks);
+        for (position, state) in truth.states.iter().enumerate().step_by(11) {
+            let plan = planner.plan_for(&many, state, TaskSet::first(tasks.len()), 100);
+            let wrong =
+                (0..tasks.len()).find(|&task| plan.optimal(task).exact().is_some() && plan.optimal(task) != truth.optimal(position, task));
+            assert_eq!(wrong, None, "{count} actions, state {position}");
+        }
     }
 }
 

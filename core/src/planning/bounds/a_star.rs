@@ -148,11 +148,15 @@ impl Reached {
     const NOT: Self = Self::of(0);
 
     const fn of(word: u64) -> Self {
-        Self { first: ActionSet(word as u16), sure: ActionSet((word >> 16) as u16), blockers: (word >> 32) as u32 }
+        Self {
+            first: ActionSet::of_first_16(word as u16),
+            sure: ActionSet::of_first_16((word >> 16) as u16),
+            blockers: (word >> 32) as u32,
+        }
     }
 
     const fn word(self) -> u64 {
-        self.first.0 as u64 | (self.sure.0 as u64) << 16 | (self.blockers as u64) << 32
+        self.first.first_16() as u64 | (self.sure.first_16() as u64) << 16 | (self.blockers as u64) << 32
     }
 
     /// The same plans, continued by an action to this distance.

@@ -1,8 +1,8 @@
 //! The open states of a search by their distance, the closed states, and the first actions that lead to each.
 //!
 //! There is one bit set for each distance that is open at the same time, in a ring, and one for the closed states. The words of all sets
-//! for the same 64 states are adjacent, followed by the states' first actions, one byte each, or two if the domain has more than eight
-//! actions. In addition, a summary has one bit for each word of the sets: whether it was touched. So neither finding the next state nor
+//! for the same 64 states are adjacent, followed by the states' first actions, one byte each, or one more for each eight actions
+//! beyond the first eight. In addition, a summary has one bit for each word of the sets: whether it was touched. So neither finding the next state nor
 //! clearing takes time for states that a search never came near.
 
 use crate::oomdp::ActionSet;
@@ -207,14 +207,13 @@ impl Frontier {
             let (word, shift) = self.first_actions_at(slot, byte);
             (marks.get(word).copied().unwrap_or(0) >> shift) as u8
         };
-        let high = if self.bytes > 1 { byte(1) } else { 0 };
-        ActionSet(u16::from_le_bytes([byte(0), high]))
+        ActionSet::of_bytes(self.bytes, byte)
     }
 
     /// Sets the first actions that lead to a state.
     #[inline]
     pub(super) fn set_first_actions(&self, marks: &mut [u64], slot: usize, actions: ActionSet) {
-        for (byte, value) in actions.0.to_le_bytes().into_iter().take(self.bytes).enumerate() {
+        for (byte, value) in actions.bytes().take(self.bytes).enumerate() {
             let (word, shift) = self.first_actions_at(slot, byte);
             if let Some(word) = marks.get_mut(word) {
                 *word = *word & !(0xff << shift) | u64::from(value) << shift;
@@ -267,14 +266,16 @@ mod tests {
 
     #[test]
     fn the_first_actions_of_states_side_by_side_are_kept_apart() {
-        for (bytes, most) in [(1, 0xff), (2, 0xffff)] {
-            let mut marks = [0; 60];
+        for bytes in 1..=ActionSet::MOST / 8 {
+            let mut marks = std::vec![0; 3 * (3 + 8 * bytes) + 3];
             let frontier = Frontier::new(130, 2, bytes);
+            let all = ActionSet::of_bytes(bytes, |_| 0xff);
+            let of = |slot: usize| ActionSet::of_bytes(bytes, |byte| (slot * 3 + byte * 5) as u8);
             for slot in 0..130 {
-                frontier.set_first_actions(&mut marks, slot, ActionSet(most));
-                frontier.set_first_actions(&mut marks, slot, ActionSet((slot as u16 * 3) & most));
+                frontier.set_first_actions(&mut marks, slot, all);
+                frontier.set_first_actions(&mut marks, slot, of(slot));
             }
-            assert!((0..130).all(|slot| frontier.first_actions(&marks, slot).0 == (slot as u16 * 3) & most));
+            assert!((0..130).all(|slot| frontier.first_actions(&marks, slot) == of(slot)));
         }
     }
 

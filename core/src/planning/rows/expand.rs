@@ -67,7 +67,7 @@ impl RowSearch {
                 let (mut first, mut at) = (ActionSet::EMPTY, planes);
                 for action in 0..self.actions {
                     if let Some(plane) = marks.get_mut(at) {
-                        first = ActionSet(first.0 | u16::from(*plane & bit != 0) << action);
+                        first = first.with_if(action, *plane & bit != 0);
                         *plane &= !bit;
                     }
                     at = at.wrapping_add(self.words);
@@ -155,7 +155,7 @@ impl RowSearch {
                 let first = first.iter().rev().fold(0, |set, plane| set << 1 | u16::from(plane & robot != 0));
                 if let Some(row) = self.row_after_push(grid, state, row, bit, direction) {
                     let to = self.come_to(marks, Spot { row, bit });
-                    self.reach(marks, to, ActionSet(first));
+                    self.reach(marks, to, ActionSet::of_first_16(first));
                 }
             }
         }
@@ -312,7 +312,7 @@ impl RowSearch {
                 }
                 let (mut first, mut at) = (ActionSet::EMPTY, planes);
                 for action in 0..self.actions {
-                    first = ActionSet(first.0 | u16::from(has(at)) << action);
+                    first = first.with_if(action, has(at));
                     at = at.wrapping_add(self.words);
                 }
                 let here = grid.put(state, Piece::ROBOT, self.cell_of_bit(marks, bit));
