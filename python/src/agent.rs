@@ -364,7 +364,21 @@ impl Agent {
     /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit. Of
     /// more than 64 words the first 64 are heard, and a `UserWarning` says so.
     ///
+    /// A prior is no lesson: `finish` learns from feedback and answers, so after a prior alone it learns nothing. If you know what was
+    /// meant, and want the words learned, call `told`.
+    ///
     /// Raises `ValueError`, `CapacityError`, and `SessionError` while the last session is still being learned from.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent, green = goodbot.Agent(), "agentInRoom(agent0,room1)"
+    /// >>> def believed():
+    /// ...     agent.hear(home, home.start, "off to the verdant one")
+    /// ...     return round(float(agent.beliefs[agent.tasks.index(green)]), 2)
+    /// >>> agent.hear(home, home.start, "off to the verdant one", prior={green: 1.0})
+    /// >>> agent.finish(home), believed()          # one of two rooms, as before
+    /// (0, 0.5)
+    /// >>> agent.told(home, home.start, "off to the verdant one", green), believed() > 0.5
+    /// (0, True)
     #[pyo3(signature = (domain, state, command, *, prior=None))]
     fn hear(
         &self,
