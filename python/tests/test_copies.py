@@ -105,6 +105,18 @@ def test_a_repr_is_one_useful_line(home: goodbot.Home, root: Path) -> None:
     assert "lamps" in said[2] and "0 sessions" in said[3] and "balanced" in said[4] and "2 worlds" in said[5]
 
 
+def test_a_repr_of_many_numbers_or_sessions_is_one_line_too(home: goodbot.Home, tmp_path: Path) -> None:
+    taught = goodbot.teach(goodbot.Agent(seed=1), home, home.start, "now there please", GO, trainer=goodbot.Trainer(seed=1))
+    sessions = [goodbot.Session(f"go {where}", home, [("noop", "neutral")]) for where in "abcde"]
+    goodbot.write_log(tmp_path / "log.jsonl", sessions)
+    data = goodbot.datasets.load(tmp_path / "log.jsonl")
+    [posterior, *_] = goodbot.posteriors(sessions)
+    assert repr(taught) == f"<goodbot.Taught: {len(taught.steps)} steps, ended: goal>"
+    assert repr(posterior) == "<goodbot.Posterior: 'go a', 1 steps, 4 tasks>"
+    assert repr(data) == "<goodbot.datasets.Dataset: 5 sessions of log.jsonl>"
+    assert repr(data.split(test=0.4)) == "<goodbot.datasets.Split: 3 sessions to train on, 2 to test on>"
+
+
 def test_an_error_names_the_file_or_the_choices(home: goodbot.Home, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError) as missing:
         goodbot.World.load(tmp_path / "missing.json")

@@ -66,6 +66,9 @@ class Split:
         known = {_KEYS["command"](session) for session in self.train}
         return sum(_KEYS["command"](session) in known for session in self.test) / max(len(self.test), 1)
 
+    def __repr__(self) -> str:
+        return f"<goodbot.datasets.Split: {len(self.train)} sessions to train on, {len(self.test)} to test on>"
+
 
 @dataclass(frozen=True)
 class Dataset:
@@ -113,6 +116,9 @@ class Dataset:
             [session for position, session in enumerate(self.sessions) if position not in test],
             [session for position, session in enumerate(self.sessions) if position in test],
         )
+
+    def __repr__(self) -> str:
+        return f"<goodbot.datasets.Dataset: {len(self.sessions)} sessions of {', '.join(self.sha256)}>"
 
 
 def checksum(path: str | os.PathLike[str]) -> str:

@@ -254,6 +254,9 @@ class MiniGrid:
         cells: Image = encoded.transpose(1, 0, 2).copy()
         return cells
 
+    def __repr__(self) -> str:
+        return f"<goodbot.gym.MiniGrid: {len(self._image)} cells a side, agent at {self.agent_pos}>"
+
 
 class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
     """Many homes, stepped together in Rust: `gymnasium.make_vec("goodbot/Home-v0", num_envs=1024)`.

@@ -90,6 +90,9 @@ class Taught:
         """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
         return of_beliefs(self.tasks, self.beliefs)
 
+    def __repr__(self) -> str:
+        return f"<goodbot.Taught: {len(self.steps)} steps, ended: {self.ending}>"
+
 
 def teach(
     agent: Agent,

@@ -60,6 +60,9 @@ class Posterior:
         """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
         return of_beliefs(self.tasks, self.beliefs)
 
+    def __repr__(self) -> str:
+        return f"<goodbot.Posterior: {self.session.command!r}, {len(self.beliefs) - 1} steps, {len(self.tasks)} tasks>"
+
 
 def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
     """Replays a log, and returns for each session the agent's beliefs before the first step and after each.
