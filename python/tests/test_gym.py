@@ -91,6 +91,12 @@ def test_the_same_seed_is_the_same_episode() -> None:
     assert episode() == episode()
 
 
+def test_a_mission_about_one_of_two_that_look_alike_says_which() -> None:
+    home = goodbot.Home.from_map("#######\n#rrrrr#\n#rCrCr#\n#rrrrr#\n###+###\n#gg@gg#\n#######\nC: blue chair")
+    commands = [command for command, _ in gym.missions(home)]
+    assert "take the blue chair (block1) to the green room" in commands and len(set(commands)) == len(commands)
+
+
 def test_a_picture_and_a_drawing_show_the_home() -> None:
     drawn, seen = (gymnasium.make("goodbot/Home-v0", render_mode=mode) for mode in ("ansi", "rgb_array"))
     drawn.reset(seed=2)

@@ -59,16 +59,8 @@ def missions(home: Home) -> list[tuple[str, str]]:
     asked.hear(home, home.start, "go")
     asked.plan(home, home.start)
     return [
-        (_in_words(home, task), task) for task, distance in zip(asked.tasks, asked.distances, strict=True) if distance > 0
+        (asked.words_of(home, task), task) for task, distance in zip(asked.tasks, asked.distances, strict=True) if distance > 0
     ]
-
-
-def _in_words(home: Home, task: str) -> str:
-    """A task in a person's words: `go to the green room`, `take the blue bag to the red room`."""
-    function, _, arguments = task.rstrip(")").partition("(")
-    subject, room = (home.objects[name] for name in arguments.split(","))
-    to = f"to the {room['color']} room"
-    return f"go {to}" if function == "agentInRoom" else f"take the {subject['color']} {subject['shape']} {to}"
 
 
 def _logged(path: str | PathLike[str]) -> list[Place]:
