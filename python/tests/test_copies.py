@@ -59,6 +59,22 @@ def test_other_processes_teach_as_this_one(home: goodbot.Home, tmp_path: Path) -
     assert len(others) == 4 and all(same(other, here) and theirs == model for other, theirs in others)
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_workers_of_dask_teach_as_this_one(home: goodbot.Home, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    agent, trainer = goodbot.Agent(seed=3), goodbot.Trainer("punish-only", seed=1)
+    lesson(agent, trainer, home)
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", local_directory=str(tmp_path)) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        first = client.submit(go_on, agent, trainer, home, pure=False)
+        scattered = client.scatter((agent, trainer, home))
+        others = client.gather([first, client.submit(go_on, *scattered, pure=False)])
+    here, model = go_on(agent, trainer, home)
+    assert all(same(other, here) and theirs == model for other, theirs in others)
+
+
 def test_lessons_and_decisions_are_copied(home: goodbot.Home) -> None:
     agent = goodbot.Agent(seed=3)
     taught = goodbot.Trainer(seed=1).teach(agent, home, home.start, "now there please", GO)
