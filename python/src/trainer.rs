@@ -8,6 +8,7 @@ use crate::place::Place;
 use crate::random::{Drawn, Random};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
+use goodbot::task::TaskSet;
 use goodbot_course::{CourseTrainer, Ending, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
 use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
@@ -157,15 +158,16 @@ impl Trainer {
         py: Python<'_>,
         mind: &mut Mind,
         domain: &D,
-        mut lesson: Course<D::State>,
+        start: &D::State,
+        meant: TaskSet,
         random: &mut Random,
         place: impl Fn(D::State) -> Place,
     ) -> PyResult<(LessonReport, Place, Vec<Step>)> {
-        let mut steps = Vec::new();
+        let (mut lesson, mut steps) = (Course::meaning(start, meant.iter().next().unwrap_or(0)), Vec::new());
         loop {
             let here = place(*lesson.state());
             mind.plan(py, &here)?;
-            let turn = lesson.act(&mut mind.core, domain, &self.trainer, random);
+            let turn = lesson.act_for_any(&mut mind.core, domain, meant, &self.trainer, random);
             if let Some(failure) = here.failure() {
                 mind.core.leave();
                 return Err(failure);
@@ -189,22 +191,27 @@ impl Trainer {
         // The lesson draws from a copy: holding the lock while other threads run could deadlock.
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
         mind.hear(py, place, command)?;
-        let task = mind.task(intended)?;
+        let meant = mind.tasks(intended)?;
+        // A log has one meaning of a command.
+        let one = meant.iter().next().filter(|_| meant.len() == 1).map(|task| mind.task_text(py, task));
+        if meant.is_empty() {
+            return Err(value("no task is meant; name one, or several of which each will do"));
+        }
         let ((report, end, steps), header) = match place {
             Place::Home(home, start) => {
-                let intended = mind.task_text(py, task).parse::<GroundTaskText>().map_err(value)?;
+                let intended = one.map(|task| task.parse::<GroundTaskText>()).transpose().map_err(value)?;
                 let mut header: SessionHeader = header(&home.get().rooms, start, command);
-                header.set_meant(Some(&intended));
+                header.set_meant(intended.as_ref());
                 let here = |state| Place::Home(home.clone_ref(py), state);
-                (self.walk(py, mind, &home.get().rooms, Course::meaning(start, task), &mut random, here)?, Some(header))
+                (self.walk(py, mind, &home.get().rooms, start, meant, &mut random, here)?, Some(header))
             }
             Place::Robot(robot, start) => {
                 let here = |state| Place::Robot(robot.clone(), state);
-                (robot.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
+                (robot.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?, None)
             }
             Place::World(tables, start) => {
                 let here = |state| Place::World(tables.clone(), state);
-                (tables.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
+                (tables.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?, None)
             }
         };
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
@@ -265,6 +272,11 @@ impl Trainer {
 
     /// Gives a command that means the task `intended` (its name or position), and judges the agent's actions. The lesson ends after `noop`
     /// three times at the goal, in a dead end or after 300 steps. The agent learns from it unless `learn=False`.
+    ///
+    /// `intended` may be a list of tasks of which each will do, as for "any block". Then the recorded session does not say what was
+    /// meant.
+    ///
+    /// Raises as `hear` does, and `ValueError` if there is no such task.
     #[pyo3(signature = (agent, domain, state, command, intended, *, learn=true))]
     fn teach(
         &self,

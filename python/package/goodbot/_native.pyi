@@ -218,7 +218,14 @@ class Trainer:
     def feedback(self, correct: bool) -> Feedback: ...
     def judge(self, step: Step) -> Feedback: ...
     def teach(
-        self, agent: Agent, domain: Home | World | Domain, state: Any, command: str, intended: str | int, *, learn: bool = True
+        self,
+        agent: Agent,
+        domain: Home | World | Domain,
+        state: Any,
+        command: str,
+        intended: str | int | Sequence[str | int],
+        *,
+        learn: bool = True,
     ) -> Lesson: ...
 
 @final
