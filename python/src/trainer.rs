@@ -2,7 +2,7 @@
 
 use crate::agent::Agent;
 use crate::error::{self, value};
-use crate::log::{Session, header};
+use crate::log::{Session, header, header_in_world};
 use crate::mind::Mind;
 use crate::place::Place;
 use crate::random::{Drawn, Random};
@@ -56,7 +56,7 @@ pub struct Lesson {
     /// How many older sessions were forgotten because memory was full.
     #[pyo3(get)]
     gave_way: usize,
-    session: Option<RecordedSession>,
+    session: Option<Session>,
 }
 
 /// The counts of feedback, as a dict.
@@ -97,16 +97,16 @@ impl Lesson {
         counts(py, self.report.feedback)
     }
 
-    /// The lesson as a recorded session; None for a robot of your own, whose world no log can hold.
+    /// The lesson as a recorded session; None for a robot of your own class, which no log can describe.
     #[getter]
     fn session(&self) -> Option<Session> {
-        self.session.clone().map(Session)
+        self.session.clone()
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<LessonReduced<'py>> {
         let Self { report, state, gave_way, session } = slf.get();
         let FeedbackCounts { reward, punish, neutral } = report.feedback;
-        let session = session.clone().map(Session);
+        let session = session.clone();
         let parts = (
             report.understood,
             report.ending.name(),
@@ -133,7 +133,7 @@ impl Lesson {
         let ending = known.ok_or_else(|| value(format!("{ending:?} is no ending of a lesson")))?;
         let [reward, punish, neutral] = feedback;
         let report = LessonReport { understood, ending, steps, feedback: FeedbackCounts { reward, punish, neutral } };
-        Ok(Self { report, state, gave_way, session: session.map(|session| session.get().0.clone()) })
+        Ok(Self { report, state, gave_way, session: session.map(|session| session.get().clone()) })
     }
 
     fn __repr__(&self) -> String {
@@ -197,25 +197,34 @@ impl Trainer {
         if meant.is_empty() {
             return Err(value("no task is meant; name one, or several of which each will do"));
         }
-        let ((report, end, steps), header) = match place {
+        let (report, end, steps) = match place {
             Place::Home(home, start) => {
-                let intended = one.map(|task| task.parse::<GroundTaskText>()).transpose().map_err(value)?;
-                let mut header: SessionHeader = header(&home.get().rooms, start, command);
-                header.set_meant(intended.as_ref());
                 let here = |state| Place::Home(home.clone_ref(py), state);
-                (self.walk(py, mind, &home.get().rooms, start, meant, &mut random, here)?, Some(header))
+                self.walk(py, mind, &home.get().rooms, start, meant, &mut random, here)?
             }
             Place::Robot(robot, start) => {
                 let here = |state| Place::Robot(robot.clone(), state);
-                (robot.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?, None)
+                robot.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
             }
             Place::World(tables, start) => {
                 let here = |state| Place::World(tables.clone(), state);
-                (tables.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?, None)
+                tables.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
             }
         };
+        let intended = one.map(|task| task.parse::<GroundTaskText>()).transpose().map_err(value)?;
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
-        let session = header.map(|header| RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
+        let session = |mut header: SessionHeader| {
+            header.set_meant(intended.as_ref());
+            RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 }
+        };
+        let session = match place {
+            Place::Home(home, start) => Some(Session::in_home(session(header(&home.get().rooms, start, command)))),
+            Place::Robot(..) => None,
+            Place::World(tables, start) => {
+                let facts = tables.lend(|robot| robot.facts(*start));
+                Some(Session::in_world(session(header_in_world(command)), tables.clone(), facts))
+            }
+        };
         let mut gave_way = 0;
         if learn {
             gave_way = mind.finish(py, place)?;

@@ -256,10 +256,10 @@ class Session:
     def __new__(
         cls,
         command: str,
-        home: Home,
+        home: Home | World,
         steps: Sequence[tuple[str, str | None]],
         *,
-        state: State | None = None,
+        state: State | int | None = None,
         kind: str = "feedback",
         learn: bool = True,
         id: str | None = None,
@@ -284,6 +284,10 @@ class Session:
     def steps(self) -> list[tuple[str, Feedback | None]]: ...
     @property
     def home(self) -> Home: ...
+    @property
+    def world(self) -> World | None: ...
+    @property
+    def state(self) -> Any: ...
     @property
     def prior(self) -> dict[str, float] | None: ...
     @property

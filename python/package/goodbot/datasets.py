@@ -39,7 +39,8 @@ def _worker(session: Session) -> str:
 
 
 def _environment(session: Session) -> str:
-    return session.home.to_json()
+    world = session.world
+    return session.home.to_json() if world is None else world.to_json()
 
 
 # The key that the sessions of a group share, as in `goodbot evaluate --group`.

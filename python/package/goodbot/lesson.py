@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ._native import Agent, Home, Session, State
+from ._native import Agent, Home, Session, World
 from .frames import of_beliefs
 from .language import LanguageModel, hear, learn as _learn
 from .names import Feedback
@@ -79,7 +79,7 @@ class Taught:
     beliefs: NDArray[np.float32]
     """How probable each task was: shape (steps + 1, tasks), the first row before any step."""
     session: Session | None
-    """The lesson as a recorded session; None outside of homes, which no log can hold."""
+    """The lesson as a recorded session; None for a robot of your own class, which no log can describe."""
 
     @property
     def feedback(self) -> dict[str, int]:
@@ -138,7 +138,7 @@ def teach(
         able = [task for task in meant if distances[task] >= 0] or [task for task in meant if plans[task] != "dead end"] or meant
         nearest = min(able, key=lambda task: distances[task])
         plan = plans[nearest]
-        right = sets[nearest] if plan == "goal" else sets[able].any(axis=0)
+        right = np.any(sets[[nearest] if plan == "goal" else able], axis=0)
         if rests == RESTS or plan == "dead end" or len(steps) >= most_steps:
             break
         decision = agent.decide(domain, state)
@@ -155,7 +155,7 @@ def teach(
         beliefs.append(agent.beliefs)
         rests = rests + 1 if at_goal and decision.action == "noop" else 0
     session = None
-    if isinstance(domain, Home) and isinstance(start, State):
+    if isinstance(domain, (Home, World)):
         session = Session(command, domain, steps, state=start, intended=named[0] if len(named) == 1 else None, learn=learn)
     if learn:
         _learn(agent, domain, language=language)
