@@ -124,7 +124,7 @@ fn parse_log_of_worlds(py: Python<'_>, text: &[u8], file: Option<String>) -> PyR
             sessions.iter().rev().filter_map(|session| session.place.as_ref()).find(|(tables, _)| Arc::ptr_eq(tables.file(), &world));
         let tables = known.map_or_else(|| Tables::of(world).map(Arc::new).map_err(value), |(tables, _)| Ok(tables.clone()))?;
         sessions.push(Session { recorded: session, place: Some((tables, facts)) });
-        if sessions.len() % 256 == 0 {
+        if sessions.len().is_multiple_of(256) {
             py.check_signals()?;
         }
     }

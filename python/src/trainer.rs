@@ -153,6 +153,7 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
 
 impl Trainer {
     /// Runs a lesson whose command was heard to its end. Returns its report, its last place, and its steps.
+    #[expect(clippy::too_many_arguments, reason = "a lesson, where it is, and who takes part")]
     fn walk<D: Domain>(
         &self,
         py: Python<'_>,
