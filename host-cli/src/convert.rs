@@ -41,8 +41,8 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let progress = counting("states visited");
     let converted = pddl::convert_in_steps(&domain, &problem, |states| progress.set_position(states as u64));
     progress.finish_and_clear();
-    let pddl::Converted { world, warnings } = converted
-        .map_err(|PddlError { text, line, message }| Failure::from(Fault::on_line(file(text), line, message)))?;
+    let pddl::Converted { world, warnings } =
+        converted.map_err(|PddlError { text, line, message }| Failure::from(Fault::on_line(file(text), line, message)))?;
     for warning in warnings {
         tell(&format!("{}: warning: {warning}", file(Text::Problem)));
     }
