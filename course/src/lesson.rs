@@ -8,8 +8,9 @@ use goodbot::Agent;
 use goodbot::feedback::Feedback;
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Action, Domain};
-use goodbot::planning::OptimalSet;
+use goodbot::planning::{OptimalSet, Plan};
 use goodbot::session::{Decision, Evidence};
+use goodbot::task::TaskSet;
 use rand_core::Rng;
 
 /// Rests in a row at the intended goal after which the trainer ends the lesson.
@@ -219,12 +220,52 @@ impl<S: Copy + PartialEq> Lesson<S> {
         R: Rng + ?Sized,
         M: AgentMemory,
     {
-        let right = agent.planned().optimal(self.intended);
+        let (right, intended) = (agent.planned().optimal(self.intended), self.intended);
+        self.turn(agent, domain, trainer, random, right, |task| task == intended, happens)
+    }
+
+    /// As [`act`](Self::act), where each of several tasks will do.
+    ///
+    /// # Errors
+    /// [`CourseError`].
+    pub fn act_for_any<D, R>(
+        &mut self,
+        agent: &mut Agent<impl AgentMemory>,
+        domain: &D,
+        meant: TaskSet,
+        trainer: &impl Trainer,
+        random: &mut R,
+    ) -> Result<Turn, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+        R: Rng + ?Sized,
+    {
+        let right = right_for_any(&agent.planned(), meant);
+        self.turn(agent, domain, trainer, random, right, |task| meant.contains(task), |_, _, expected, _| expected)
+    }
+
+    /// One turn in which `right` is right, and `is_meant` says whether a task is.
+    #[expect(clippy::too_many_arguments, reason = "what a turn needs")]
+    fn turn<D, R, M>(
+        &mut self,
+        agent: &mut Agent<M>,
+        domain: &D,
+        trainer: &impl Trainer,
+        random: &mut R,
+        right: OptimalSet,
+        is_meant: impl FnOnce(usize) -> bool,
+        happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
+    ) -> Result<Turn, CourseError>
+    where
+        D: Domain<State = S> + ?Sized,
+        R: Rng + ?Sized,
+        M: AgentMemory,
+    {
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
         }
         let decision = agent.decide_with(domain, &self.state, random)?;
-        self.understood.get_or_insert(decision.task == self.intended);
+        self.understood.get_or_insert(is_meant(decision.task));
         // The trainer takes a way that only seems shortest for a shortest one.
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
         let expected = agent.acted(domain, &self.state, decision.action)?;
@@ -250,6 +291,20 @@ impl<S: Copy + PartialEq> Lesson<S> {
             None
         }
     }
+}
+
+/// What is right where each of these tasks will do: a step of a shortest way to any of them, and to rest at a goal. Not to the nearest
+/// alone: which one that is changes as the robot goes, so a robot that turns round when it is blamed would be blamed for ever.
+fn right_for_any(plan: &Plan<'_>, meant: TaskSet) -> OptimalSet {
+    let sets = meant.iter().map(|task| plan.optimal(task));
+    let any = sets.reduce(|one, other| match (one.onward(), other.onward()) {
+        _ if one == OptimalSet::Goal || other == OptimalSet::Goal => OptimalSet::Goal,
+        (Some(actions), Some(others)) => OptimalSet::Toward(actions.union(others)),
+        (None, Some(_)) => other,
+        (None, None) if matches!(one, OptimalSet::DeadEnd(_)) => other,
+        _ => one,
+    });
+    any.unwrap_or(OptimalSet::Unknown)
 }
 
 /// One lesson from the command to the end, learned from. `on_step` is called for every step with the agent, the state before it and the

@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueHint};
 use goodbot_console::load::input::{self, InputFile};
-use goodbot_console::messages::tell;
+use goodbot_console::messages::{counting, tell, working};
 use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
 use goodbot_lesson::Fault;
@@ -38,14 +38,19 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let [domain, problem] = [input::text(&args.domain)?, input::text(&args.problem)?];
     let file = |text| input::name(if text == Text::Domain { &args.domain } else { &args.problem });
     let refused = |flaw: WorldFlaw| Failure::Input(format!("{}: {flaw}", file(Text::Problem)));
-    let pddl::Converted { world, warnings } = pddl::convert(&domain, &problem)
-        .map_err(|PddlError { text, line, message }| Failure::from(Fault::on_line(file(text), line, message)))?;
+    let progress = counting("states visited");
+    let converted = pddl::convert_in_steps(&domain, &problem, |states| progress.set_position(states as u64));
+    progress.finish_and_clear();
+    let pddl::Converted { world, warnings } =
+        converted.map_err(|PddlError { text, line, message }| Failure::from(Fault::on_line(file(text), line, message)))?;
     for warning in warnings {
         tell(&format!("{}: warning: {warning}", file(Text::Problem)));
     }
+    let progress = working("checking the world");
     // A world in which no robot can act is refused here, before it is used.
     let tables = Tables::of(Arc::new(world)).map_err(refused)?;
     tables.lend(|robot| robot::tasks(tables.file(), robot)).map_err(refused)?;
+    progress.finish_and_clear();
     let mut out = Printed::stdout();
     serde_json::to_writer_pretty(&mut out, tables.file().as_ref()).map_err(std::io::Error::from)?;
     writeln!(out)?;

@@ -2,7 +2,7 @@
 
 use goodbot::home::{AGENT, COLOR, Home, SHAPE};
 use goodbot::memory::HomeMemory;
-use goodbot::oomdp::{Domain, GroundProposition, ObjectId};
+use goodbot::oomdp::{Domain, GroundProposition, ObjectId, World};
 use goodbot::task::{GroundedTask, LiftedTask, Part, Piece, TaskText, Wording};
 use goodbot_formats::task_text::{GroundTaskText, TaskTextError};
 
@@ -60,4 +60,40 @@ pub fn object_in_words(home: &Home<impl HomeMemory>, object: ObjectId) -> String
     };
     let alike = objects.of_class(class).filter(|&other| looks(other) == looks(object)).count();
     if alike > 1 { format!("{} ({})", looks(object), objects.name(object)) } else { looks(object) }
+}
+
+/// A task of any world in words, by the names that its file or class gives: `lamp on: red kitchen lamp`.
+pub fn in_words_of_file<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
+    let told = |part: GroundProposition| {
+        let schema = domain.world().schema;
+        let count = schema.parameters(part.proposition).len();
+        let objects: Vec<String> = part.arguments.iter().take(count).map(|&object| looks(domain, object)).collect();
+        let not = if task.is_negated() { "not " } else { "" };
+        format!("{not}{}: {}", in_plain_words(schema.proposition_name(part.proposition)), objects.join(", "))
+    };
+    way_in_words(lifted, task, told, told)
+}
+
+/// An object of any world by its values and its class, `red kitchen lamp`. If another looks alike, its name follows. An object without
+/// values has its name alone.
+pub fn looks<D: Domain + ?Sized>(domain: &D, id: ObjectId) -> String {
+    let World { schema, objects } = domain.world();
+    let values = |id: ObjectId| (0..schema.attributes.len()).map(move |at| objects.value(id, at)).filter(|value| !value.is_empty());
+    let class = |id: ObjectId| objects.get(id).map(|object| object.class);
+    let Some(of) = class(id).filter(|_| values(id).next().is_some()) else { return objects.name(id).to_owned() };
+    let alike = objects.of_class(of).filter(|&other| values(other).eq(values(id))).count();
+    let told = values(id).chain([schema.class_name(of)]).collect::<Vec<_>>().join(" ");
+    if alike > 1 { format!("{told} ({})", objects.name(id)) } else { told }
+}
+
+/// A name from a file in words: `lampOn` is `lamp on`.
+pub fn in_plain_words(name: &str) -> String {
+    let mut words = String::new();
+    for letter in name.chars() {
+        if letter.is_uppercase() && !words.is_empty() {
+            words.push(' ');
+        }
+        words.extend(letter.to_lowercase());
+    }
+    words
 }

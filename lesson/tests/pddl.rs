@@ -84,6 +84,15 @@ fn plans_cost_what_the_best_plans_cost() {
 }
 
 #[test]
+fn each_state_is_told_as_it_is_visited() {
+    let mut told = vec![];
+    let converted = pddl::convert_in_steps(UNTYPED.0, UNTYPED.1, |states| told.push(states)).expect("a world");
+    // 256 states for the balls, the grippers and the robot.
+    assert_eq!(told, (1..=256).collect::<Vec<_>>());
+    assert_eq!(Ok(converted.world), self::converted(UNTYPED.0, UNTYPED.1));
+}
+
+#[test]
 fn what_other_parameters_settle_is_no_parameter() {
     let world = converted(GRIPPER, GRIPPER_4).expect("a world");
     let parameters = |name: &str| {

@@ -8,7 +8,7 @@ use crate::items::Items;
 use crate::kinds::{Kinds, are_same, kinds_of_tasks};
 use crate::mind::{Mind, Part, words_read};
 use crate::options::{as_dict, capacities_of, options};
-use crate::place::in_place;
+use crate::place::{Place, in_place};
 use crate::random::{Drawn, Random};
 use crate::robot;
 use crate::world::World;
@@ -30,6 +30,7 @@ use goodbot_console::restored::{room_for, room_for_tasks};
 use goodbot_console::whole_file::MOST_BYTES;
 use goodbot_lesson::first_words::{self, heard};
 use goodbot_lesson::kept_kinds;
+use goodbot_lesson::name::{in_words, in_words_of_file};
 use goodbot_lesson::world::robot as world;
 use pyo3::exceptions::PyFileExistsError;
 use pyo3::prelude::*;
@@ -364,7 +365,21 @@ impl Agent {
     /// Hears a command in a state: a session begins. Each task gets its prior from the words, or `prior` gives it by name, in any unit. Of
     /// more than 64 words the first 64 are heard, and a `UserWarning` says so.
     ///
+    /// A prior is no lesson: `finish` learns from feedback and answers, so after a prior alone it learns nothing. If you know what was
+    /// meant, and want the words learned, call `told`.
+    ///
     /// Raises `ValueError`, `CapacityError`, and `SessionError` while the last session is still being learned from.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent, green = goodbot.Agent(), "agentInRoom(agent0,room1)"
+    /// >>> def believed():
+    /// ...     agent.hear(home, home.start, "off to the verdant one")
+    /// ...     return round(float(agent.beliefs[agent.tasks.index(green)]), 2)
+    /// >>> agent.hear(home, home.start, "off to the verdant one", prior={green: 1.0})
+    /// >>> agent.finish(home), believed()          # one of two rooms, as before
+    /// (0, 0.5)
+    /// >>> agent.told(home, home.start, "off to the verdant one", green), believed() > 0.5
+    /// (0, True)
     #[pyo3(signature = (domain, state, command, *, prior=None))]
     fn hear(
         &self,
@@ -786,6 +801,30 @@ impl Agent {
             let (words, tokens) = (tables.words(), tables.tokens());
             let cell = |token: usize| move |word: usize| tables.translation(Symbol::new(word as u16), Some(Symbol::new(token as u16)));
             array(py, (0..tokens).flat_map(|token| (0..words).map(cell(token))), &[tokens, words])
+        })
+    }
+
+    /// A task of the session in a person's words, by its name or position: `go to the green room`. In a world from a file, and with a robot
+    /// of your own, these are its own names: `lamp on: red kitchen lamp`.
+    ///
+    /// Raises `ValueError` if there is no such task.
+    ///
+    /// >>> home = goodbot.Home.from_map("#########\n#ggg#rrr#\n##+###+##\n#bb@bbbb#\n#########")
+    /// >>> agent = goodbot.Agent()
+    /// >>> agent.hear(home, home.start, "over there")
+    /// >>> [agent.words_of(home, task) for task in agent.tasks]
+    /// ['go to the green room', 'go to the red room']
+    fn words_of(&self, domain: &Bound<'_, PyAny>, task: &Bound<'_, PyAny>) -> PyResult<String> {
+        self.with(|mind| {
+            let place = mind.place_of(domain)?;
+            let position = mind.task(task)?;
+            let known = mind.core.tasks().get(position).and_then(|task| Some((mind.core.lifted().get(usize::from(task.lifted))?, task)));
+            let Some((lifted, task)) = known else { return Err(error::agent(domain.py(), AgentError::NotNow(Phase::Idle))) };
+            Ok(match &place {
+                Place::Home(home, _) => in_words(&home.get().rooms, lifted, task),
+                Place::Robot(robot, _) => robot.lend(|domain| in_words_of_file(domain, lifted, task)),
+                Place::World(tables, _) => tables.lend(|domain| in_words_of_file(domain, lifted, task)),
+            })
         })
     }
 

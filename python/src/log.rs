@@ -6,18 +6,26 @@ use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
 use crate::items::Items;
 use crate::mind::{Mind, PART, warn};
+use crate::world::World;
 use goodbot::Capacities;
 use goodbot::home::{HomeState, Moves};
 use goodbot::oomdp::Domain;
+use goodbot_console::load::content::Content;
+use goodbot_formats::FormatError;
+use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeader, SessionReader, StepRecord};
-use goodbot_formats::task_text::GroundTaskText;
-use goodbot_lesson::checked::{check_steps, moves};
+use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
+use goodbot_formats::world::{Line, SessionInWorld, WorldReader};
+use goodbot_lesson::checked::{CheckedSession, check_steps, moves};
 use goodbot_lesson::replay::{Event, Replay, Rules};
+use goodbot_lesson::world::checked as in_world;
+use goodbot_lesson::world::robot::Tables;
 use goodbot_lesson::{Fault, home};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
+use std::sync::Arc;
 
-/// A recorded session: a command in a home, and the actions and feedback that followed.
+/// A recorded session: a command in a home or a world, and the actions and feedback that followed.
 ///
 /// `steps` are pairs of an action and its feedback, which is None in a `demonstration`. A session that could not be read again is
 /// refused with `FormatError`.
@@ -29,12 +37,16 @@ use pyo3::types::{PyDict, PyString};
 /// (2, 1)
 #[pyclass(frozen, eq, module = "goodbot")]
 #[derive(Clone, Debug)]
-pub struct Session(pub RecordedSession);
+pub struct Session {
+    recorded: RecordedSession,
+    /// The world, and the propositions that held when the command was said; `None` in a home.
+    place: Option<(Arc<Tables>, Vec<GroundAtomText>)>,
+}
 
 /// Sessions are equal if a log says the same of them, on whichever lines.
 impl PartialEq for Session {
     fn eq(&self, other: &Self) -> bool {
-        matches!((self.0.to_lines(), other.0.to_lines()), (Ok(one), Ok(two)) if one == two)
+        matches!((self.written(), other.written()), (Ok(one), Ok(two)) if one == two)
     }
 }
 
@@ -68,17 +80,25 @@ pub fn header(rooms: &Rooms, state: &HomeState, command: &str) -> SessionHeader 
     SessionHeader { actions, ..SessionHeader::new(Kind::Feedback, home::environment(rooms, state), command.to_owned()) }
 }
 
+/// The header of a session of feedback in a world.
+pub fn header_in_world(command: &str) -> SessionHeader {
+    SessionHeader::new(Kind::Feedback, EnvironmentFile::new(vec![]), command.to_owned())
+}
+
 /// The sessions of a log, as bytes of JSON Lines.
 #[pyfunction]
 #[pyo3(signature = (text, *, file=None))]
 pub fn parse_log(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<Vec<Session>> {
+    if Content::of(text) == Content::Worlds {
+        return parse_log_of_worlds(py, text, file);
+    }
     let mut reader = SessionReader::new(text);
     if let Some(file) = file {
         reader = reader.with_file(file);
     }
     let mut sessions = Vec::new();
     for session in reader {
-        sessions.push(Session(session.map_err(|error| format(py, &error))?));
+        sessions.push(Session::in_home(session.map_err(|error| format(py, &error))?));
         if sessions.len() % 256 == 0 {
             py.check_signals()?;
         }
@@ -86,16 +106,82 @@ pub fn parse_log(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<
     Ok(sessions)
 }
 
+/// The sessions of a log of worlds.
+fn parse_log_of_worlds(py: Python<'_>, text: &[u8], file: Option<String>) -> PyResult<Vec<Session>> {
+    let mut sessions: Vec<Session> = Vec::new();
+    for line in WorldReader::new(text) {
+        let line = line.map_err(|error| format(py, &file.iter().fold(error, |error, file| error.with_file(file))))?;
+        let SessionInWorld { world, facts, session } = match line {
+            Line::World(_) => continue,
+            Line::Session(session) => *session,
+            Line::Command(command) => {
+                let told = "a command of a log of worlds has no steps, so it is no session; evaluate and learn take such a log";
+                return Err(value(format!("{}line {}: {told}", file.map_or_else(String::new, |file| format!("{file}: ")), command.line)));
+            }
+        };
+        // Sessions in one world share its tables.
+        let known =
+            sessions.iter().rev().filter_map(|session| session.place.as_ref()).find(|(tables, _)| Arc::ptr_eq(tables.file(), &world));
+        let tables = known.map_or_else(|| Tables::of(world).map(Arc::new).map_err(value), |(tables, _)| Ok(tables.clone()))?;
+        sessions.push(Session { recorded: session, place: Some((tables, facts)) });
+        if sessions.len().is_multiple_of(256) {
+            py.check_signals()?;
+        }
+    }
+    Ok(sessions)
+}
+
 impl Session {
+    pub const fn in_home(recorded: RecordedSession) -> Self {
+        Self { recorded, place: None }
+    }
+
+    pub const fn in_world(recorded: RecordedSession, tables: Arc<Tables>, facts: Vec<GroundAtomText>) -> Self {
+        Self { recorded, place: Some((tables, facts)) }
+    }
+
+    /// The record of a session in a world.
+    fn record_in_world(&self) -> Option<SessionInWorld> {
+        let (tables, facts) = self.place.as_ref()?;
+        Some(SessionInWorld { world: tables.file().clone(), facts: facts.clone(), session: self.recorded.clone() })
+    }
+
+    /// The lines of a log; in a world, its own line is the first.
+    fn written(&self) -> Result<Vec<String>, FormatError> {
+        match self.record_in_world() {
+            None => self.recorded.to_lines(),
+            Some(session) => Ok([vec![session.world.to_json_line()?], session.to_lines()?].concat()),
+        }
+    }
+
     fn home(&self, py: Python<'_>) -> PyResult<Home> {
-        let moves = moves(self.0.header.action_names());
+        if self.place.is_some() {
+            return Err(value("this session is in a world, not in a home; see its world and state"));
+        }
+        let moves = moves(self.recorded.header.action_names());
         let moves =
             moves.ok_or_else(|| value("a home has the actions north, south, east and west, and may have pull; this session has others"))?;
-        Home::of(py, &self.0.header.environment, moves, &Capacities::STANDARD, "")
+        Home::of(py, &self.recorded.header.environment, moves, &Capacities::STANDARD, "")
     }
 
     fn replay(&self, py: Python<'_>, mind: &mut Mind, learn: bool) -> PyResult<Replayed> {
-        let session = check_steps("", &self.0, mind.core.lifted(), home::memory()).map_err(|faults| value(told(&faults)))?;
+        let faults = |faults: Vec<Fault>| value(told(&faults));
+        match (self.record_in_world(), &self.place) {
+            (Some(session), Some((tables, _))) => tables.lend(|robot| {
+                let checked = in_world::check_steps("", &session, *robot, mind.core.lifted()).map_err(faults)?;
+                Self::replay_checked(py, mind, &checked, learn)
+            }),
+            _ => {
+                let checked = check_steps("", &self.recorded, mind.core.lifted(), home::memory()).map_err(faults)?;
+                Self::replay_checked(py, mind, &checked, learn)
+            }
+        }
+    }
+
+    fn replay_checked<D>(py: Python<'_>, mind: &mut Mind, session: &CheckedSession<D>, learn: bool) -> PyResult<Replayed>
+    where
+        D: Domain<State: Send + Sync> + Sync,
+    {
         session.long.map_or(Ok(()), |long| warn(py, long))?;
         let mut replay = Replay::new(Rules::AS_IT_WAS);
         let mut replayed = Replayed { evidence: vec![], beliefs: vec![] };
@@ -105,7 +191,7 @@ impl Session {
                 Event::Ended => break,
                 Event::Working => py.check_signals()?,
                 Event::Heard => {
-                    mind.heard(py, &session);
+                    mind.heard(py, session);
                     replayed.beliefs.push(mind.beliefs());
                 }
                 Event::Took(_, came) => {
@@ -120,7 +206,7 @@ impl Session {
             *last = mind.beliefs();
         }
         if learn {
-            mind.finish_home(py, &session.walk.home)?;
+            mind.finish_in(py, &session.walk.home)?;
             mind.learn(py)?;
         } else {
             mind.core.forget();
@@ -151,7 +237,7 @@ impl Session {
     fn new(
         py: Python<'_>,
         command: String,
-        home: &Bound<'_, Home>,
+        home: &Bound<'_, PyAny>,
         steps: Items<(String, Option<String>)>,
         state: Option<&Bound<'_, PyAny>>,
         kind: &str,
@@ -160,12 +246,22 @@ impl Session {
         intended: Option<&str>,
         continues: bool,
     ) -> PyResult<Self> {
-        let home = home.get();
-        let at = state.map_or(Ok(home.start), |state| home.check(state))?;
-        let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header(&home.rooms, &at, &command) };
+        let (header, place) = if let Ok(world) = home.cast::<World>() {
+            let world = world.get();
+            let at = state.map_or(Ok(world.0.start()), |state| world.check(state))?;
+            (header_in_world(&command), Some((world.0.clone(), world.0.lend(|robot| robot.facts(at)))))
+        } else {
+            let home = home.cast::<Home>()?.get();
+            let at = state.map_or(Ok(home.start), |state| home.check(state))?;
+            (header(&home.rooms, &at, &command), None)
+        };
+        let mut header = SessionHeader { id, kind: kind_of(kind)?, continues, ..header };
         header.set_meant(intended.map(|text| text.parse::<GroundTaskText>().map_err(value)).transpose()?.as_ref());
+        if place.is_some() && (continues || header.before.is_some() || header.through.is_some() || header.avoiding.is_some()) {
+            return Err(value("commands that continue, and paths, belong to homes alone; leave them out in a world"));
+        }
         let steps = steps.0.into_iter().map(|(action, feedback)| step_of(action, feedback.as_deref())).collect::<PyResult<_>>()?;
-        let session = Self(RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
+        let session = Self { recorded: RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 }, place };
         session.lines(py)?;
         Ok(session)
     }
@@ -173,19 +269,19 @@ impl Session {
     /// The session's name, or None.
     #[getter]
     fn id(&self) -> Option<&str> {
-        self.0.header.id.as_deref()
+        self.recorded.header.id.as_deref()
     }
 
     /// The command.
     #[getter]
     fn command(&self) -> &str {
-        &self.0.header.command
+        &self.recorded.header.command
     }
 
     /// `feedback`, `demonstration` or `labelled`.
     #[getter]
     const fn kind(&self) -> &'static str {
-        match self.0.header.kind {
+        match self.recorded.header.kind {
             Kind::Feedback => "feedback",
             Kind::Demonstration => "demonstration",
             Kind::Labelled => "labelled",
@@ -195,28 +291,51 @@ impl Session {
     /// Whether it is to be learned from.
     #[getter]
     const fn learn(&self) -> bool {
-        self.0.learn
+        self.recorded.learn
     }
 
     /// Whether it is the previous command once more.
     #[getter]
     const fn continues(&self) -> bool {
-        self.0.header.continues
+        self.recorded.header.continues
     }
 
     /// The task that was meant, or None. For evaluation only; in a `labelled` session it is the lesson.
     #[getter]
     fn intended(&self) -> Option<String> {
-        Some(self.0.header.meant()?.ok()?.to_string())
+        Some(self.recorded.header.meant()?.ok()?.to_string())
     }
 
     /// The actions and their feedback, in order.
     #[getter]
     fn steps(&self) -> Vec<(&str, Option<&'static str>)> {
-        self.0.steps.iter().map(|(_, step)| (step.action.as_str(), step.feedback.map(FeedbackWord::as_str))).collect()
+        self.recorded.steps.iter().map(|(_, step)| (step.action.as_str(), step.feedback.map(FeedbackWord::as_str))).collect()
+    }
+
+    /// The world, or None in a home.
+    #[getter]
+    fn world(&self) -> Option<World> {
+        self.place.as_ref().map(|(tables, _)| World(tables.clone()))
+    }
+
+    /// The first state, in its home or world.
+    #[getter]
+    fn state(&self, py: Python<'_>) -> PyResult<Py<PyAny>> {
+        match &self.place {
+            None => {
+                let home = self.home(py)?;
+                Ok(home.state(home.start).into_pyobject(py)?.into_any().unbind())
+            }
+            Some((tables, facts)) => {
+                let state = tables.lend(|robot| robot.state_of(facts)).map_err(value)?;
+                Ok(state.into_pyobject(py)?.into_any().unbind())
+            }
+        }
     }
 
     /// The home, with everything where it was at the beginning.
+    ///
+    /// Raises `ValueError` if the session is in a world.
     #[getter(home)]
     fn get_home(&self, py: Python<'_>) -> PyResult<Home> {
         self.home(py)
@@ -225,7 +344,7 @@ impl Session {
     /// The tasks' recorded prior, or None.
     #[getter]
     fn prior<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyDict>>> {
-        let Some(prior) = &self.0.header.prior else { return Ok(None) };
+        let Some(prior) = &self.recorded.header.prior else { return Ok(None) };
         let dict = PyDict::new(py);
         for (task, value) in prior {
             dict.set_item(task.to_string(), value)?;
@@ -236,20 +355,20 @@ impl Session {
     /// The recorded trainer strategies, each mu+, mu-, epsilon and prior, or None.
     #[getter]
     fn strategies(&self) -> Option<Vec<(f64, f64, f64, f64)>> {
-        let records = self.0.header.strategies.as_ref()?;
+        let records = self.recorded.header.strategies.as_ref()?;
         Some(records.iter().map(|it| (it.mu_plus, it.mu_minus, it.epsilon, it.prior)).collect())
     }
 
-    /// The session as lines of a log, without line ends.
+    /// The session as lines of a log, without line ends. In a world, the world's own line is the first.
     fn lines(&self, py: Python<'_>) -> PyResult<Vec<String>> {
-        self.0.to_lines().map_err(|error| format(py, &error))
+        self.written().map_err(|error| format(py, &error))
     }
 
     /// Replays the session with an agent: it hears, plans, and takes in each step. Returns the effect of each step, as
     /// `Agent.feedback` does. `learn` overrides the session's own `learn`.
     #[pyo3(signature = (agent, *, learn=None))]
     fn teach(&self, py: Python<'_>, agent: &Bound<'_, Agent>, learn: Option<bool>) -> PyResult<Vec<&'static str>> {
-        agent.get().with(|mind| Ok(self.replay(py, mind, learn.unwrap_or(self.0.learn))?.evidence))
+        agent.get().with(|mind| Ok(self.replay(py, mind, learn.unwrap_or(self.recorded.learn))?.evidence))
     }
 
     /// Replays the session as `teach` does. Returns the names of its tasks, and how probable each was: float32, shape (steps + 1, tasks),
@@ -262,7 +381,7 @@ impl Session {
         learn: Option<bool>,
     ) -> PyResult<(Vec<Py<PyString>>, Bound<'py, PyAny>)> {
         agent.get().with(|mind| {
-            let beliefs = self.replay(py, mind, learn.unwrap_or(self.0.learn))?.beliefs;
+            let beliefs = self.replay(py, mind, learn.unwrap_or(self.recorded.learn))?.beliefs;
             let shape = [beliefs.len(), beliefs.first().map_or(0, Vec::len)];
             let names = mind.names(py).take(shape[1]).collect();
             Ok((names, array(py, beliefs.into_iter().flatten(), &shape)?))
@@ -280,6 +399,6 @@ impl Session {
     }
 
     fn __repr__(&self) -> String {
-        format!("<goodbot.Session: {:?}, {} steps>", self.0.header.command, self.0.steps.len())
+        format!("<goodbot.Session: {:?}, {} steps>", self.recorded.header.command, self.recorded.steps.len())
     }
 }

@@ -9,8 +9,7 @@ use crate::random::Random;
 use crate::robot::Robot;
 use crate::world::World;
 use goodbot::feedback::Strategy;
-use goodbot::home::Home;
-use goodbot::memory::{AgentHeap, HomeMemory};
+use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{Action, Domain};
 use goodbot::planning::Progress;
 use goodbot::task::TaskSet;
@@ -184,10 +183,10 @@ impl Mind {
         Ok(())
     }
 
-    /// Finishes to the end in a home.
-    pub fn finish_home(&mut self, py: Python<'_>, home: &Home<impl HomeMemory + Sync>) -> PyResult<()> {
-        self.core.begin_finishing(home).map_err(|refused| error::agent(py, refused))?;
-        while py.detach(|| self.core.finish_on(home, PART)).map_err(|refused| error::agent(py, refused))?.is_none() {
+    /// Finishes to the end in the home or world of a recorded session.
+    pub fn finish_in(&mut self, py: Python<'_>, domain: &(impl Domain + Sync)) -> PyResult<()> {
+        self.core.begin_finishing(domain).map_err(|refused| error::agent(py, refused))?;
+        while py.detach(|| self.core.finish_on(domain, PART)).map_err(|refused| error::agent(py, refused))?.is_none() {
             py.check_signals()?;
         }
         Ok(())

@@ -2,12 +2,13 @@
 
 use crate::agent::Agent;
 use crate::error::{self, value};
-use crate::log::{Session, header};
+use crate::log::{Session, header, header_in_world};
 use crate::mind::Mind;
 use crate::place::Place;
 use crate::random::{Drawn, Random};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
+use goodbot::task::TaskSet;
 use goodbot_course::{CourseTrainer, Ending, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
 use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
@@ -55,7 +56,7 @@ pub struct Lesson {
     /// How many older sessions were forgotten because memory was full.
     #[pyo3(get)]
     gave_way: usize,
-    session: Option<RecordedSession>,
+    session: Option<Session>,
 }
 
 /// The counts of feedback, as a dict.
@@ -96,16 +97,16 @@ impl Lesson {
         counts(py, self.report.feedback)
     }
 
-    /// The lesson as a recorded session; None for a robot of your own, whose world no log can hold.
+    /// The lesson as a recorded session; None for a robot of your own class, which no log can describe.
     #[getter]
     fn session(&self) -> Option<Session> {
-        self.session.clone().map(Session)
+        self.session.clone()
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<LessonReduced<'py>> {
         let Self { report, state, gave_way, session } = slf.get();
         let FeedbackCounts { reward, punish, neutral } = report.feedback;
-        let session = session.clone().map(Session);
+        let session = session.clone();
         let parts = (
             report.understood,
             report.ending.name(),
@@ -132,7 +133,7 @@ impl Lesson {
         let ending = known.ok_or_else(|| value(format!("{ending:?} is no ending of a lesson")))?;
         let [reward, punish, neutral] = feedback;
         let report = LessonReport { understood, ending, steps, feedback: FeedbackCounts { reward, punish, neutral } };
-        Ok(Self { report, state, gave_way, session: session.map(|session| session.get().0.clone()) })
+        Ok(Self { report, state, gave_way, session: session.map(|session| session.get().clone()) })
     }
 
     fn __repr__(&self) -> String {
@@ -152,20 +153,22 @@ fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
 
 impl Trainer {
     /// Runs a lesson whose command was heard to its end. Returns its report, its last place, and its steps.
+    #[expect(clippy::too_many_arguments, reason = "a lesson, where it is, and who takes part")]
     fn walk<D: Domain>(
         &self,
         py: Python<'_>,
         mind: &mut Mind,
         domain: &D,
-        mut lesson: Course<D::State>,
+        start: &D::State,
+        meant: TaskSet,
         random: &mut Random,
         place: impl Fn(D::State) -> Place,
     ) -> PyResult<(LessonReport, Place, Vec<Step>)> {
-        let mut steps = Vec::new();
+        let (mut lesson, mut steps) = (Course::meaning(start, meant.iter().next().unwrap_or(0)), Vec::new());
         loop {
             let here = place(*lesson.state());
             mind.plan(py, &here)?;
-            let turn = lesson.act(&mut mind.core, domain, &self.trainer, random);
+            let turn = lesson.act_for_any(&mut mind.core, domain, meant, &self.trainer, random);
             if let Some(failure) = here.failure() {
                 mind.core.leave();
                 return Err(failure);
@@ -189,26 +192,40 @@ impl Trainer {
         // The lesson draws from a copy: holding the lock while other threads run could deadlock.
         let mut random = self.random.lock().unwrap_or_else(PoisonError::into_inner).clone();
         mind.hear(py, place, command)?;
-        let task = mind.task(intended)?;
-        let ((report, end, steps), header) = match place {
+        let meant = mind.tasks(intended)?;
+        // A log has one meaning of a command.
+        let one = meant.iter().next().filter(|_| meant.len() == 1).map(|task| mind.task_text(py, task));
+        if meant.is_empty() {
+            return Err(value("no task is meant; name one, or several of which each will do"));
+        }
+        let (report, end, steps) = match place {
             Place::Home(home, start) => {
-                let intended = mind.task_text(py, task).parse::<GroundTaskText>().map_err(value)?;
-                let mut header: SessionHeader = header(&home.get().rooms, start, command);
-                header.set_meant(Some(&intended));
                 let here = |state| Place::Home(home.clone_ref(py), state);
-                (self.walk(py, mind, &home.get().rooms, Course::meaning(start, task), &mut random, here)?, Some(header))
+                self.walk(py, mind, &home.get().rooms, start, meant, &mut random, here)?
             }
             Place::Robot(robot, start) => {
                 let here = |state| Place::Robot(robot.clone(), state);
-                (robot.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
+                robot.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
             }
             Place::World(tables, start) => {
                 let here = |state| Place::World(tables.clone(), state);
-                (tables.lend(|domain| self.walk(py, mind, domain, Course::meaning(start, task), &mut random, here))?, None)
+                tables.lend(|domain| self.walk(py, mind, domain, start, meant, &mut random, here))?
             }
         };
+        let intended = one.map(|task| task.parse::<GroundTaskText>()).transpose().map_err(value)?;
         let steps = steps.iter().map(|step| recorded(place, step)).collect();
-        let session = header.map(|header| RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 });
+        let session = |mut header: SessionHeader| {
+            header.set_meant(intended.as_ref());
+            RecordedSession { header, header_line: 1, steps, answers: vec![], learn, end_line: 1 }
+        };
+        let session = match place {
+            Place::Home(home, start) => Some(Session::in_home(session(header(&home.get().rooms, start, command)))),
+            Place::Robot(..) => None,
+            Place::World(tables, start) => {
+                let facts = tables.lend(|robot| robot.facts(*start));
+                Some(Session::in_world(session(header_in_world(command)), tables.clone(), facts))
+            }
+        };
         let mut gave_way = 0;
         if learn {
             gave_way = mind.finish(py, place)?;
@@ -265,6 +282,11 @@ impl Trainer {
 
     /// Gives a command that means the task `intended` (its name or position), and judges the agent's actions. The lesson ends after `noop`
     /// three times at the goal, in a dead end or after 300 steps. The agent learns from it unless `learn=False`.
+    ///
+    /// `intended` may be a list of tasks of which each will do, as for "any block". Then the recorded session does not say what was
+    /// meant.
+    ///
+    /// Raises as `hear` does, and `ValueError` if there is no such task.
     #[pyo3(signature = (agent, domain, state, command, intended, *, learn=true))]
     fn teach(
         &self,

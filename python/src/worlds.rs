@@ -193,7 +193,8 @@ impl Inner {
         let state = apply(rooms, &world.state, action).unwrap_or(world.state);
         let steps = world.steps + 1;
         let terminated = site.missions[world.mission].parts.iter().all(|part| rooms.holds(part, &state));
-        let truncated = !terminated && steps >= self.most_steps;
+        // A mission that is done in the last step is both, as Gymnasium has it for a single home.
+        let truncated = steps >= self.most_steps;
         self.worlds[at] = World { state, steps, ended: terminated || truncated, ..world };
         (f32::from(u8::from(terminated)), terminated, truncated)
     }

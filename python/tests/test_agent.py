@@ -343,3 +343,34 @@ def test_a_table_of_closed_words_takes_the_place_of_the_one_that_is_built_in(tau
     assert agent.said(home, home.start, "stop", closed_words="stop: halt") == ("command", None)
     with pytest.raises(ValueError, match='closed_words: line 1: "colour" is no class of words'):
         agent.listen(home, home.start, "go", closed_words="colour: red")
+
+
+def test_a_task_has_words_in_a_home_in_a_world_and_with_a_robot_of_ones_own(home: goodbot.Home, root: Path) -> None:
+    agent = goodbot.Agent()
+    agent.hear(home, home.start, "over there")
+    assert agent.words_of(home, "blockInRoom(block0,room1)") == "take the blue chair to the green room"
+    agent.listen(home, home.start, "do not go to the red room")
+    assert {agent.words_of(home, task) for task in agent.tasks if task.startswith("!agent")} <= {"stay out of the red room", "stay out of the green room"}
+    with pytest.raises(ValueError, match="no task of this session"):
+        agent.words_of(home, "dance(agent0)")
+    world = goodbot.World.load(root / "docs/examples/worlds/lamps.json")
+    agent = goodbot.Agent(domain=world)
+    agent.hear(world, world.start, "light it")
+    assert [agent.words_of(world, task) for task in ("lampOn(lamp1)", 3)] == ["lamp on: blue kitchen lamp", "lamp off: green hall lamp"]
+
+    class Door:
+        actions, objects, propositions, state_count = ["push"], {"door0": {"class": "door"}}, {"isOpen": ("door",)}, 2
+
+        def step(self, state: int, action: str) -> int:
+            return 1 - state
+
+        def true(self, state: int) -> list[str]:
+            return ["isOpen(door0)"] if state else []
+
+        def number(self, state: int) -> int:
+            return state
+
+    door = Door()
+    agent = goodbot.Agent(["isOpen(?d)"], domain=door)
+    agent.hear(door, 0, "open it")
+    assert agent.words_of(door, 0) == "is open: door0"

@@ -71,7 +71,7 @@ def test_each_option_of_the_command_line_is_a_parameter() -> None:
     assert options_of("evaluate") - shown - {"ablation", "with"} == given - {"train", "kfold", "keep_going", "with_"}
     given = set(inspect.signature(goodbot.learn).parameters)
     # An agent must know its kinds of tasks, too: `tasks` names them.
-    assert options_of("learn") - shown - {"task", "routes", "only_these_tasks"} == given - {"log", "tasks", "seed", "keep_going"}
+    assert options_of("learn") - shown - {"task", "routes", "only_these_tasks"} == given - {"log", "tasks", "domain", "seed", "keep_going"}
 
 
 def test_k_fold_has_two_spellings(root: Path) -> None:

@@ -59,6 +59,22 @@ def test_other_processes_teach_as_this_one(home: goodbot.Home, tmp_path: Path) -
     assert len(others) == 4 and all(same(other, here) and theirs == model for other, theirs in others)
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_workers_of_dask_teach_as_this_one(home: goodbot.Home, tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    agent, trainer = goodbot.Agent(seed=3), goodbot.Trainer("punish-only", seed=1)
+    lesson(agent, trainer, home)
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0", local_directory=str(tmp_path)) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        first = client.submit(go_on, agent, trainer, home, pure=False)
+        scattered = client.scatter((agent, trainer, home))
+        others = client.gather([first, client.submit(go_on, *scattered, pure=False)])
+    here, model = go_on(agent, trainer, home)
+    assert all(same(other, here) and theirs == model for other, theirs in others)
+
+
 def test_lessons_and_decisions_are_copied(home: goodbot.Home) -> None:
     agent = goodbot.Agent(seed=3)
     taught = goodbot.Trainer(seed=1).teach(agent, home, home.start, "now there please", GO)
@@ -103,6 +119,18 @@ def test_a_repr_is_one_useful_line(home: goodbot.Home, root: Path) -> None:
     said = [repr(it) for it in (home, home.start, world, goodbot.Agent(), goodbot.Trainer(), worlds)]
     assert all("\n" not in text and " at 0x" not in text for text in said)
     assert "lamps" in said[2] and "0 sessions" in said[3] and "balanced" in said[4] and "2 worlds" in said[5]
+
+
+def test_a_repr_of_many_numbers_or_sessions_is_one_line_too(home: goodbot.Home, tmp_path: Path) -> None:
+    taught = goodbot.teach(goodbot.Agent(seed=1), home, home.start, "now there please", GO, trainer=goodbot.Trainer(seed=1))
+    sessions = [goodbot.Session(f"go {where}", home, [("noop", "neutral")]) for where in "abcde"]
+    goodbot.write_log(tmp_path / "log.jsonl", sessions)
+    data = goodbot.datasets.load(tmp_path / "log.jsonl")
+    [posterior, *_] = goodbot.posteriors(sessions)
+    assert repr(taught) == f"<goodbot.Taught: {len(taught.steps)} steps, ended: goal>"
+    assert repr(posterior) == "<goodbot.Posterior: 'go a', 1 steps, 4 tasks>"
+    assert repr(data) == "<goodbot.datasets.Dataset: 5 sessions of log.jsonl>"
+    assert repr(data.split(test=0.4)) == "<goodbot.datasets.Split: 3 sessions to train on, 2 to test on>"
 
 
 def test_an_error_names_the_file_or_the_choices(home: goodbot.Home, tmp_path: Path) -> None:

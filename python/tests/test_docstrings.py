@@ -44,3 +44,8 @@ def test_the_docstring_says_something_and_its_examples_run(name: str, text: str)
 
 def test_there_are_examples() -> None:
     assert sum(">>>" in text for _, text in documented()) >= 15
+
+
+def test_the_help_of_hear_names_the_call_that_learns_a_label() -> None:
+    said = " ".join((goodbot.Agent.hear.__doc__ or "").split())
+    assert "after a prior alone it learns nothing" in said and "call `told`" in said

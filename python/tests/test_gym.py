@@ -50,10 +50,37 @@ def test_the_reward_is_one_where_the_mission_is_done_and_the_episode_ends_there(
 
 
 def test_an_episode_that_leads_nowhere_is_cut_short() -> None:
-    env = gymnasium.make("goodbot/Rooms-v0", max_steps=7)
+    env = gymnasium.make("goodbot/Rooms-v0", max_episode_steps=7)
     env.reset(seed=1)
     ends = [env.step(4)[2:4] for _ in range(7)]
     assert ends == [(False, False)] * 6 + [(False, True)]
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_what_is_registered_says_how_long_an_episode_is(name: str) -> None:
+    env = gymnasium.make(name)
+    envs = gymnasium.make_vec(name, num_envs=2, vectorization_mode="vector_entry_point")
+    assert env.spec is not None and env.spec.max_episode_steps == 300
+    noop = len(env.unwrapped.actions) - 1  # type: ignore[attr-defined]
+    env.reset(seed=1)
+    envs.reset(seed=1)
+    alone = [env.step(noop)[2:4] for _ in range(300)]
+    together = [tuple(part[0] for part in envs.step(np.full(2, noop))[2:4]) for _ in range(300)]
+    assert alone == together == [(False, False)] * 299 + [(False, True)]
+    longer = gymnasium.make(name, max_episode_steps=302)
+    longer.reset(seed=1)
+    assert [longer.step(noop)[3] for _ in range(302)] == [False] * 301 + [True]
+
+
+def test_a_mission_that_is_done_in_the_last_step_ends_one_and_many_alike() -> None:
+    home = goodbot.Home.from_map("#####\n#r@r#\n##+##\n#ggg#\n#####")
+    env = gymnasium.make("goodbot/Rooms-v0", home=home, max_episode_steps=2)
+    envs = gymnasium.make_vec("goodbot/Rooms-v0", num_envs=1, vectorization_mode="vector_entry_point", home=home, max_episode_steps=2)
+    env.reset(seed=1)
+    envs.reset(seed=1)
+    for ends in ((False, False), (True, True)):
+        assert env.step(1)[2:4] == ends
+        assert tuple(bool(part[0]) for part in envs.step(np.array([1]))[2:4]) == ends
 
 
 def test_the_same_seed_is_the_same_episode() -> None:
@@ -62,6 +89,12 @@ def test_the_same_seed_is_the_same_episode() -> None:
         return observation["mission"], observation["image"].tobytes()
 
     assert episode() == episode()
+
+
+def test_a_mission_about_one_of_two_that_look_alike_says_which() -> None:
+    home = goodbot.Home.from_map("#######\n#rrrrr#\n#rCrCr#\n#rrrrr#\n###+###\n#gg@gg#\n#######\nC: blue chair")
+    commands = [command for command, _ in gym.missions(home)]
+    assert "take the blue chair (block1) to the green room" in commands and len(set(commands)) == len(commands)
 
 
 def test_a_picture_and_a_drawing_show_the_home() -> None:
@@ -87,7 +120,7 @@ def test_missions_of_a_log_mean_what_the_log_says(root: Path, tmp_path: Path) ->
 def test_many_homes_go_as_one_does() -> None:
     home = goodbot.Home.random(3)
     one = gym.HomeEnv(home=home)
-    many = gym.HomeVectorEnv(8, home=home, max_steps=50)
+    many = gym.HomeVectorEnv(8, home=home, max_episode_steps=50)
     observations, _ = many.reset(seed=1)
     chance = np.random.default_rng(1)
     commands = list(many._worlds.commands())  # type: ignore[union-attr]
@@ -106,7 +139,7 @@ def test_many_homes_go_as_one_does() -> None:
 
 
 def test_a_vector_begins_the_next_episode_at_the_next_step() -> None:
-    envs = gymnasium.make_vec("goodbot/Rooms-v0", num_envs=4, vectorization_mode="vector_entry_point", max_steps=3)
+    envs = gymnasium.make_vec("goodbot/Rooms-v0", num_envs=4, vectorization_mode="vector_entry_point", max_episode_steps=3)
     observations, _ = envs.reset(seed=5)
     assert observations["image"].shape == (4, 10, 10, 4) and len(observations["mission"]) == 4
     assert envs.observation_space.contains(observations)

@@ -11,7 +11,7 @@ from typing import Any
 import gymnasium
 import pytest
 
-from goodbot.minigrid import LEVELS, Grid, Robot, exchanged, nonsense, study
+from goodbot.minigrid import LEVELS, Grid, Robot, Vocabulary, exchanged, nonsense, study
 
 
 def made(level: str, seed: int) -> Any:
@@ -134,3 +134,14 @@ def test_labels_alone_teach_as_much() -> None:
             robot.agent.told(grid, grid.start, env.unwrapped.mission, meant, learn=False)
     robot.agent.learn()
     assert sum(robot.obey(made("GoToLocal", seed)) for seed in range(1000, 1020)) >= 18
+
+
+def test_a_repr_is_one_useful_line() -> None:
+    env = made("GoToLocal", 3)
+    robot = Robot(["goto"], seed=1)
+    lesson = robot.teach(env)
+    env.reset(seed=4)
+    said = [repr(it) for it in (robot, Grid(env, ["goto"]), Vocabulary(["goto", "open"]), lesson)]
+    assert all("\n" not in text and " at 0x" not in text and len(text) < 120 for text in said)
+    assert said[0].startswith("<goodbot.minigrid.Robot: goto; 1 sessions, ") and "go to" in said[1]
+    assert said[2] == "<goodbot.minigrid.Vocabulary: goto, open>" and f"{len(lesson.steps)} steps" in said[3]

@@ -112,7 +112,7 @@ def test_worlds_and_robots_of_ones_own_have_features_too(root: Path) -> None:
     model = Counts()
     agent = goodbot.Agent(domain=world, seed=1)
     taught = goodbot.teach(agent, world, world.start, "the blue one on", "lampOn(lamp1)", trainer=Strict(), language=model)
-    assert taught.ending == "goal" and taught.session is None
+    assert taught.ending == "goal" and taught.session is not None and taught.session.world == world
     assert ("blue", f"lampOn 0 color {world.objects['lamp1']['color']}") in model.counts
 
 

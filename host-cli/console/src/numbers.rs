@@ -37,6 +37,15 @@ pub fn wrong_share(text: &str) -> Result<f32, String> {
     number.filter(|number| (0.0..0.5).contains(number)).ok_or_else(|| "give a share from 0 to less than 0.5, such as 0.05".to_owned())
 }
 
+/// The probability above which a belief is clear: one half or more.
+///
+/// # Errors
+/// The error says what to give.
+pub fn clear(text: &str) -> Result<f32, String> {
+    let number: Option<f32> = text.trim().parse().ok();
+    number.filter(|number| (0.5..1.0).contains(number)).ok_or_else(|| "give a probability from 0.5 to less than 1, such as 0.9".to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,6 +56,8 @@ mod tests {
         for wrong in ["-1", "0", "NaN", "many"] {
             assert!(cost(wrong).unwrap_err().contains("above 0"), "{wrong}");
         }
+        assert_eq!([clear("0.5"), clear("0.95")], [Ok(0.5), Ok(0.95)]);
+        assert!(clear("1").is_err() && clear("0.4").is_err());
         assert_eq!(wrong_share("0.05"), Ok(0.05));
         for wrong in ["-1", "0.5", "NaN"] {
             assert!(wrong_share(wrong).unwrap_err().contains("less than 0.5"), "{wrong}");

@@ -1,25 +1,16 @@
 //! Tasks, objects and machine tokens in everyday words.
 
 use super::site::Site;
-use goodbot::oomdp::{Domain, GroundProposition, ObjectId, World};
+use goodbot::oomdp::ObjectId;
 use goodbot::task::{GroundedTask, LiftedTask};
-use goodbot_lesson::name::{in_words, object_in_words, way_in_words};
+pub use goodbot_lesson::name::{in_plain_words, looks};
+use goodbot_lesson::name::{in_words, in_words_of_file, object_in_words};
 
-/// A task in everyday words: `take the yellow bag to the blue room`, `go to the green room, but not through the yellow room`. In a world
-/// from a file, the names of the file are used: `lamp on: red kitchen lamp`.
+/// A task in everyday words: `take the yellow bag to the blue room`; in a world from a file, `lamp on: red kitchen lamp`.
 pub fn task_words(site: &Site, lifted: &LiftedTask, task: &GroundedTask) -> String {
     match site {
         Site::Floor(home) => in_words(home, lifted, task),
-        Site::Other(robot) => {
-            let told = |part: GroundProposition| {
-                let schema = robot.world().schema;
-                let count = schema.parameters(part.proposition).len();
-                let objects: Vec<String> = part.arguments.iter().take(count).map(|&object| looks(robot, object)).collect();
-                let not = if task.is_negated() { "not " } else { "" };
-                format!("{not}{}: {}", in_plain_words(schema.proposition_name(part.proposition)), objects.join(", "))
-            };
-            way_in_words(lifted, task, told, told)
-        }
+        Site::Other(robot) => in_words_of_file(robot, lifted, task),
     }
 }
 
@@ -31,18 +22,6 @@ pub fn object_words(site: &Site, id: ObjectId) -> String {
     }
 }
 
-/// An object of any world by its values and its class, `red kitchen lamp`. If another looks alike, its name follows. An object without
-/// values has its name alone.
-pub fn looks<D: Domain>(domain: &D, id: ObjectId) -> String {
-    let World { schema, objects } = domain.world();
-    let values = |id: ObjectId| (0..schema.attributes.len()).map(move |at| objects.value(id, at)).filter(|value| !value.is_empty());
-    let class = |id: ObjectId| objects.get(id).map(|object| object.class);
-    let Some(of) = class(id).filter(|_| values(id).next().is_some()) else { return objects.name(id).to_owned() };
-    let alike = objects.of_class(of).filter(|&other| values(other).eq(values(id))).count();
-    let told = values(id).chain([schema.class_name(of)]).collect::<Vec<_>>().join(" ");
-    if alike > 1 { format!("{told} ({})", objects.name(id)) } else { told }
-}
-
 /// A machine token in plain words: `roomIsGreen` is `room is green`. A kind of task is worded as a request.
 pub fn token_words(token: &str) -> String {
     match token {
@@ -50,18 +29,6 @@ pub fn token_words(token: &str) -> String {
         "blockInRoom" => "take to a room".to_owned(),
         _ => in_plain_words(token),
     }
-}
-
-/// A name from a file in words: `lampOn` is `lamp on`.
-pub fn in_plain_words(name: &str) -> String {
-    let mut words = String::new();
-    for letter in name.chars() {
-        if letter.is_uppercase() && !words.is_empty() {
-            words.push(' ');
-        }
-        words.extend(letter.to_lowercase());
-    }
-    words
 }
 
 /// An action in the past tense: `went north`.

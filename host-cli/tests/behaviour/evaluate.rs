@@ -153,6 +153,27 @@ fn sessions_that_do_not_say_what_was_meant_are_counted_and_none_that_does_is_ref
 }
 
 #[test]
+fn sessions_whose_steps_are_clear_are_asked_without_an_intended_task_and_counted_apart() {
+    let all = evaluate(&[], &three_workers());
+    let without = three_workers().replace(r#","intended":["agentInRoom(agent0,room1)"]"#, "");
+    let some = evaluate(&["--clear", "0.6"], &without);
+    assert_eq!((some["asked"].as_u64(), some["by_the_steps"]["asked"].as_u64()), (Some(9), Some(9)));
+    assert_eq!(some["not_asked_without_intended"].as_u64(), Some(0));
+    // Both together are right as often as with what was recorded, and steps that told what was meant are no proof of themselves.
+    let right = |summary: &Value| summary["right"].as_u64().unwrap();
+    assert_eq!(right(&some) + right(&some["by_the_steps"]), right(&all));
+    assert_eq!((some["steps_alone"]["of"].as_u64(), all["steps_alone"]["of"].as_u64()), (Some(9), Some(18)));
+    let none = without.replace(r#","intended":["agentInRoom(agent0,room0)"]"#, "");
+    let told = evaluate(&["--clear", "0.6"], &none);
+    assert_eq!((right(&told), right(&told["by_the_steps"])), (right(&all), right(&all)));
+    let text = goodbot(&["evaluate", "-", "--clear", "0.6"], none.as_bytes()).output;
+    assert!(text.contains("by the steps       "), "{text}");
+    let dark = goodbot(&["evaluate", "-", "--clear", "0.9999999"], none.as_bytes());
+    assert!(dark.code == 2 && dark.messages.contains("--clear 0.9"), "{}", dark.messages);
+    assert_eq!(goodbot(&["evaluate", "-", "--clear", "0.3"], none.as_bytes()).code, 2);
+}
+
+#[test]
 fn it_is_told_how_often_the_steps_alone_point_at_what_was_meant() {
     let all = evaluate(&[], &three_workers());
     assert_eq!((all["steps_alone"]["right"].as_u64(), all["steps_alone"]["of"].as_u64()), (Some(18), Some(18)));

@@ -26,6 +26,8 @@ pub struct Answer {
     pub probabilities: (f32, f32),
     /// Whether the two are the same.
     pub right: bool,
+    /// Whether the steps told the intended task, in place of the record.
+    pub is_told_by_steps: bool,
     /// Whether a learner without words was right, and its probability of the intended task.
     pub wordless: (bool, f32),
     /// The probability of the intended task by chance in this scene.
@@ -154,6 +156,7 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
         predicted: name(best),
         probabilities: (posterior.get(meant).copied().unwrap_or(0.0), posterior.get(best).copied().unwrap_or(0.0)),
         right: best == meant,
+        is_told_by_steps: lesson.is_told_by_steps,
         telling,
         ..Answer::default()
     }))

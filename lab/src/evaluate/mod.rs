@@ -107,6 +107,10 @@ pub struct EvaluateOptions {
     /// Replace files that goodbot did not write
     #[arg(long)]
     force: bool,
+    /// Ask sessions without "intended", too, where the steps alone make a task more probable than P, and count it as meant; P is 0.5 to
+    /// less than 1
+    #[arg(long, value_name = "P", value_parser = goodbot_console::numbers::clear, allow_negative_numbers = true, conflicts_with_all = ["novel_environments", "ablation", "curve"])]
+    clear: Option<f32>,
     #[command(flatten)]
     limit: Limit,
     /// Skip sessions with faults, and count them
@@ -128,6 +132,8 @@ Beside the accuracy:
   without words      a learner that sees the scene and the intended task, but no word
   by chance          the mean probability of the intended task before any learning
   without copies     the accuracy for commands that are no copy of a training session
+  by the steps       with --clear: the accuracy where the steps told what was meant; the other figures are without
+                     these commands, unless there are no others
   steps alone        training sessions whose steps, without any word, point at the intended task
   calibration error  the mean difference between certainty and accuracy
 
@@ -233,7 +239,7 @@ fn with_model(
     }
     let agent = options_of_model(file)?;
     let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-    let asked = training_data::read(&files, lifted, agent, false, &log_options)?;
+    let asked = options.cleared(training_data::read(&files, lifted, agent, false, &log_options)?);
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -272,10 +278,10 @@ impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
         let plans = options.learner == Method::Action;
         let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-        let taught = training_data::read(&options.files, lifted, agent, plans, &log_options)?;
+        let taught = options.cleared(training_data::read(&options.files, lifted, agent, plans, &log_options)?);
         let asked = match options.test.as_slice() {
             [] => None,
-            files => Some(training_data::read(files, lifted, agent, plans, &log_options)?),
+            files => Some(options.cleared(training_data::read(files, lifted, agent, plans, &log_options)?)),
         };
         Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }
@@ -303,7 +309,7 @@ impl Sessions {
         let unknown = self.asked().iter().filter(|lesson| lesson.intended.is_none()).count();
         if unknown == self.asked().len() {
             let message = "no session has an intended task, so no answer can be checked; add \"intended\" to the session \
-                           lines, or ask one command at a time with goodbot ask";
+                           lines, take what the steps make probable with --clear 0.9, or ask one command at a time with goodbot ask";
             return Err(Failure::Input(message.to_owned()));
         }
         if unknown > 0 {
@@ -405,6 +411,14 @@ impl EvaluateOptions {
             return Err(Failure::Input(message.to_owned()));
         }
         Ok(())
+    }
+
+    /// The sessions, with the intended tasks that their steps tell.
+    fn cleared(&self, mut read: Lessons) -> Lessons {
+        if let Some(clear) = self.clear {
+            read.lessons = read.lessons.into_iter().map(|lesson| lesson.told_by_steps(clear)).collect();
+        }
+        read
     }
 
     fn novel<'l>(&self, lifted: &'l [LiftedTask], agent: Options) -> Result<Option<Novel<'l>>, Failure> {

@@ -83,6 +83,8 @@ pub struct Summary {
     pub chance: f64,
     /// The model, without copies of training sessions.
     pub without_copies: Score,
+    /// The model where the steps told what was meant. The other figures are without these commands, unless there are no others.
+    pub by_steps: Score,
     /// Answers by certainty.
     pub ranges: [Range; RANGES],
 }
@@ -91,12 +93,16 @@ impl Summary {
     /// The summary of answers.
     pub fn of(answers: &[Answer], read: SessionCounts) -> Self {
         let model = |answer: &Answer| (answer.right, answer.probabilities.0);
+        let by_steps = Score::of(answers.iter().filter(|answer| answer.is_told_by_steps).map(model));
+        let answers = counted_ones(answers);
+        let model = |answer: &&Answer| model(answer);
         Self {
             read,
             score: Score::of(answers.iter().map(model)),
             wordless: Score::of(answers.iter().map(|answer| answer.wordless)),
             chance: answers.iter().map(|answer| f64::from(answer.chance)).sum::<f64>() / answers.len().max(1) as f64,
             without_copies: Score::of(answers.iter().filter(|answer| answer.copy_of.is_none()).map(model)),
+            by_steps,
             ranges: calibration::ranges(answers.iter().map(|answer| (f64::from(answer.probabilities.1), answer.right))),
         }
     }
@@ -124,6 +130,7 @@ impl Summary {
             ("without_words", self.known(self.wordless.to_json())),
             ("copies", self.known(json!(self.score.asked - self.without_copies.asked))),
             ("without_copies", self.known(self.without_copies.to_json())),
+            ("by_the_steps", self.by_steps.to_json()),
             ("steps_alone", json!({"right": self.read.evidence.0, "of": self.read.evidence.1})),
             ("reliability", self.ranges.iter().enumerate().filter(|(_, range)| range.count > 0).map(range).collect()),
         ];
@@ -133,6 +140,12 @@ impl Summary {
         }
         line
     }
+}
+
+/// The answers that count: those whose intended task was recorded; if there are none, those whose steps told it.
+fn counted_ones(answers: &[Answer]) -> Vec<&Answer> {
+    let are_all_told = answers.iter().all(|answer| answer.is_told_by_steps);
+    answers.iter().filter(|answer| are_all_told || !answer.is_told_by_steps).collect()
 }
 
 /// Prints the mistakes, the confusion table and the summary.
@@ -154,7 +167,7 @@ pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: 
             writeln!(out, "  words for the mistake: {}", words.join(", "))?;
         }
     }
-    confusion(out, answers)?;
+    confusion(out, &counted_ones(answers))?;
     totals(out, summary)?;
     out.flush()
 }
@@ -164,7 +177,7 @@ fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
     json!({
         "type": "answer", "session": answer.id, "command": answer.command, "expected": answer.expected.0, "predicted": answer.predicted.0,
         "right": answer.right, "probability_expected": answer.probabilities.0, "probability_predicted": answer.probabilities.1,
-        "right_without_words": summary.known(json!(answer.wordless.0)), "copy_of": answer.copy_of, "telling_words": words,
+        "right_without_words": summary.known(json!(answer.wordless.0)), "copy_of": answer.copy_of, "told_by_steps": answer.is_told_by_steps, "telling_words": words,
     })
 }
 
@@ -178,6 +191,9 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
     let taught = if is_given { "nothing here: the model was there".to_owned() } else { counted(taught, "session") };
     writeln!(out, "\ntrained on         {taught}{}", others.concat())?;
     writeln!(out, "accuracy           {}", summary.score.text())?;
+    if summary.by_steps.asked > 0 {
+        writeln!(out, "by the steps       {}", summary.by_steps.text())?;
+    }
     if !is_given {
         writeln!(out, "without words      {}", summary.wordless.text())?;
     }
@@ -216,7 +232,7 @@ fn totals(out: &mut impl Write, summary: &Summary) -> io::Result<()> {
 }
 
 /// Prints how often each kind of task was taken for each other.
-fn confusion(out: &mut impl Write, answers: &[Answer]) -> io::Result<()> {
+fn confusion(out: &mut impl Write, answers: &[&Answer]) -> io::Result<()> {
     let mut counts: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for answer in answers {
         *counts.entry(&answer.expected.1).or_default().entry(&answer.predicted.1).or_default() += 1;

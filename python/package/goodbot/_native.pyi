@@ -170,6 +170,7 @@ class Agent:
     def forget(self) -> None: ...
     def _rounds(self, domain: Home | World | Domain, state: Any, count: int) -> None: ...
     def optimal_sets(self, domain: Home | World | Domain) -> NDArray[np.bool_]: ...
+    def words_of(self, domain: Home | World | Domain, task: str | int) -> str: ...
     def explain(self, domain: Home | World | Domain, task: str | int) -> list[tuple[str, dict[str, float]]]: ...
     @property
     def command(self) -> str: ...
@@ -217,7 +218,14 @@ class Trainer:
     def feedback(self, correct: bool) -> Feedback: ...
     def judge(self, step: Step) -> Feedback: ...
     def teach(
-        self, agent: Agent, domain: Home | World | Domain, state: Any, command: str, intended: str | int, *, learn: bool = True
+        self,
+        agent: Agent,
+        domain: Home | World | Domain,
+        state: Any,
+        command: str,
+        intended: str | int | Sequence[str | int],
+        *,
+        learn: bool = True,
     ) -> Lesson: ...
 
 @final
@@ -248,10 +256,10 @@ class Session:
     def __new__(
         cls,
         command: str,
-        home: Home,
+        home: Home | World,
         steps: Sequence[tuple[str, str | None]],
         *,
-        state: State | None = None,
+        state: State | int | None = None,
         kind: str = "feedback",
         learn: bool = True,
         id: str | None = None,
@@ -276,6 +284,10 @@ class Session:
     def steps(self) -> list[tuple[str, Feedback | None]]: ...
     @property
     def home(self) -> Home: ...
+    @property
+    def world(self) -> World | None: ...
+    @property
+    def state(self) -> Any: ...
     @property
     def prior(self) -> dict[str, float] | None: ...
     @property

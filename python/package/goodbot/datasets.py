@@ -39,7 +39,8 @@ def _worker(session: Session) -> str:
 
 
 def _environment(session: Session) -> str:
-    return session.home.to_json()
+    world = session.world
+    return session.home.to_json() if world is None else world.to_json()
 
 
 # The key that the sessions of a group share, as in `goodbot evaluate --group`.
@@ -65,6 +66,9 @@ class Split:
         """The share of the test sessions whose command, word by word, is also in the training sessions."""
         known = {_KEYS["command"](session) for session in self.train}
         return sum(_KEYS["command"](session) in known for session in self.test) / max(len(self.test), 1)
+
+    def __repr__(self) -> str:
+        return f"<goodbot.datasets.Split: {len(self.train)} sessions to train on, {len(self.test)} to test on>"
 
 
 @dataclass(frozen=True)
@@ -113,6 +117,9 @@ class Dataset:
             [session for position, session in enumerate(self.sessions) if position not in test],
             [session for position, session in enumerate(self.sessions) if position in test],
         )
+
+    def __repr__(self) -> str:
+        return f"<goodbot.datasets.Dataset: {len(self.sessions)} sessions of {', '.join(self.sha256)}>"
 
 
 def checksum(path: str | os.PathLike[str]) -> str:

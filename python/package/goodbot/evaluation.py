@@ -52,6 +52,7 @@ def evaluate(
     routes: bool = False,
     synonyms: str | os.PathLike[str] | None = None,
     novel_environments: int | None = None,
+    clear: float | None = None,
     with_: str | os.PathLike[str] | None = None,
     seed: int | None = None,
     limit: int | None = None,
@@ -73,7 +74,8 @@ def evaluate(
 
     `learner` and `starter` (a language, such as `en`) are the model. `task` is a kind of task beside the paper's two, or several; with
     `only_these_tasks` in place of them; `routes` adds ways. `synonyms` is a table in a file. `novel_environments` asks each command in so many random
-    homes. `with_` is a model file in place of training. `limit` reads the first sessions alone, `keep_going` skips faults. `plot` and `curve` are
+    homes. `clear`, such as 0.9, asks sessions that do not say what was meant, too, where their steps make a task more probable than that; the
+    summary counts them apart, in `by_the_steps`. `with_` is a model file in place of training. `limit` reads the first sessions alone, `keep_going` skips faults. `plot` and `curve` are
     pictures to write (`force`: over any file), `runs` the orders behind a curve.
 
     Raises `ValueError` with the command line's message if a log or an option is at fault, and `RuntimeError` if the command fails.
@@ -101,6 +103,7 @@ def evaluate(
         "routes": routes,
         "synonyms": synonyms,
         "novel_environments": novel_environments,
+        "clear": clear,
         "with": with_,
         "seed": seed,
         "limit": limit,

@@ -7,8 +7,8 @@
 | `goodbot/Block-v0` | three rooms, one block |
 
 Each episode has a home at random and a mission in words, such as "take the blue bag to the red room". The reward is 1 when the mission is
-done, which ends the episode, and 0 otherwise. With `home=` the home is always that one; with `log=` homes, missions and their meanings are
-those of a session log.
+done, which ends the episode, and 0 otherwise. After 300 steps it is cut short, or after as many as `max_episode_steps=` says. With `home=` the
+home is always that one; with `log=` homes, missions and their meanings are those of a session log.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from ._native import Agent, Home, State, Trainer, Worlds
 from .logs import read_log
 from .names import Kind
+from .registration import MOST_STEPS
 
 Image = NDArray[np.uint8]
 Observation = dict[str, Any]
@@ -40,6 +41,10 @@ MOST_LETTERS = 128
 LETTERS = string.ascii_letters + string.digits + string.punctuation + " "
 # The cells of a home of the course, with its walls.
 COURSE_SIZE = 10
+# Gymnasium's own wrapper cuts the episodes of a single home short.
+ENDLESS = 2**32 - 1
+
+
 def missions(home: Home) -> list[tuple[str, str]]:
     """The commands that can be given and obeyed in a home, each with the name of the task that it means.
 
@@ -54,16 +59,8 @@ def missions(home: Home) -> list[tuple[str, str]]:
     asked.hear(home, home.start, "go")
     asked.plan(home, home.start)
     return [
-        (_in_words(home, task), task) for task, distance in zip(asked.tasks, asked.distances, strict=True) if distance > 0
+        (asked.words_of(home, task), task) for task, distance in zip(asked.tasks, asked.distances, strict=True) if distance > 0
     ]
-
-
-def _in_words(home: Home, task: str) -> str:
-    """A task in a person's words: `go to the green room`, `take the blue bag to the red room`."""
-    function, _, arguments = task.rstrip(")").partition("(")
-    subject, room = (home.objects[name] for name in arguments.split(","))
-    to = f"to the {room['color']} room"
-    return f"go {to}" if function == "agentInRoom" else f"take the {subject['color']} {subject['shape']} {to}"
 
 
 def _logged(path: str | PathLike[str]) -> list[Place]:
@@ -75,8 +72,8 @@ def _logged(path: str | PathLike[str]) -> list[Place]:
 class _Drawn:
     """The homes and spaces of an environment, for one and for many."""
 
-    def __init__(self, name: str, home: Home | None, log: str | PathLike[str] | None, max_steps: int) -> None:
-        self.name, self.max_steps = name, max_steps
+    def __init__(self, name: str, home: Home | None, log: str | PathLike[str] | None) -> None:
+        self.name = name
         self.places: list[Place] | None = None
         if home is not None:
             self.places = [(home, missions(home))]
@@ -108,7 +105,8 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
     """One home with a mission.
 
     Observations are dicts: `image`, uint8 of shape (size, size, 4), as `goodbot.Worlds` describes it, and `mission`, the command. Actions are
-    the positions in `env.unwrapped.actions`, the last of which is `noop`. `info["intended"]` is the name of the intended task.
+    the positions in `env.unwrapped.actions`, the last of which is `noop`. `info["intended"]` is the name of the intended task. Made by
+    `gymnasium.make`, an episode is cut short after `max_episode_steps` steps; made by this class, never.
 
     >>> import gymnasium
     >>> env = gymnasium.make("goodbot/Rooms-v0")
@@ -127,12 +125,11 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         *,
         home: Home | None = None,
         log: str | PathLike[str] | None = None,
-        max_steps: int = 300,
         render_mode: str | None = None,
     ) -> None:
         if render_mode not in (None, *self.metadata["render_modes"]):
             raise ValueError(f"render_mode is {render_mode!r}; give rgb_array, ansi or None")
-        self._drawn = _Drawn(name, home, log, max_steps)
+        self._drawn = _Drawn(name, home, log)
         self._worlds: Worlds | None = None
         self.render_mode = render_mode
         self.actions = self._drawn.actions
@@ -146,7 +143,7 @@ class HomeEnv(gymnasium.Env[Observation, Any]):
         places = self._drawn.places or [self._drawn.at_random(drawn)]
         if options:
             places = [(home, [(options["command"], options["intended"])]) for home, _ in places]
-        self._worlds = Worlds(1, places, max_steps=self._drawn.max_steps, seed=drawn, size=self._drawn.size)
+        self._worlds = Worlds(1, places, max_steps=ENDLESS, seed=drawn, size=self._drawn.size)
         return self._observed(self._worlds.image()), {"intended": self.intended}
 
     def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
@@ -254,12 +251,15 @@ class MiniGrid:
         cells: Image = encoded.transpose(1, 0, 2).copy()
         return cells
 
+    def __repr__(self) -> str:
+        return f"<goodbot.gym.MiniGrid: {len(self._image)} cells a side, agent at {self.agent_pos}>"
+
 
 class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
     """Many homes, stepped together in Rust: `gymnasium.make_vec("goodbot/Home-v0", num_envs=1024)`.
 
     Homes come from a pool of `homes` random ones, drawn at the first reset and after each reset with a seed. An environment whose episode
-    ended begins the next one at the next step, as Gymnasium's `AutoresetMode.NEXT_STEP` says.
+    ended begins the next one at the next step, as Gymnasium's `AutoresetMode.NEXT_STEP` says. After `max_episode_steps` steps it is cut short.
     """
 
     metadata: dict[str, Any] = {"render_modes": [], "autoreset_mode": AutoresetMode.NEXT_STEP}
@@ -271,13 +271,13 @@ class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
         *,
         home: Home | None = None,
         log: str | PathLike[str] | None = None,
-        max_steps: int = 300,
+        max_episode_steps: int = MOST_STEPS,
         homes: int = 64,
         render_mode: str | None = None,
     ) -> None:
         if render_mode is not None:
             raise ValueError("many homes at once are not drawn; render a single environment")
-        self._drawn = _Drawn(name, home, log, max_steps)
+        self._drawn, self._most_steps = _Drawn(name, home, log), max_episode_steps
         self._homes = homes
         self._worlds: Worlds | None = None
         self._missions: tuple[str, ...] = ()
@@ -299,7 +299,7 @@ class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
         if self._worlds is None or seed is not None:
             drawn = [int(number) for number in self.np_random.integers(1 << 32, size=self._homes + 1)]
             places = self._drawn.places or [self._drawn.at_random(number) for number in drawn[1:]]
-            self._worlds = Worlds(self.num_envs, places, max_steps=self._drawn.max_steps, seed=drawn[0], size=self._drawn.size)
+            self._worlds = Worlds(self.num_envs, places, max_steps=self._most_steps, seed=drawn[0], size=self._drawn.size)
             image = self._worlds.image()
         else:
             image = self._worlds.reset()

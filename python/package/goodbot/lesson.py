@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._native import Agent, Home, Session, State
+from ._native import Agent, Home, Session, World
 from .frames import of_beliefs
 from .language import LanguageModel, hear, learn as _learn
 from .names import Feedback
@@ -29,7 +30,7 @@ class Step:
     command: str
     """The command."""
     intended: str
-    """The task that the trainer means."""
+    """The task that the trainer means; of several, a nearest one."""
     state: Any
     """The state before the action."""
     action: str
@@ -37,7 +38,7 @@ class Step:
     next_state: Any
     """The state after the action."""
     correct: bool
-    """Whether the action begins a shortest way to the intended goal. At the goal `noop` does."""
+    """Whether the action begins a shortest way to the intended goal, or to any of several. At a goal `noop` does."""
     at_goal: bool
     """Whether the intended goal was reached before the action."""
     distance: int
@@ -78,7 +79,7 @@ class Taught:
     beliefs: NDArray[np.float32]
     """How probable each task was: shape (steps + 1, tasks), the first row before any step."""
     session: Session | None
-    """The lesson as a recorded session; None outside of homes, which no log can hold."""
+    """The lesson as a recorded session; None for a robot of your own class, which no log can describe."""
 
     @property
     def feedback(self) -> dict[str, int]:
@@ -90,13 +91,16 @@ class Taught:
         """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
         return of_beliefs(self.tasks, self.beliefs)
 
+    def __repr__(self) -> str:
+        return f"<goodbot.Taught: {len(self.steps)} steps, ended: {self.ending}>"
+
 
 def teach(
     agent: Agent,
     domain: Any,
     state: Any,
     command: str,
-    intended: str,
+    intended: str | Sequence[str],
     *,
     trainer: Judge,
     language: LanguageModel | None = None,
@@ -105,10 +109,11 @@ def teach(
 ) -> Taught:
     """Gives a lesson: a trainer, perhaps of your own, says a command, judges each action, and the agent learns from it unless `learn=False`.
 
-    A language model of your own understands and learns in place of the agent's. The lesson ends after `noop` three times in a row at the goal,
+    `intended` is the task that is meant, or several of which each will do, as for "any block"; then the recorded session does not say what was
+    meant. A language model of your own understands and learns in place of the agent's. The lesson ends after `noop` three times in a row at the goal,
     when the goal cannot be reached any more, or after `most_steps` steps.
 
-    Raises `ValueError` if `intended` is no possible task, or if an answer of the trainer or the language model is invalid.
+    Raises `ValueError` if `intended` is no possible task or none, or if an answer of the trainer or the language model is invalid.
 
     >>> home = goodbot.Home.from_map("#########\\n#ggg#rrr#\\n##+###+##\\n#bb@bbbb#\\n#########")
     >>> agent = goodbot.Agent(seed=1)
@@ -118,24 +123,31 @@ def teach(
     """
     hear(agent, domain, state, command, language=language)
     tasks = agent.tasks
-    if intended not in tasks:
+    named = [intended] if isinstance(intended, str) else list(intended)
+    strange = [task for task in named if task not in tasks]
+    if strange or not named:
         agent.forget()
-        raise ValueError(f"{intended} is no task here; there are {', '.join(tasks)}")
-    meant = tasks.index(intended)
+        raise ValueError(f"{strange[0]} is no task here; there are {', '.join(tasks)}" if strange else "no task is meant; name at least one")
+    meant = [tasks.index(task) for task in named]
     start, actions = state, [*domain.actions, "noop"]
     beliefs, steps, rests, understood = [agent.beliefs], list[tuple[str, Feedback]](), 0, False
     while True:
         agent.plan(domain, state)
-        plan, right = agent.plans[meant], agent.optimal_sets(domain)[meant]
+        plans, distances, sets = agent.plans, agent.distances, agent.optimal_sets(domain)
+        # Of several tasks, one that cannot be reached counts only if none can; at the goal of one, it alone counts.
+        able = [task for task in meant if distances[task] >= 0] or [task for task in meant if plans[task] != "dead end"] or meant
+        nearest = min(able, key=lambda task: distances[task])
+        plan = plans[nearest]
+        right = np.any(sets[[nearest] if plan == "goal" else able], axis=0)
         if rests == RESTS or plan == "dead end" or len(steps) >= most_steps:
             break
         decision = agent.decide(domain, state)
         if not steps:
-            understood = decision.task == meant
+            understood = decision.task in meant
         at_goal, correct = plan == "goal", bool(right[actions.index(decision.action)])
         before, state = state, agent.acted(domain, state, decision.action)
         step = Step(
-            len(steps), command, intended, before, decision.action, state, correct, at_goal, int(agent.distances[meant])
+            len(steps), command, tasks[nearest], before, decision.action, state, correct, at_goal, int(distances[nearest])
         )
         word = trainer.judge(step) or "neutral"
         agent.feedback(word)
@@ -143,8 +155,8 @@ def teach(
         beliefs.append(agent.beliefs)
         rests = rests + 1 if at_goal and decision.action == "noop" else 0
     session = None
-    if isinstance(domain, Home) and isinstance(start, State):
-        session = Session(command, domain, steps, state=start, intended=intended, learn=learn)
+    if isinstance(domain, (Home, World)):
+        session = Session(command, domain, steps, state=start, intended=named[0] if len(named) == 1 else None, learn=learn)
     if learn:
         _learn(agent, domain, language=language)
     else:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def read_log(path: str | os.PathLike[str]) -> list[Session]:
-    """The sessions of a log, in their order.
+    """The sessions of a log, in their order, in homes or in worlds.
 
     Raises `FormatError` with the line and the field at fault, and `OSError` if the file cannot be read.
     """
@@ -27,16 +27,30 @@ def read_log(path: str | os.PathLike[str]) -> list[Session]:
 
 
 def write_log(path: str | os.PathLike[str], sessions: Iterable[Session], *, append: bool = False) -> None:
-    """Writes sessions as a log. An existing file is not replaced; `append=True` adds to it.
+    """Writes sessions as a log, all in homes or all in worlds. An existing file is not replaced; `append=True` adds to it.
 
-    Raises `FormatError` if a session could not be read again, and `FileExistsError`.
+    Raises `FormatError` if a session could not be read again, `ValueError` if some are in homes and some in worlds, and `FileExistsError`.
     """
-    text = "".join(line + "\n" for session in sessions for line in session.lines()).encode()
+    text = "".join(line + "\n" for line in _lines(sessions)).encode()
     with open(path, "a+b" if append else "xb") as file:
         # The last line of a log may have no end.
         if append and file.seek(0, os.SEEK_END) and file.seek(-1, os.SEEK_END) >= 0 and file.read() != b"\n":
             text = b"\n" + text
         file.write(text)
+
+
+def _lines(sessions: Iterable[Session]) -> Iterator[str]:
+    """The lines of a log. The line of a world comes once for all sessions in a row that are in it."""
+    last: str | None = None
+    for number, session in enumerate(sessions):
+        lines = session.lines()
+        world = lines.pop(0) if session.world is not None else None
+        if number and (world is None) != (last is None):
+            raise ValueError("a log has sessions in homes or in worlds, and not both; write two logs")
+        if world is not None and world != last:
+            yield world
+        last = world
+        yield from lines
 
 
 @dataclass(frozen=True)
@@ -60,11 +74,14 @@ class Posterior:
         """The beliefs as a frame of pandas: a row for each step, 0 before the first one, and a column for each task."""
         return of_beliefs(self.tasks, self.beliefs)
 
+    def __repr__(self) -> str:
+        return f"<goodbot.Posterior: {self.session.command!r}, {len(self.beliefs) - 1} steps, {len(self.tasks)} tasks>"
+
 
 def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | None = None, *, learn: bool | None = None) -> list[Posterior]:
     """Replays a log, and returns for each session the agent's beliefs before the first step and after each.
 
-    `log` is a file or sessions; without `agent` a new one hears it. It learns from the sessions that say so; `learn` overrides them. The
+    `log` is a file or sessions; without `agent` a new one hears it, made for the world of the first session if it is in one. It learns from the sessions that say so; `learn` overrides them. The
     numbers are those of `goodbot replay LOG`, bit for bit.
 
     Raises `FormatError`, `ValueError` if a session cannot be replayed, and `OSError`.
@@ -75,6 +92,6 @@ def posteriors(log: str | os.PathLike[str] | Iterable[Session], agent: Agent | N
     >>> first.beliefs.shape == (3, len(first.tasks))
     True
     """
-    agent = Agent() if agent is None else agent
-    sessions = read_log(log) if isinstance(log, (str, os.PathLike)) else log
+    sessions = read_log(log) if isinstance(log, (str, os.PathLike)) else list(log)
+    agent = Agent(domain=sessions[0].world if sessions else None) if agent is None else agent
     return [Posterior(session, *session.posteriors(agent, learn=learn)) for session in sessions]

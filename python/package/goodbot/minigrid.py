@@ -93,6 +93,9 @@ class Vocabulary:
         """The number of a state."""
         return 0
 
+    def __repr__(self) -> str:
+        return f"<goodbot.minigrid.Vocabulary: {', '.join(self.skills)}>"
+
 
 class Grid(Vocabulary):
     """The grid of an environment as it is now, as a world that `goodbot.Agent` hears commands in: a `goodbot.Domain`.
@@ -275,6 +278,9 @@ class Grid(Vocabulary):
                 return float(reward), True
         return 0.0, False
 
+    def __repr__(self) -> str:
+        return f"<goodbot.minigrid.Grid: {_mission(self.env)!r}, {len(self.objects)} objects, {self.state_count} states>"
+
 
 @dataclass(frozen=True)
 class Lesson:
@@ -290,6 +296,9 @@ class Lesson:
     """Why it ended. A mission that was fulfilled before the first step teaches nothing."""
     steps: list[tuple[str, Feedback]]
     """The actions and their feedback."""
+
+    def __repr__(self) -> str:
+        return f"<goodbot.minigrid.Lesson: {self.command!r}, {len(self.steps)} steps, ended: {self.ending}>"
 
 
 class Robot:
@@ -369,6 +378,9 @@ class Robot:
             if over:
                 return reward > 0
         return False
+
+    def __repr__(self) -> str:
+        return f"<goodbot.minigrid.Robot: {', '.join(self.skills)}; {self.agent.sessions} sessions, {len(self.agent.words)} words>"
 
     @staticmethod
     def _said(env: gymnasium.Env[Any, Any], command: str | None) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+# Steps after which an episode is cut short, unless another number is asked for.
+MOST_STEPS = 300
 # The ids, each with its home of the course.
 IDS = {"goodbot/Home-v0": "Test", "goodbot/Rooms-v0": "A", "goodbot/Block-v0": "D"}
 
@@ -14,10 +16,10 @@ def register() -> None:
         return
     for name, home in IDS.items():
         if name not in gymnasium.registry:
-            # The environments count their own steps, so that one and many are truncated in the same way.
             gymnasium.register(
                 name,
                 entry_point="goodbot.gym:HomeEnv",
                 vector_entry_point="goodbot.gym:HomeVectorEnv",
+                max_episode_steps=MOST_STEPS,
                 kwargs={"name": home},
             )

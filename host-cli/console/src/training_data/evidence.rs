@@ -120,6 +120,7 @@ impl Witness {
             command: session.walk.command.clone(),
             header: header.clone(),
             intended,
+            is_told_by_steps: false,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
             readings: readings.into(),
             numbers: std::sync::Arc::default(),

@@ -43,6 +43,8 @@ pub struct Lesson {
     pub group: Option<String>,
     /// The position of the intended task, if the record names it.
     pub intended: Option<usize>,
+    /// Whether the steps told the intended task, in place of the record.
+    pub is_told_by_steps: bool,
     /// The possible tasks. Lessons in the same state of the same world share them.
     pub readings: Arc<[Reading]>,
     /// The tokens of a world's [numbers](goodbot_lesson::world::numbers), with their digits.
@@ -74,6 +76,7 @@ impl Lesson {
             acts: false,
             group: None,
             intended: None,
+            is_told_by_steps: false,
             beliefs: readings.iter().map(|reading| reading.prior).collect(),
             readings,
             numbers: Arc::default(),
@@ -86,10 +89,21 @@ impl Lesson {
         }
     }
 
+    /// Takes the task that the steps, without words, make more probable than `clear` for the intended one, if the record does not name it.
+    pub fn told_by_steps(mut self, clear: f32) -> Self {
+        let told = self.beliefs.iter().position(|&belief| belief > clear);
+        if self.intended.is_none() && told.is_some() {
+            (self.intended, self.is_told_by_steps) = (told, true);
+        }
+        self
+    }
+
     /// Whether the evidence without words makes the intended task more probable than any other. `None` if the intended task is unknown or
-    /// was labelled.
+    /// was labelled, or
+    /// told by this evidence.
     pub fn evidence_is_right(&self) -> Option<bool> {
-        let meant = self.beliefs.get(self.intended.filter(|_| self.header.kind != Kind::Labelled)?)?;
+        let is_apart = self.header.kind != Kind::Labelled && !self.is_told_by_steps;
+        let meant = self.beliefs.get(self.intended.filter(|_| is_apart)?)?;
         Some(self.beliefs.iter().filter(|belief| *belief >= meant).count() == 1)
     }
 

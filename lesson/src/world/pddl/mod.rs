@@ -73,6 +73,14 @@ pub struct Converted {
 /// # Errors
 /// The first part that is not understood, contradicts itself, or that a world file cannot express.
 pub fn convert(domain: &str, problem: &str) -> Result<Converted, PddlError> {
+    convert_in_steps(domain, problem, |_| {})
+}
+
+/// As [`convert`]. `visited` is called for each state of the problem that is looked at, the longest part of the work, with their number so far.
+///
+/// # Errors
+/// As [`convert`].
+pub fn convert_in_steps(domain: &str, problem: &str, visited: impl FnMut(usize)) -> Result<Converted, PddlError> {
     let in_domain = |fault: expression::Fault| fault.of(Text::Domain);
     let in_problem = |fault: expression::Fault| fault.of(Text::Problem);
     let domain = reading::Domain::parse(domain).map_err(in_domain)?;
@@ -80,6 +88,6 @@ pub fn convert(domain: &str, problem: &str) -> Result<Converted, PddlError> {
     let named = names::Named::of(&domain, &problem);
     named.check_domain().map_err(in_domain)?;
     named.check_problem().map_err(in_problem)?;
-    let swept = sweep::sweep(&named)?;
+    let swept = sweep::sweep(&named, visited)?;
     writing::convert(&named, &swept)
 }

@@ -109,11 +109,11 @@ impl Swept {
     }
 }
 
-/// Visits all states.
+/// Visits all states, and tells how many were `visited`.
 ///
 /// # Errors
 /// There are too many, or an effect has one object for two arguments.
-pub fn sweep(named: &Named<'_>) -> Result<Swept, PddlError> {
+pub fn sweep(named: &Named<'_>, mut visited: impl FnMut(usize)) -> Result<Swept, PddlError> {
     let too_many = || PddlError {
         text: Text::Problem,
         line: 1,
@@ -140,6 +140,7 @@ pub fn sweep(named: &Named<'_>) -> Result<Swept, PddlError> {
     let mut swept = Swept { actions, kinds, variables: vec![], reaches_goal: false };
     let (mut known, mut open, mut looks) = (HashSet::from([first.clone()]), vec![first], MOST_LOOKS);
     while let Some(state) = open.pop() {
+        visited(known.len() - open.len());
         swept.reaches_goal |= goal.as_ref().is_some_and(|goal| goal.iter().all(|&fact| has(&state, fact)));
         let is_one = |facts: &Vec<usize>| facts.iter().filter(|&&fact| has(&state, fact)).count() == 1;
         variables.retain(|_, choices| choices.iter().all(is_one));
