@@ -312,6 +312,16 @@ enum goodbot_status
   GOODBOT_STATUS_BUSY = 34,
   // The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
   GOODBOT_STATUS_NEWER_FORMAT = 35,
+  // A task's text is not of the form `name(?a, ?b) & other(?c)`: a bracket, a comma or a question mark is missing.
+  GOODBOT_STATUS_TASK_FORM = 36,
+  // A task's text names a propositional function that there is not.
+  GOODBOT_STATUS_TASK_PROPOSITION = 37,
+  // A task's text gives a propositional function more or fewer arguments than it has.
+  GOODBOT_STATUS_TASK_ARGUMENTS = 38,
+  // A task's text uses one variable for objects of two classes.
+  GOODBOT_STATUS_TASK_CLASS = 39,
+  // A task's way says what its goal says already, or avoids the goal; or the library has no `ways`.
+  GOODBOT_STATUS_TASK_WAY = 40,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -614,9 +624,9 @@ typedef struct goodbot_table {
   uint32_t action_count;
   // The tasks that commands may mean, such as `blockInRoom(?o, ?r)`.
   const char *const *tasks;
-  // How many.
+  // How many, one at least.
   uint32_t task_count;
-  // How many states there are. They are numbered from 0.
+  // How many states there are, one at least. They are numbered from 0.
   uint32_t state_count;
   // The first state.
   uint32_t start;
@@ -840,8 +850,8 @@ goodbot_status goodbot_init_home(void *memory,
 
 // As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
 // `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
-// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. `WORLD` where a text is no kind of task. The texts are not needed
-// afterwards.
+// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. Where a text is no kind of task, `TASK_FORM` and the four after it say why;
+// `NUMBER` if there is no text or too many. The texts are not needed afterwards.
 //
 // The caller sees to it:
 // As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.

@@ -86,6 +86,16 @@ pub enum GoodbotStatus {
     Busy = 34,
     /// The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
     NewerFormat = 35,
+    /// A task's text is not of the form `name(?a, ?b) & other(?c)`: a bracket, a comma or a question mark is missing.
+    TaskForm = 36,
+    /// A task's text names a propositional function that there is not.
+    TaskProposition = 37,
+    /// A task's text gives a propositional function more or fewer arguments than it has.
+    TaskArguments = 38,
+    /// A task's text uses one variable for objects of two classes.
+    TaskClass = 39,
+    /// A task's way says what its goal says already, or avoids the goal; or the library has no `ways`.
+    TaskWay = 40,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -229,9 +239,15 @@ impl From<ObjectError> for Failure {
 impl From<TaskTextError> for Failure {
     fn from(error: TaskTextError) -> Self {
         match error {
-            TaskTextError::Capacity(error) => error.into(),
-            _ => GoodbotStatus::World.into(),
+            TaskTextError::Capacity(error) => return error.into(),
+            TaskTextError::Form => GoodbotStatus::TaskForm,
+            TaskTextError::UnknownProposition { .. } => GoodbotStatus::TaskProposition,
+            TaskTextError::ArgumentCount { .. } => GoodbotStatus::TaskArguments,
+            TaskTextError::ClassConflict { .. } => GoodbotStatus::TaskClass,
+            TaskTextError::SaysNothing | TaskTextError::AvoidsGoal | TaskTextError::NoWays => GoodbotStatus::TaskWay,
+            _ => GoodbotStatus::World,
         }
+        .into()
     }
 }
 
@@ -266,6 +282,11 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
 
 pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
     const NONE: &core::ffi::CStr = c"no such status";
+    const WORLD: &core::ffi::CStr = c"the home or table is described wrongly, or the call is for the other kind of robot";
+    /// A fault of a task's text, in a library that explains.
+    const fn of_task(text: &'static core::ffi::CStr) -> &'static core::ffi::CStr {
+        if cfg!(feature = "explain") { text } else { WORLD }
+    }
     const TEXTS: &[&core::ffi::CStr] = &[
         c"done",
         c"not done yet; call again",
@@ -275,7 +296,7 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"the memory is not aligned to 8 bytes",
         c"a text is not UTF-8, or longer than this call takes",
         c"a table is full; goodbot_full says which",
-        c"the home or table is described wrongly, or the call is for the other kind of robot",
+        WORLD,
         c"there is no home yet; describe it and build it",
         c"the command has no word; say what to do",
         c"there is nothing to do here",
@@ -307,6 +328,11 @@ pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
         c"the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks",
         c"another call is using this robot; call again when it has returned",
         c"the model has a newer format than this library; use the program that stored it, or a newer one",
+        of_task(c"a task is not written as name(?a, ?b) & other(?c)"),
+        of_task(c"a task names an unknown proposition"),
+        of_task(c"a task's proposition has too few or too many arguments"),
+        of_task(c"a task's variable is of two classes"),
+        of_task(if cfg!(feature = "ways") { c"a task's way says nothing new, or avoids the goal" } else { c"the library has no ways" }),
     ];
     usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
 }

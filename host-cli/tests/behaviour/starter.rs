@@ -44,7 +44,10 @@ fn a_board_that_only_obeys_understands_everyday_sentences() {
     let (model, _) = written(&folder, "a.goodbot", &["learn", LOG, "--starter", "en"]);
     let file = folder.path().join("a.goodbot");
     let (parameters, told) = written(&folder, "a.parameters", &["parameters", file.to_str().unwrap()]);
-    assert!(told.contains("10752 bytes; they need words 69, tokens 22, translations 1587, alignments 1084"), "docs/robot.md says so: {told}");
+    assert!(
+        told.contains("10752 bytes; they need words 69, tokens 22, translations 1587, alignments 1084"),
+        "docs/robot.md says so: {told}"
+    );
     let capacities = Capacities::SMALL.at_least(Contents::read(&model).unwrap().needs()).obeying();
     let mut agent = Agent::new(AgentHeap::new(&capacities), &paper_tasks().unwrap(), Options::DEFAULT).unwrap();
     agent.restore_parameters(&parameters).unwrap();
