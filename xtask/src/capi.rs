@@ -6,7 +6,8 @@ use anyhow::{Context, Result};
 use clap::Args;
 use xshell::{Shell, cmd};
 
-use crate::firmware::{nothing_panics, run_alone};
+use crate::emulated_boards::{AN386, emulate};
+use crate::firmware::{FAULT, nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
 use crate::programs::{ARM_GCC, CLANG, GCC, GXX};
 use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, TARGETS};
@@ -219,6 +220,8 @@ pub fn on_board(all: bool) -> Result<()> {
     let sh = shell()?;
     assert_layouts(&sh, &ARM_GCC.path()?, &[])?;
     assert_layouts(&sh, &CLANG.path()?, &CLANG_FOR_ARM)?;
+    emulate(AN386.name, &link("capi/tests/overflow.c", FEATURES, "overflow.elf", &[])?, FAULT)
+        .context("no fault stops a stack that runs over")?;
     for binary in examples_of_clang()? {
         print!("{}", run_alone(&binary)?.0);
     }
