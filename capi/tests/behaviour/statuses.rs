@@ -287,14 +287,18 @@ fn a_home_can_have_tasks_with_a_way_and_their_texts_tell_it() {
     let robot = owned.robot;
     assert_eq!(describe(robot), GoodbotStatus::Ok);
     hear_and_plan(robot, c"take the chair along to the green room");
-    let texts: Vec<String> = (0..2)
+    let mut count = 0;
+    assert_eq!(unsafe { goodbot_task_count(robot, &raw mut count) }, GoodbotStatus::Ok);
+    let texts: Vec<String> = (0..count)
         .map(|task| {
             let mut text = [0; 96];
             assert_eq!(unsafe { goodbot_task_text(robot, task, text.as_mut_ptr(), text.len()) }, GoodbotStatus::Ok);
             unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned()
         })
         .collect();
-    assert_eq!(texts, ["agentInRoom(agent0,room1)", "agentInRoom(agent0,room1) through blockInRoom(block0,room1)"]);
+    for task in ["agentInRoom(agent0,room1)", "agentInRoom(agent0,room1) through blockInRoom(block0,room1)"] {
+        assert!(texts.iter().any(|text| text == task), "{task}: {texts:?}");
+    }
 }
 
 #[test]
@@ -401,11 +405,11 @@ fn a_table_that_is_described_wrongly_is_refused() {
 #[test]
 fn each_fault_of_a_task_s_text_has_a_status_and_a_sentence() {
     let faults: [(&CStr, _, &str); 5] = [
-        (c"liftAtFloor(?l ?f", GoodbotStatus::TaskForm, "a task is not written as name(?a, ?b) & other(?c)"),
+        (c"liftAtFloor(?l ?f", GoodbotStatus::TaskForm, "a task is not written as name(?a, ?b)"),
         (c"liftAtRoof(?l, ?f)", GoodbotStatus::TaskProposition, "a task names an unknown proposition"),
-        (c"liftAtFloor(?l ?f)", GoodbotStatus::TaskArguments, "a task's proposition has too few or too many arguments"),
+        (c"liftAtFloor(?l ?f)", GoodbotStatus::TaskArguments, "a task has a wrong number of arguments"),
         (c"liftAtFloor(?x, ?x)", GoodbotStatus::TaskClass, "a task's variable is of two classes"),
-        (c"liftAtFloor(?l, ?f) avoiding liftAtFloor(?l, ?f)", GoodbotStatus::TaskWay, "a task's way says nothing new, or avoids the goal"),
+        (c"liftAtFloor(?l, ?f) avoiding liftAtFloor(?l, ?f)", GoodbotStatus::TaskWay, "a task's way says nothing, or is not known"),
     ];
     for (task, status, sentence) in faults {
         let mut lift = Lift::new();
