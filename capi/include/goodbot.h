@@ -77,7 +77,9 @@
 // The preset for homes on controllers.
 #define GOODBOT_SMALL 0
 
-// The preset for the smallest controllers.
+// The preset for the smallest controllers. Its robot expects one strategy only, a trainer who uses both words. For one button take
+// `goodbot_trainer(robot, 0.05f, 0.7f, 0.1f)` if it praises and `goodbot_trainer(robot, 0.7f, 0.05f, 0.1f)` if it blames, and tell silence;
+// or raise `STRATEGIES` to 3 and `BELIEFS` to 3 times `TASKS`, and the robot finds out which.
 #define GOODBOT_TINY 1
 
 // The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. It has no room
@@ -701,8 +703,8 @@ typedef struct goodbot_options {
   uint32_t weights;
   // Weights up to this are not learned; from 0 to less than 1.
   float least_weight;
-  // The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0 in a new
-  // robot: it never takes a command for what holds. 0.08 is that of people's talk.
+  // The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0.08 in a
+  // new robot, as in people's talk. With 0 it never takes a command for what holds, so it undoes what it is told is so already.
   float done;
 } goodbot_options;
 
