@@ -77,7 +77,9 @@
 // The preset for homes on controllers.
 #define GOODBOT_SMALL 0
 
-// The preset for the smallest controllers.
+// The preset for the smallest controllers. Its robot expects one strategy only, a trainer who uses both words. For one button take
+// `goodbot_trainer(robot, 0.05f, 0.7f, 0.1f)` if it praises and `goodbot_trainer(robot, 0.7f, 0.05f, 0.1f)` if it blames, and tell silence;
+// or raise `STRATEGIES` to 3 and `BELIEFS` to 3 times `TASKS`, and the robot finds out which.
 #define GOODBOT_TINY 1
 
 // The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. It has no room
@@ -312,6 +314,16 @@ enum goodbot_status
   GOODBOT_STATUS_BUSY = 34,
   // The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
   GOODBOT_STATUS_NEWER_FORMAT = 35,
+  // A task's text is not of the form `name(?a, ?b) & other(?c)`: a bracket, a comma or a question mark is missing.
+  GOODBOT_STATUS_TASK_FORM = 36,
+  // A task's text names a propositional function that there is not.
+  GOODBOT_STATUS_TASK_PROPOSITION = 37,
+  // A task's text gives a propositional function more or fewer arguments than it has.
+  GOODBOT_STATUS_TASK_ARGUMENTS = 38,
+  // A task's text uses one variable for objects of two classes.
+  GOODBOT_STATUS_TASK_CLASS = 39,
+  // A task's way says what its goal says already, or avoids the goal; or the library has no `ways`.
+  GOODBOT_STATUS_TASK_WAY = 40,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -614,9 +626,9 @@ typedef struct goodbot_table {
   uint32_t action_count;
   // The tasks that commands may mean, such as `blockInRoom(?o, ?r)`.
   const char *const *tasks;
-  // How many.
+  // How many, one at least.
   uint32_t task_count;
-  // How many states there are. They are numbered from 0.
+  // How many states there are, one at least. They are numbered from 0.
   uint32_t state_count;
   // The first state.
   uint32_t start;
@@ -691,8 +703,8 @@ typedef struct goodbot_options {
   uint32_t weights;
   // Weights up to this are not learned; from 0 to less than 1.
   float least_weight;
-  // The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0 in a new
-  // robot: it never takes a command for what holds. 0.08 is that of people's talk.
+  // The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0.08 in a
+  // new robot, as in people's talk. With 0 it never takes a command for what holds, so it undoes what it is told is so already.
   float done;
 } goodbot_options;
 
@@ -840,8 +852,8 @@ goodbot_status goodbot_init_home(void *memory,
 
 // As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
 // `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
-// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. `WORLD` where a text is no kind of task. The texts are not needed
-// afterwards.
+// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. Where a text is no kind of task, `TASK_FORM` and the four after it say why;
+// `NUMBER` if there is no text or too many. The texts are not needed afterwards.
 //
 // The caller sees to it:
 // As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.
@@ -1282,7 +1294,8 @@ goodbot_status goodbot_answer(struct goodbot *robot,
 
 // Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
 // only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
-// one. The function is in a library with the feature `voice`, as in the packages for boards.
+// one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
+// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as in the packages for boards.
 //
 // The caller sees to it:
 // `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.

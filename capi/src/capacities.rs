@@ -76,7 +76,9 @@ const _: () = assert!(GOODBOT_CAPACITIES == Capacity::ALL.len() && GoodbotCapaci
 
 /// The preset for homes on controllers.
 pub const GOODBOT_SMALL: u32 = 0;
-/// The preset for the smallest controllers.
+/// The preset for the smallest controllers. Its robot expects one strategy only, a trainer who uses both words. For one button take
+/// `goodbot_trainer(robot, 0.05f, 0.7f, 0.1f)` if it praises and `goodbot_trainer(robot, 0.7f, 0.05f, 0.1f)` if it blames, and tell silence;
+/// or raise `STRATEGIES` to 3 and `BELIEFS` to 3 times `TASKS`, and the robot finds out which.
 pub const GOODBOT_TINY: u32 = 1;
 /// The preset for a robot of the caller's own on a controller: 16 tasks, 5,888 states, and 24 lessons of 44 different words. It has no room
 /// for a home.

@@ -41,8 +41,8 @@ pub unsafe extern "C" fn goodbot_init_home(
 
 /// As `goodbot_init_home`, for commands that may mean tasks of these kinds, `GOODBOT_MOST_TASKS` at most: `agentInRoom(?a, ?goal)`,
 /// `blockInRoom(?o, ?r)`, or with a way, `agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?not)`, `... through agentInRoom(?a, ?via)`,
-/// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. `WORLD` where a text is no kind of task. The texts are not needed
-/// afterwards.
+/// `... through agentInRoom(?a, ?via) or agentInRoom(?a, ?other)`. Where a text is no kind of task, `TASK_FORM` and the four after it say why;
+/// `NUMBER` if there is no text or too many. The texts are not needed afterwards.
 ///
 /// # Safety
 /// As for `goodbot_init_home`; `tasks` is null or points to `task_count` texts, each null or ended by a 0.

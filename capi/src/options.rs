@@ -58,8 +58,8 @@ pub struct GoodbotOptions {
     pub weights: u32,
     /// Weights up to this are not learned; from 0 to less than 1.
     pub least_weight: f32,
-    /// The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0 in a new
-    /// robot: it never takes a command for what holds. 0.08 is that of people's talk.
+    /// The share of each kind of task that goes to tasks that hold already, from 0 to less than 1: the robot rests for these. 0.08 in a
+    /// new robot, as in people's talk. With 0 it never takes a command for what holds, so it undoes what it is told is so already.
     pub done: f32,
 }
 

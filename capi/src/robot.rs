@@ -155,7 +155,8 @@ unsafe fn place_agent(at: *mut Agent<AgentTables<'static>>, memory: AgentTables<
 
 #[inline(never)]
 fn set_tasks(agent: &mut Agent<AgentTables<'static>>, tasks: &[LiftedTask]) -> Result<(), Fault> {
-    agent.set_tasks(tasks, Options::DEFAULT)?;
+    // People also tell it what is so already: it must not undo that.
+    agent.set_tasks(tasks, Options { done: Options::SELDOM_DONE, ..Options::DEFAULT })?;
     // One button is enough, where there is room to find out which.
     let room = agent.capacities();
     if room.beliefs >= room.tasks.saturating_mul(Strategy::ONE_BUTTON_OR_BOTH.len()) {

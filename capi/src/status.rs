@@ -86,6 +86,16 @@ pub enum GoodbotStatus {
     Busy = 34,
     /// The model has a format that is newer than this library: a newer program stored it. It is whole, so keep it.
     NewerFormat = 35,
+    /// A task's text is not of the form `name(?a, ?b) & other(?c)`: a bracket, a comma or a question mark is missing.
+    TaskForm = 36,
+    /// A task's text names a propositional function that there is not.
+    TaskProposition = 37,
+    /// A task's text gives a propositional function more or fewer arguments than it has.
+    TaskArguments = 38,
+    /// A task's text uses one variable for objects of two classes.
+    TaskClass = 39,
+    /// A task's way says what its goal says already, or avoids the goal; or the library has no `ways`.
+    TaskWay = 40,
 }
 
 /// Why a call failed, with the table that was full, if one was.
@@ -229,9 +239,15 @@ impl From<ObjectError> for Failure {
 impl From<TaskTextError> for Failure {
     fn from(error: TaskTextError) -> Self {
         match error {
-            TaskTextError::Capacity(error) => error.into(),
-            _ => GoodbotStatus::World.into(),
+            TaskTextError::Capacity(error) => return error.into(),
+            TaskTextError::Form => GoodbotStatus::TaskForm,
+            TaskTextError::UnknownProposition { .. } => GoodbotStatus::TaskProposition,
+            TaskTextError::ArgumentCount { .. } => GoodbotStatus::TaskArguments,
+            TaskTextError::ClassConflict { .. } => GoodbotStatus::TaskClass,
+            TaskTextError::SaysNothing | TaskTextError::AvoidsGoal | TaskTextError::NoWays => GoodbotStatus::TaskWay,
+            _ => GoodbotStatus::World,
         }
+        .into()
     }
 }
 
@@ -264,49 +280,88 @@ pub extern "C" fn goodbot_status_text(status: i32) -> *const core::ffi::c_char {
     text_of(status).as_ptr()
 }
 
+/// A text that only a library with a feature needs; another one for the rest.
+macro_rules! text_with {
+    ($name:ident, $feature:literal, $other:literal) => {
+        #[cfg(feature = $feature)]
+        macro_rules! $name {
+            ($text:literal) => {
+                $text
+            };
+        }
+        #[cfg(not(feature = $feature))]
+        macro_rules! $name {
+            ($text:literal) => {
+                $other
+            };
+        }
+    };
+}
+text_with!(of_talk, "talk", "no such status");
+text_with!(of_voice, "voice", "no such status");
+text_with!(of_task, "explain", "a task is described wrongly");
+
+/// One text, because a list of texts takes eight bytes more for each.
+const TEXTS: &str = concat!(
+    "done\0",
+    "not done yet; call again\0",
+    "a pointer is null that must not be\0",
+    "the handle is none, or its memory was moved or written over\0",
+    "the memory is too small; ask for its size\0",
+    "the memory is not aligned to 8 bytes\0",
+    "a text is not UTF-8, or longer than this call takes\0",
+    "a table is full; goodbot_full says which\0",
+    "the home or table is described wrongly, or the call is for the other kind of robot\0",
+    "there is no home yet; describe it and build it\0",
+    "the command has no word; say what to do\0",
+    "there is nothing to do here\0",
+    "no session is under way; give a command first\0",
+    "the plan for this state is not done; plan on until it is\0",
+    "the last session is still being learned from; learn on until it is done\0",
+    "the action cannot be done in this state\0",
+    "a number is none of those allowed\0",
+    "there is no object or task of this name or number\0",
+    "the bytes are no model, or were damaged\0",
+    "the model was learned with another vocabulary\0",
+    "the buffer is too small\0",
+    "something else failed\0",
+    "no action was done that could be judged; say that one was done first\0",
+    "the command is not heard to its end; hear on until it is\0",
+    "the session is not finished; finish on until it is\0",
+    "no question waits for an answer; ask first\0",
+    "this is no answer to that question; answer yes, no, or with the number of a choice\0",
+    "the flash refused, or did not keep what was written; the older model is still there\0",
+    "nothing is stored\0",
+    of_talk!("the work was stopped in a pause; say it again"),
+    "\0",
+    of_voice!("the text is no table of closed words; write a class, a colon and its words in each line"),
+    "\0",
+    "what was learned has changed meanwhile; begin again\0",
+    "a model is coming back; restore on until it is done\0",
+    "the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks\0",
+    "another call is using this robot; call again when it has returned\0",
+    "the model has a newer format than this library; use the program that stored it, or a newer one\0",
+    of_task!("a task is not written as name(?a, ?b)"),
+    "\0",
+    of_task!("a task names an unknown proposition"),
+    "\0",
+    of_task!("a task has a wrong number of arguments"),
+    "\0",
+    of_task!("a task's variable is of two classes"),
+    "\0",
+    of_task!("a task's way says nothing, or is not known"),
+    "\0",
+);
+
 pub(crate) fn text_of(status: i32) -> &'static core::ffi::CStr {
-    const NONE: &core::ffi::CStr = c"no such status";
-    const TEXTS: &[&core::ffi::CStr] = &[
-        c"done",
-        c"not done yet; call again",
-        c"a pointer is null that must not be",
-        c"the handle is none, or its memory was moved or written over",
-        c"the memory is too small; ask for its size",
-        c"the memory is not aligned to 8 bytes",
-        c"a text is not UTF-8, or longer than this call takes",
-        c"a table is full; goodbot_full says which",
-        c"the home or table is described wrongly, or the call is for the other kind of robot",
-        c"there is no home yet; describe it and build it",
-        c"the command has no word; say what to do",
-        c"there is nothing to do here",
-        c"no session is under way; give a command first",
-        c"the plan for this state is not done; plan on until it is",
-        c"the last session is still being learned from; learn on until it is done",
-        c"the action cannot be done in this state",
-        c"a number is none of those allowed",
-        c"there is no object or task of this name or number",
-        c"the bytes are no model, or were damaged",
-        c"the model was learned with another vocabulary",
-        c"the buffer is too small",
-        c"something else failed",
-        c"no action was done that could be judged; say that one was done first",
-        c"the command is not heard to its end; hear on until it is",
-        c"the session is not finished; finish on until it is",
-        c"no question waits for an answer; ask first",
-        c"this is no answer to that question; answer yes, no, or with the number of a choice",
-        c"the flash refused, or did not keep what was written; the older model is still there",
-        c"nothing is stored",
-        if cfg!(feature = "talk") { c"the work was stopped in a pause; say it again" } else { NONE },
-        if cfg!(feature = "voice") {
-            c"the text is no table of closed words; write a class, a colon and its words in each line"
-        } else {
-            NONE
-        },
-        c"what was learned has changed meanwhile; begin again",
-        c"a model is coming back; restore on until it is done",
-        c"the library has no checks and the table has no kinds; print the table by goodbot table --c, or link a library with checks",
-        c"another call is using this robot; call again when it has returned",
-        c"the model has a newer format than this library; use the program that stored it, or a newer one",
-    ];
-    usize::try_from(status).ok().and_then(|status| TEXTS.get(status)).copied().unwrap_or(NONE)
+    let mut rest = TEXTS.as_bytes();
+    for _ in 0..status as u32 {
+        let end = rest.iter().position(|&byte| byte == 0).unwrap_or(rest.len());
+        rest = rest.get(end.saturating_add(1)..).unwrap_or(&[]);
+        if rest.is_empty() {
+            return c"no such status";
+        }
+    }
+    // SAFETY: the last of the texts ends with a 0, too.
+    unsafe { core::ffi::CStr::from_ptr(rest.as_ptr().cast()) }
 }

@@ -27,7 +27,7 @@ pub(crate) unsafe fn kinds_of_tasks(
 ) -> Result<Vec<LiftedTask, GOODBOT_MOST_TASKS>, Fault> {
     let mut kinds = Vec::new();
     // SAFETY: the caller's promise.
-    let given = unsafe { list(tasks, count, GOODBOT_MOST_TASKS, Place::of("tasks"), Place::of("task_count")) }?;
+    let given = unsafe { some(tasks, count, Place::of("tasks")) }?;
     for (number, &task) in given.iter().enumerate() {
         let place = Place::item("tasks", number, "");
         // SAFETY: the caller's promise.
@@ -35,6 +35,19 @@ pub(crate) unsafe fn kinds_of_tasks(
         kinds.push(kind).map_err(|_| GoodbotStatus::Number).at(place)?;
     }
     Ok(kinds)
+}
+
+/// One kind of task at least: a robot without any could be told nothing.
+///
+/// # Safety
+/// As [`list`].
+unsafe fn some<T>(items: *const T, count: u32, place: Place) -> Result<&'static [T], Fault> {
+    let counted = Place::of("task_count");
+    if count == 0 || count as usize > GOODBOT_MOST_TASKS {
+        return Err(GoodbotStatus::Number).at(counted.number(count, 1, GOODBOT_MOST_TASKS as u32));
+    }
+    // SAFETY: the caller's promise.
+    unsafe { list(items, count, GOODBOT_MOST_TASKS, place, counted) }
 }
 
 #[cfg(feature = "table")]
@@ -53,7 +66,7 @@ pub(crate) unsafe fn written_kinds(table: &GoodbotTable, schema: &Schema<'_>) ->
     }
     let mut kinds = Vec::new();
     // SAFETY: the caller's promise.
-    let given = unsafe { list(table.kinds, table.task_count, GOODBOT_MOST_TASKS, Place::of("kinds"), Place::of("task_count")) }?;
+    let given = unsafe { some(table.kinds, table.task_count, Place::of("kinds")) }?;
     for kind in given {
         let mut propositions = kind.variables.map(|variables| LiftedProposition { proposition: PropositionId::new(0), variables });
         for (slot, &proposition) in propositions.iter_mut().zip(&kind.propositions) {

@@ -48,9 +48,13 @@ pub(crate) unsafe fn closed<'t>(table: *const c_char) -> Result<ClosedWords<'t>,
     ClosedWords::new(table).map_err(|_| GoodbotStatus::ClosedWords.into())
 }
 
+/// A robot without a table of words stops at these words alone.
+const STOP_ALONE: &str = "stop: stop halt emergency";
+
 /// Finds what a person's words ask for, given the session under way, the actions that `goodbot_done` reported, and the open question. It
 /// only says so: the caller does it. No lesson is needed, and no button. `answer` receives the answer for `goodbot_answer`, if the words are
-/// one. The function is in a library with the feature `voice`, as in the packages for boards.
+/// one. `closed_words` is the table of the language that is spoken (`docs/talk.md`). Without it, if it is null, "stop", "halt" and "emergency
+/// stop" stop the robot, and everything else is a command, also praise and blame. The function is in a library with the feature `voice`, as in the packages for boards.
 ///
 /// # Safety
 /// `robot` is null or a handle; the texts are null or C strings; `said` and `answer` are null or room for one.
@@ -66,6 +70,7 @@ pub unsafe extern "C" fn goodbot_said(
     unsafe {
         look(robot, |robot| {
             let (words, closed) = (text(words)?, closed(closed_words)?);
+            let closed = if closed_words.is_null() { ClosedWords::new(STOP_ALONE).unwrap_or(closed) } else { closed };
             let agent = &robot.agent;
             let heard = in_world!(&robot.world, |domain, state| agent.said(words, closed, agent.stage(domain, state), |_| None)?);
             if let Said::Answer(heard) = heard {

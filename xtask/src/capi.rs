@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::Args;
 use xshell::{Shell, cmd};
 
-use crate::firmware::{nothing_panics, run_alone};
+use crate::emulated_boards::{AN386, emulate};
+use crate::firmware::{FAULT, nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
-use crate::programs::{ARM_GCC, GCC, GXX};
+use crate::programs::{ARM_GCC, CLANG, GCC, GXX};
 use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
@@ -21,6 +22,9 @@ pub const ALL_FEATURES: [&str; 12] =
 /// The default features of a library.
 pub const FEATURES: &[&str] = ALL_FEATURES.split_at(10).0;
 const FEATURES_AND_TALK: &[&str] = ALL_FEATURES.split_at(11).0;
+
+/// Clang for the Cortex-M4F.
+const CLANG_FOR_ARM: [&str; 4] = ["--target=arm-none-eabi", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"];
 
 const WARNINGS: [&str; 5] = ["-std=c11", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
@@ -50,12 +54,12 @@ fn of_features(header: &str, features: &[&str]) -> String {
 }
 
 /// Compiles the header alone, by each standard of C and C++ and with enums of either size: it asserts the layout of every struct.
-fn assert_layouts(sh: &Shell, gcc: &Path) -> Result<()> {
+fn assert_layouts(sh: &Shell, compiler: &Path, target: &[&str]) -> Result<()> {
     for (language, standards) in [("c", ["c99", "c11", "c2x"]), ("c++", ["c++11", "c++17", "c++20"])] {
         for standard in standards {
             for enums in ["-fshort-enums", "-fno-short-enums"] {
                 let strict = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffreestanding", "-fsyntax-only"];
-                cmd!(sh, "{gcc} -x {language} -std={standard} {enums} {strict...} {HEADER}").run()?;
+                cmd!(sh, "{compiler} {target...} -x {language} -std={standard} {enums} {strict...} {HEADER}").run()?;
             }
         }
     }
@@ -111,7 +115,10 @@ pub fn deliver(options: &Library) -> Result<()> {
 /// Builds every example with the host's compilers and both sanitizers, and runs it. What `goodbot table --c` writes is C and C++.
 pub fn on_host() -> Result<()> {
     let (sh, gcc, gxx, library) = (shell()?, GCC.path()?, GXX.path()?, library(None, &ALL_FEATURES)?);
-    assert_layouts(&sh, &gcc)?;
+    let clang = CLANG.path()?;
+    assert_layouts(&sh, &gcc, &[])?;
+    assert_layouts(&sh, &clang, &[])?;
+    run_with_either_enums(&sh, &clang, &library)?;
     let in_c = ["home", "lift", "obey", "talk", "world"].map(|example| (&gcc, "-std=c11", format!("{example}.c")));
     let in_cpp = ["lift.cpp", "world.c"].map(|example| (&gxx, "-std=c++17", example.to_owned()));
     for (compiler, standard, example) in in_c.into_iter().chain(in_cpp) {
@@ -121,6 +128,16 @@ pub fn on_host() -> Result<()> {
             ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-g", "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
         let compile = cmd!(sh, "{compiler} {standard} {checks...} -I capi/include -x {language} capi/examples/{example} -x none {library}");
         compile.arg("-o").arg(&binary).run()?;
+        cmd!(sh, "{binary}").run()?;
+    }
+    Ok(())
+}
+
+/// Builds an example by clang and runs it, with enums of one byte and of four. The library is the same.
+fn run_with_either_enums(sh: &Shell, clang: &Path, library: &Path) -> Result<()> {
+    for enums in ["-fshort-enums", "-fno-short-enums"] {
+        let binary = library.with_file_name(format!("lift-clang{enums}"));
+        cmd!(sh, "{clang} {WARNINGS...} {enums} -I capi/include capi/examples/lift.c {library} -o {binary}").run()?;
         cmd!(sh, "{binary}").run()?;
     }
     Ok(())
@@ -168,6 +185,25 @@ pub fn search_program(trials: u32, seed: u32) -> Result<PathBuf> {
     link("capi/tests/worst.c", FEATURES_AND_TALK, &format!("worst-{trials}-{seed}.elf"), &numbers)
 }
 
+/// Compiles an example by clang for the Cortex-M4F, with enums of either size, and links it with gcc's C library. Returns the paths.
+fn examples_of_clang() -> Result<[PathBuf; 2]> {
+    let (sh, clang, gcc) = (shell()?, CLANG.path()?, ARM_GCC.path()?);
+    let libc = PathBuf::from(cmd!(sh, "{gcc} -print-file-name=libc.a").read()?);
+    let headers = libc.parent().context("gcc names no folder of its C library")?.join("../include");
+    let mut found = ["-fshort-enums", "-fno-short-enums"].map(PathBuf::from);
+    for binary in &mut found {
+        let enums = binary.display().to_string();
+        let object = sh.create_dir(target_dir().join("clang"))?.join(format!("lift{enums}.o"));
+        let compile =
+            cmd!(sh, "{clang} {CLANG_FOR_ARM...} {WARNINGS...} {enums} -O2 -isystem {headers} -I capi/include -c capi/examples/lift.c");
+        compile.arg("-o").arg(&object).run()?;
+        // The C library's enums are short, but none is in what the example calls.
+        let object = object.display().to_string();
+        *binary = link(&object, FEATURES, &format!("lift-clang{enums}.elf"), &["-Wl,--no-enum-size-warning".to_owned()])?;
+    }
+    Ok(found)
+}
+
 /// Links a program in C with a library of these features, for the Cortex-M4F.
 fn link(program: &str, features: &[&str], name: &str, options: &[String]) -> Result<PathBuf> {
     let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);
@@ -181,7 +217,14 @@ fn link(program: &str, features: &[&str], name: &str, options: &[String]) -> Res
 
 /// Builds the examples for the Cortex-M4F and runs them in the emulator; those of small libraries, which have to be built for them, if `all` are meant.
 pub fn on_board(all: bool) -> Result<()> {
-    assert_layouts(&shell()?, &ARM_GCC.path()?)?;
+    let sh = shell()?;
+    assert_layouts(&sh, &ARM_GCC.path()?, &[])?;
+    assert_layouts(&sh, &CLANG.path()?, &CLANG_FOR_ARM)?;
+    emulate(AN386.name, &link("capi/tests/overflow.c", FEATURES, "overflow.elf", &[])?, FAULT)
+        .context("no fault stops a stack that runs over")?;
+    for binary in examples_of_clang()? {
+        print!("{}", run_alone(&binary)?.0);
+    }
     let small = [LIFT_ALONE, OBEY].into_iter().filter(|_| all);
     for example in [HOME, LIFT, TALK, EVERY_FUNCTION].into_iter().chain(small) {
         let binary = example.build()?;

@@ -17,7 +17,7 @@ use crate::programs::{NODE, QEMU, QEMU_RISCV, npm_packages};
 use crate::toolchain::{self, CORTEX_M0, RISCV_C3};
 
 /// The exit code of a firmware stopped by a processor fault.
-const FAULT: i32 = 102;
+pub const FAULT: i32 = 102;
 
 /// Parts of the names of symbols that panic.
 const PANIC: [&str; 8] = ["panic", "unwind", "unwrap_failed", "expect_failed", "slice_index", "_fail", "const_div", "begin_unwind"];

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use xshell::{Shell, cmd};
 
+use crate::capi::{headers_beside, library};
 use crate::process::{root, shell, target_dir};
 use crate::programs::{ARM_GCC, GCC, QEMU};
 use crate::release::unpacked_c;
@@ -63,6 +64,13 @@ impl<'p> Part<'p> {
         Ok(())
     }
 
+    /// The features of the library that its program needs.
+    fn features(&self) -> Result<Vec<&'p str>> {
+        let named = self.text.split_once("cargo xtask library").and_then(|(_, rest)| rest.split_once("--features "));
+        let (named, _) = named.and_then(|(_, rest)| rest.split_once('`')).with_context(|| format!("{PAGE} names no features"))?;
+        Ok(named.split(',').collect())
+    }
+
     fn promised(&self) -> Result<&'p str> {
         let said = self.text.split_once("It says `").and_then(|(_, rest)| rest.split_once('`'));
         Ok(said.with_context(|| format!("{PAGE} does not tell what a program says"))?.0)
@@ -80,6 +88,8 @@ pub fn follow() -> Result<()> {
     unpacked_c(&sh, None, &folder.join("goodbot"))?;
     in_c.write(&sh, "c", "trolley.c")?;
     in_c.try_out(&sh, "gcc")?;
+
+    with_own_features(&sh, &in_c, &gcc)?;
 
     let recipe = Part { text: &sh.read_file(COOKBOOK)?, folder: folder.to_owned() };
     recipe.write(&sh, "c", "recipe.c")?;
@@ -105,6 +115,16 @@ pub fn follow() -> Result<()> {
     in_rust.try_out(&sh, "cargo run")
 }
 
+/// Links the program with a library of only those features that the page names for it.
+fn with_own_features(sh: &Shell, in_c: &Part<'_>, gcc: &Path) -> Result<()> {
+    let named = in_c.features()?;
+    let folder = sh.create_dir(in_c.folder.join("own"))?;
+    headers_beside(sh, &named, &folder)?;
+    let (trolley, library) = (in_c.folder.join("trolley.c"), library(None, &named)?);
+    cmd!(sh, "{gcc} -std=c11 -I {folder} {trolley} {library} -o {folder}/trolley").run()?;
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,6 +139,12 @@ mod tests {
         assert_eq!(part.blocks("c"), ["int a;\n\n  int b;\n"]);
         assert_eq!(part.blocks("sh"), ["ls\n"]);
         assert!(part.run(&shell().unwrap(), "gcc").is_err());
+    }
+
+    #[test]
+    fn the_features_of_a_smaller_library_are_read_from_the_page() {
+        let page = part("`cargo xtask library --target arm --features checks,table` writes");
+        assert_eq!(page.features().unwrap(), ["checks", "table"]);
     }
 
     #[test]

@@ -49,6 +49,9 @@ pub const ARM_GCC: Program = Program {
     ..installed("arm-none-eabi-gcc", "to build C for a controller")
 };
 
+/// A second compiler for the header: its enums for ARM have four bytes unless they are told to be short.
+pub const CLANG: Program = Program { packages: &["clang"], ..installed("clang", "to check the C header by a second compiler") };
+
 /// A Rust compiler with the standard library's sources.
 pub const RUSTC: Program = Program {
     packages: &["rustc-web", "cargo-web", "rust-web-src"],
@@ -161,7 +164,7 @@ pub fn version(path: &Path) -> Result<String> {
 
 /// Finds or fetches the programs other than Python and valgrind. Prints paths and versions.
 pub fn list() -> Result<()> {
-    for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
+    for program in [&QEMU, &QEMU_RISCV, &ARM_GCC, &CLANG, &CHROMIUM, &FIREFOX, &NODE, &NPM, &GCC, &GXX] {
         let path = program.path()?;
         println!("{}: {}", path.display(), version(&path)?);
     }

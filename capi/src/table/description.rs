@@ -134,9 +134,9 @@ pub struct GoodbotTable {
     pub action_count: u32,
     /// The tasks that commands may mean, such as `blockInRoom(?o, ?r)`.
     pub tasks: *const *const c_char,
-    /// How many.
+    /// How many, one at least.
     pub task_count: u32,
-    /// How many states there are. They are numbered from 0.
+    /// How many states there are, one at least. They are numbered from 0.
     pub state_count: u32,
     /// The first state.
     pub start: u32,

@@ -244,15 +244,15 @@ unsafe fn actions(table: &GoodbotTable, arena: &mut Arena) -> Result<&'static [A
 }
 
 unsafe fn steps(table: &GoodbotTable) -> Result<Steps, Fault> {
+    // The entries of a table of steps cannot name more states.
+    let most = if table.next.is_null() { u32::MAX } else { u32::from(GOODBOT_CANNOT) };
+    if table.state_count == 0 || table.state_count > most {
+        return Err(GoodbotStatus::Number).at(Place::of("state_count").number(table.state_count, 1, most));
+    }
     if table.holds.is_none() {
         return Err(GoodbotStatus::Null).at(Place::of("holds"));
     }
     if !table.next.is_null() {
-        // The table's entries cannot name more states.
-        let most = u32::from(GOODBOT_CANNOT);
-        if table.state_count > most {
-            return Err(GoodbotStatus::Number).at(Place::of("state_count").number(table.state_count, 1, most));
-        }
         let entries = table.state_count.checked_mul(table.action_count).ok_or(GoodbotStatus::Number).at(Place::of("state_count"))?;
         // SAFETY: the caller's promise.
         return Ok(Steps::Table(unsafe { list(table.next, entries, entries as usize, Place::of("next"), Place::of("next")) }?));

@@ -10,6 +10,7 @@ use goodbot::{Agent, Capacities, Options};
 use goodbot_capi::beliefs::{goodbot_task_count, goodbot_task_probability};
 use goodbot_capi::home::*;
 use goodbot_capi::memory::goodbot_size;
+use goodbot_capi::options::*;
 use goodbot_capi::robot::Goodbot;
 use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::training::*;
@@ -20,6 +21,7 @@ use goodbot_lesson::home;
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::walk::Walk;
 use std::ffi::CString;
+use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 const LOG: &str = include_str!("../../../tests/fixtures/lesson.jsonl");
@@ -55,6 +57,13 @@ fn robot() -> Owned {
     let made =
         unsafe { goodbot_init_home_tasks(memory, bytes, &raw const capacities, kinds.as_ptr(), kinds.len() as u32, &raw mut owned.robot) };
     assert_eq!(made, GoodbotStatus::Ok);
+    // The log's robot expects no command for what is so already.
+    let mut options = MaybeUninit::uninit();
+    unsafe {
+        assert_eq!(goodbot_current_options(owned.robot, options.as_mut_ptr()), GoodbotStatus::Ok);
+        let options = GoodbotOptions { done: 0.0, ..options.assume_init() };
+        assert_eq!(goodbot_set_options(owned.robot, &raw const options), GoodbotStatus::Ok);
+    }
     owned
 }
 

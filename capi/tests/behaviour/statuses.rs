@@ -280,26 +280,32 @@ fn a_home_can_have_tasks_with_a_way_and_their_texts_tell_it() {
         let (memory, count) = (owned.memory.as_mut_ptr().cast(), tasks.len() as u32);
         goodbot_init_home_tasks(memory, bytes, &raw const capacities, tasks.as_ptr(), count, &raw mut owned.robot)
     };
-    assert_eq!(init(&[c"agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?goal)"]), GoodbotStatus::World);
+    assert_eq!(init(&[c"agentInRoom(?a, ?goal) avoiding agentInRoom(?a, ?goal)"]), GoodbotStatus::TaskWay);
+    assert_eq!(init(&[]), GoodbotStatus::Number, "a robot without tasks could be told nothing");
     assert_eq!(init(&[c"agentInRoom(?a, ?goal)"; GOODBOT_MOST_TASKS + 1]), GoodbotStatus::Number);
     assert_eq!(init(&[c"agentInRoom(?a, ?goal)", c"agentInRoom(?a, ?goal) through blockInRoom(?o, ?goal)"]), GoodbotStatus::Ok);
     let robot = owned.robot;
     assert_eq!(describe(robot), GoodbotStatus::Ok);
     hear_and_plan(robot, c"take the chair along to the green room");
-    let texts: Vec<String> = (0..2)
+    let mut count = 0;
+    assert_eq!(unsafe { goodbot_task_count(robot, &raw mut count) }, GoodbotStatus::Ok);
+    let texts: Vec<String> = (0..count)
         .map(|task| {
             let mut text = [0; 96];
             assert_eq!(unsafe { goodbot_task_text(robot, task, text.as_mut_ptr(), text.len()) }, GoodbotStatus::Ok);
             unsafe { CStr::from_ptr(text.as_ptr()) }.to_str().unwrap().to_owned()
         })
         .collect();
-    assert_eq!(texts, ["agentInRoom(agent0,room1)", "agentInRoom(agent0,room1) through blockInRoom(block0,room1)"]);
+    for task in ["agentInRoom(agent0,room1)", "agentInRoom(agent0,room1) through blockInRoom(block0,room1)"] {
+        assert!(texts.iter().any(|text| text == task), "{task}: {texts:?}");
+    }
 }
 
 #[test]
 fn nothing_to_do_is_no_task() {
     let lift = Lift::new();
-    let owned = of_table(&GoodbotTable { task_count: 0, ..lift.table() }).unwrap();
+    // There is a lift, but no floor.
+    let owned = of_table(&GoodbotTable { object_count: 1, ..lift.table() }).unwrap();
     assert_eq!(unsafe { goodbot_hear(owned.robot, c"up".as_ptr()) }, GoodbotStatus::NoTask);
     assert_eq!(unsafe { goodbot_home_begin(owned.robot) }, GoodbotStatus::World);
 }
@@ -390,8 +396,27 @@ fn a_table_that_is_described_wrongly_is_refused() {
     assert_eq!(refused(|lift, _| lift.actions[1].cost = 17), Some(GoodbotStatus::Number));
     assert_eq!(refused(|lift, _| lift.objects[1].object_class = 2), Some(GoodbotStatus::Unknown));
     assert_eq!(refused(|lift, _| lift.objects[2].name = c"floor0".as_ptr()), Some(GoodbotStatus::World));
-    assert_eq!(refused(|lift, _| lift.tasks[0] = c"liftAtFloor(?l)".as_ptr()), Some(GoodbotStatus::World));
+    assert_eq!(refused(|lift, _| lift.tasks[0] = c"liftAtFloor(?l)".as_ptr()), Some(GoodbotStatus::TaskArguments));
+    assert_eq!(refused(|_, table| (table.state_count, table.start) = (0, 0)), Some(GoodbotStatus::Number));
+    assert_eq!(refused(|_, table| table.task_count = 0), Some(GoodbotStatus::Number));
     assert_eq!(refused(|lift, _| lift.tasks[0] = null()), Some(GoodbotStatus::Null));
+}
+
+#[test]
+fn each_fault_of_a_task_s_text_has_a_status_and_a_sentence() {
+    let faults: [(&CStr, _, &str); 5] = [
+        (c"liftAtFloor(?l ?f", GoodbotStatus::TaskForm, "a task is not written as name(?a, ?b)"),
+        (c"liftAtRoof(?l, ?f)", GoodbotStatus::TaskProposition, "a task names an unknown proposition"),
+        (c"liftAtFloor(?l ?f)", GoodbotStatus::TaskArguments, "a task has a wrong number of arguments"),
+        (c"liftAtFloor(?x, ?x)", GoodbotStatus::TaskClass, "a task's variable is of two classes"),
+        (c"liftAtFloor(?l, ?f) avoiding liftAtFloor(?l, ?f)", GoodbotStatus::TaskWay, "a task's way says nothing, or is not known"),
+    ];
+    for (task, status, sentence) in faults {
+        let mut lift = Lift::new();
+        lift.tasks[0] = task.as_ptr();
+        assert_eq!(of_table(&lift.table()).err(), Some(status));
+        assert_eq!(unsafe { CStr::from_ptr(goodbot_status_text(status as i32)) }.to_str(), Ok(sentence));
+    }
 }
 
 #[test]
@@ -422,13 +447,13 @@ fn states_out_of_a_table_s_range_are_refused() {
 #[test]
 fn every_status_has_a_sentence_of_its_own() {
     let sentence = |status| unsafe { CStr::from_ptr(goodbot_status_text(status)) }.to_str().unwrap();
-    let mut all: Vec<&str> = (0..=GoodbotStatus::NewerFormat as i32).map(sentence).collect();
-    for status in [-1, GoodbotStatus::NewerFormat as i32 + 1, i32::MIN, i32::MAX] {
+    let mut all: Vec<&str> = (0..=GoodbotStatus::TaskWay as i32).map(sentence).collect();
+    for status in [-1, GoodbotStatus::TaskWay as i32 + 1, i32::MIN, i32::MAX] {
         assert_eq!(sentence(status), "no such status");
     }
     all.sort_unstable();
     all.dedup();
-    assert_eq!(all.len(), GoodbotStatus::NewerFormat as usize + 1);
+    assert_eq!(all.len(), GoodbotStatus::TaskWay as usize + 1);
     assert!(!all.contains(&"no such status"));
 }
 

@@ -9,6 +9,7 @@ use goodbot_capi::status::GoodbotStatus;
 use goodbot_capi::table::description::GoodbotTable;
 use goodbot_capi::table::init::goodbot_table_set_state;
 use goodbot_capi::training::*;
+use goodbot_capi::voice::{GoodbotSaid, goodbot_said};
 use goodbot_capi::words::goodbot_explain_word;
 use robots::{Lift, Owned, hear_and_plan, in_homes, of_table, small};
 use std::ffi::{CStr, c_char, c_void};
@@ -227,4 +228,25 @@ fn wrong_calls_are_refused() {
         let mut state = 9;
         assert_eq!(goodbot_capi::table::init::goodbot_table_state(owned.robot, &raw mut state), GoodbotStatus::Ok);
     }
+}
+
+#[test]
+fn stop_is_known_without_a_table_and_nothing_else_is() {
+    let owned = robots::at_home();
+    let said = |words: &CStr, table: *const c_char| unsafe {
+        let (mut said, mut answer) = (GoodbotSaid::Nothing, 0);
+        let status = goodbot_said(owned.robot, words.as_ptr(), table, &raw mut said, &raw mut answer);
+        assert_eq!(status, GoodbotStatus::Ok);
+        said
+    };
+    for words in [c"stop", c"Stop!", c"halt", c"emergency stop"] {
+        assert_eq!(said(words, null()), GoodbotSaid::Stop, "{words:?}");
+    }
+    for words in [c"stop at the red room", c"well done", c"do not move"] {
+        assert_eq!(said(words, null()), GoodbotSaid::Command, "{words:?}");
+    }
+    let table = c"negation: not\nact: move\npolite: do";
+    assert_eq!(said(c"do not move", table.as_ptr()), GoodbotSaid::Stop);
+    assert_eq!(said(c"do not move the bag", table.as_ptr()), GoodbotSaid::Command);
+    assert_eq!(said(c"stop", table.as_ptr()), GoodbotSaid::Command, "the table says which words stop");
 }

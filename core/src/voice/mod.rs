@@ -64,6 +64,10 @@ impl Stage {
 /// Classes of words that may stand beside praise, blame and answers.
 const BESIDE: [Class; 5] = [Class::Polite, Class::Pronoun, Class::All, Class::Connective, Class::Asking];
 
+/// Classes of words that may stand beside an act word where nothing is to be moved, and of act words that move nothing: "forget", "leave".
+const BESIDE_ACTS: [Class; 4] = [Class::Negation, Class::Stop, Class::Polite, Class::You];
+const NOT_TO_MOVE: [Class; 4] = [Class::If, Class::Out, Class::Asking, Class::Polite];
+
 /// The most words of praise or blame.
 const SHORT: usize = 6;
 
@@ -103,6 +107,11 @@ struct Summary {
     /// Whether a word asks to undo something.
     is_back: bool,
     is_meant: bool,
+    /// The number of act words, and of words that are neither these nor may stand beside them in "do not move" and "stop driving".
+    acts: usize,
+    others: usize,
+    /// Whether a word forbids something, and is no "no".
+    forbids: bool,
     /// The number that the last word is.
     number: Option<u8>,
     /// How often words like these came with praise and with blame; `None` if one of them never did.
@@ -112,6 +121,12 @@ struct Summary {
 impl Summary {
     const fn has(&self, class: Class) -> bool {
         self.any.contains(class)
+    }
+
+    /// Whether the robot shall not act at all: "do not move", "stop driving". "Do not move the bag" names something, so it is a command, and
+    /// "no, drive" and "do not forget" ask for an act.
+    const fn halts(&self) -> bool {
+        (self.forbids || self.first.contains(Class::Stop)) && self.acts > 0 && self.others == 0
     }
 
     /// The class of the closed words, at any stage of the conversation.
@@ -178,6 +193,9 @@ impl<M: AgentMemory> Agent<M> {
         learned: impl Fn(&str) -> Option<[u32; 2]>,
     ) -> Result<Said, AgentError> {
         let heard = self.words_of(words, closed, learned)?;
+        if heard.halts() {
+            return Ok(Said::Stop);
+        }
         let question = self.open_question().filter(|_| stage != Stage::Between);
         let choices = question.map_or(0, |question| question.subject.choices());
         if let Some(number) = heard.number.filter(|number| heard.count == 1 && (1..=choices).contains(number)) {
@@ -210,6 +228,13 @@ impl<M: AgentMemory> Agent<M> {
             heard.strange = heard.strange.saturating_add(usize::from(!is_closed));
             heard.is_known |= !is_closed && is_known;
             heard.is_back |= classes.contains(Class::Again) && classes.contains_any(&[Class::Back, Class::Undo]);
+            heard.forbids |= classes.contains(Class::Negation) && !classes.contains_any(&[Class::No, Class::Yes]);
+            let acts = in_table.contains(Class::Act);
+            if acts && !classes.contains_any(&NOT_TO_MOVE) {
+                heard.acts = heard.acts.saturating_add(1);
+            } else if acts || !classes.contains_any(&BESIDE_ACTS) || classes.contains(Class::No) {
+                heard.others = heard.others.saturating_add(1);
+            }
             heard.is_meant |= in_table.contains(Class::Meant);
             heard.number = piece.parse().ok();
             heard.learned = match (heard.learned, learned(piece)) {
@@ -259,5 +284,64 @@ fn act_of(class: Class, words: &Summary, stage: Stage, question: Option<&Questio
         Class::Again if words.is_back => Said::Undo,
         Class::Again if stage == Stage::Between => Said::Again,
         class => Said::Nothing(class),
+    }
+}
+
+#[cfg(all(test, feature = "alloc"))]
+mod tests {
+    use super::*;
+    use crate::{Capacities, HeapMemory, Options, home};
+
+    fn said(words: &str, closed: ClosedWords<'_>, stage: Stage) -> Said {
+        let memory = HeapMemory::new(&Capacities::SMALL);
+        let agent = Agent::new(memory.agent, &home::paper_tasks().unwrap(), Options::DEFAULT).unwrap();
+        agent.said(words, closed, stage, |_| None).unwrap()
+    }
+
+    #[test]
+    fn emergencies_and_an_act_that_is_forbidden_or_stopped_stop_the_robot() {
+        const STAGES: [Stage; 4] = [Stage::Between, Stage::OnTheWay, Stage::Stepped, Stage::AtGoal];
+        let english = [
+            "stop",
+            "emergency stop!",
+            "emergency!",
+            "do not move",
+            "don't move, please",
+            "never move",
+            "stop driving",
+            "robot, don't you move",
+        ];
+        for (closed, sentences) in [
+            (ClosedWords::ENGLISH, &english[..]),
+            (ClosedWords::GERMAN, &["stopp", "Notstopp!", "nothalt", "nicht bewegen", "beweg dich bitte nicht"]),
+            (ClosedWords::FRENCH, &["stop", "arrêt d'urgence", "urgence"]),
+        ] {
+            for (stage, words) in STAGES.into_iter().flat_map(|stage| sentences.iter().map(move |words| (stage, words))) {
+                assert_eq!(said(words, closed, stage), Said::Stop, "{words} {stage:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_names_a_thing_or_a_place_stops_nothing() {
+        for words in [
+            "stop at the red room",
+            "do not move the bag",
+            "don't move it",
+            "do not go to the red room",
+            "go to the emergency exit",
+            "take the bag to the emergency room",
+            "move",
+            "no, drive",
+            "don't forget",
+            "don't leave",
+            "go and wait",
+            "don't go back",
+        ] {
+            for stage in [Stage::Between, Stage::OnTheWay] {
+                assert_ne!(said(words, ClosedWords::ENGLISH, stage), Said::Stop, "{words} {stage:?}");
+            }
+        }
+        assert_ne!(said("beweg die Tasche nicht", ClosedWords::GERMAN, Stage::Between), Said::Stop);
     }
 }

@@ -88,6 +88,7 @@ mod tests {
             "LICENSE-MIT",
             "README.md",
             "examples/Lift/Lift.ino",
+            "examples/OneButton/OneButton.ino",
             "idf_component.yml",
             "library.json",
             "library.properties",

@@ -12,6 +12,8 @@ use crate::programs::{GCC, GXX, python_with};
 const TESTS: &str = "capi/tests/packages";
 /// A lesson to the lift, and a question.
 const LESSON: &str = "up to the roof\n+\n+\n!\nup to the roof\n?\n+\n";
+/// Two lessons by one button; the lift is where the second one wants it.
+const TWO_LESSONS: &str = "up to the roof\nup to the roof\n";
 
 fn tools() -> Result<PathBuf> {
     python_with(&format!("--requirement={TESTS}/requirements.txt"), "python-packages")
@@ -38,20 +40,31 @@ pub fn try_out(package: &Path) -> Result<()> {
     Ok(cmd!(sh, "{program}").run()?)
 }
 
-/// The package for boards, unpacked; its sketch runs here, with the library for this machine.
-pub fn try_out_boards(boards: &Path, package: &Path) -> Result<()> {
-    let (sh, gxx, programs) = (shell()?, GXX.path()?, tools()?);
-    cmd!(sh, "{programs}/python {TESTS}/platformio.py {boards}").run()?;
-    let above = sh.create_temp_dir()?;
-    let (sketch, library) = (above.path().join("sketch"), package.join("lib/libgoodbot.a"));
+/// Builds an example of the package for boards with a stub of Arduino, and runs it. Returns what it says.
+fn run_sketch(name: &str, typed: &str, boards: &Path, library: &Path) -> Result<String> {
+    let (sh, gxx) = (shell()?, GXX.path()?);
+    let folder = sh.create_temp_dir()?;
+    let sketch = folder.path().join("sketch");
     let warnings = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsanitize=address,undefined"];
-    let compile = cmd!(sh, "{gxx} {warnings...} -I {TESTS} -I {boards}/src -include Arduino.h -x c++ {boards}/examples/Lift/Lift.ino");
+    let compile = cmd!(sh, "{gxx} {warnings...} -I {TESTS} -I {boards}/src -include Arduino.h -x c++ {boards}/examples/{name}/{name}.ino");
     compile.args(["-x", "none"]).arg(library).arg("-o").arg(&sketch).run()?;
-    let said = cmd!(sh, "{sketch}").stdin(LESSON).read()?;
+    let said = cmd!(sh, "{sketch}").stdin(typed).read()?;
     println!("{said}");
+    Ok(said)
+}
+
+/// The package for boards, unpacked; its sketches run here, with the library for this machine.
+pub fn try_out_boards(boards: &Path, package: &Path) -> Result<()> {
+    let (sh, programs) = (shell()?, tools()?);
+    cmd!(sh, "{programs}/python {TESTS}/platformio.py {boards}").run()?;
+    let library = package.join("lib/libgoodbot.a");
+    let said = run_sketch("Lift", LESSON, boards, &library)?;
     ensure!(
         said.contains("learned") && said.lines().filter(|line| line.ends_with('%')).count() == 3,
         "the lift did not learn by its serial line"
     );
+    let said = run_sketch("OneButton", TWO_LESSONS, boards, &library)?;
+    let (_, second) = said.split_once("learned").unwrap_or_default();
+    ensure!(second.contains("learned") && !second.contains("down"), "the lift did not learn by its one button");
     Ok(())
 }
