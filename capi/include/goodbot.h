@@ -26,8 +26,8 @@
      docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
      when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
      goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_explain_word, goodbot_question, goodbot_finish,
-     goodbot_home_build, goodbot_join_starter, goodbot_save,
-     goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and goodbot_restore_parameters. */
+     goodbot_home_build, goodbot_join_starter, goodbot_saved_size, goodbot_save, goodbot_store, goodbot_restore, goodbot_load,
+     goodbot_save_parameters and goodbot_restore_parameters. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H

@@ -27,14 +27,14 @@ enum call {
     BEGIN_HEARING, HEAR_ON, HEAR_AGAIN, PLAN, DECIDE, DONE, FEEDBACK, TRAINER_ENDED, DEMONSTRATION, REMARK, BEGIN_FINISHING, FINISH_ON,
     FORGET, LEARN, LEARN_16, TASK_COUNT, TASK_PROBABILITY, MOST_LIKELY, TASK_TEXT, EXPLAIN_WORD, QUESTION, QUESTION_TEXT, ANSWER,
     SAID, REMEMBER, CONVERSE_ANEW, SESSION_COUNT, USAGE, FULL, SET_STATE, SAVED_SIZE, BEGIN_SAVING, SAVE_ON, BEGIN_RESTORING,
-    RESTORE_ON, TRAINER, OPTIONS, SET_OPTIONS, LEAST_CAPACITIES, CALLS
+    RESTORE_ON, TRAINER, TRAINERS, OPTIONS, SET_OPTIONS, LEAST_CAPACITIES, HOME_FIND_CELLS, HOME_PLACE, HOME_SENSE, HOME_WHERE, CALLS
 };
 static const char *const names[CALLS] = {
     "begin_hearing", "hear_on", "hear_again", "plan", "decide", "done", "feedback", "trainer_ended", "demonstration", "remark",
     "begin_finishing", "finish_on", "forget", "learn", "learn-16", "task_count", "task_probability", "most_likely", "task_text",
     "explain_word", "question", "question_text", "answer", "said", "remember", "converse_anew", "session_count", "usage", "full",
-    "table_set_state", "saved_size", "begin_saving", "save_on", "begin_restoring", "restore_on", "trainer",
-    "current_options", "set_options", "least_capacities",
+    "table_set_state", "saved_size", "begin_saving", "save_on", "begin_restoring", "restore_on", "trainer", "trainers",
+    "current_options", "set_options", "least_capacities", "home_find_cells", "home_place", "home_sense", "home_where",
 };
 static uint32_t most[CALLS], now[CALLS];
 
@@ -77,7 +77,7 @@ enum { MOST_PLACES = 12, MOST_THINGS = 3, MOST_TASKS = 64, MOST_NAMES = 96 };
 enum { MOST_PLACES = 13, MOST_THINGS = 2, MOST_TASKS = 16, MOST_NAMES = 32 };
 #endif
 /* A call asks for all derived facts of an object, whatever the budget. */
-enum { MOST_FACTS = 3 };
+enum { MOST_FACTS = GOODBOT_MOST_DERIVED };
 enum { ROBOT, PLACE, THING };
 static uint32_t places, things, states, facts;
 static const char *const classes[] = {"robot", "place", "thing"};
@@ -275,6 +275,50 @@ static void act(uint32_t turns) {
     }
 }
 
+/* All kinds of trainers that the tables hold, with all that a strategy can say. */
+static void trained_by_many(void) {
+    goodbot_strategy strategies[GOODBOT_MOST_STRATEGIES];
+    for (uint32_t at = 0; at < GOODBOT_MOST_STRATEGIES; at++) {
+        strategies[at] = (goodbot_strategy){0.1f, 0.7f, 0.1f, {0.6f, 0.3f, 0.1f}, {0.3f, 0.4f, 0.5f, 0.6f}, 1.0f + (float)at};
+    }
+    for (uint32_t count = GOODBOT_MOST_STRATEGIES; count > 0; count--) (void)COUNT(TRAINERS, goodbot_trainers(robot, strategies, count));
+}
+
+/* A home in which everything has a long name: as many rooms and blocks as fit the preset for homes, in its cells. */
+static void live_in_a_home(void) {
+    static goodbot_capacities capacities;
+    static char names[12][48];
+    goodbot_sensed sensed[13];
+    uint32_t rooms = gene(0, 1, 3), blocks = gene(1, 0, 3), letters = gene(10, 1, 14), moves;
+    int32_t wide = (int32_t)gene(3, 2, 5), x, y;
+    goodbot_status status;
+    REQUIRE(goodbot_preset(GOODBOT_SMALL, &capacities));
+    REQUIRE(goodbot_init_home(memory, MEMORY_BYTES, &capacities, &robot));
+    REQUIRE(goodbot_home_begin(robot));
+    for (uint32_t at = 0; at < 12; at++) {
+        memset(names[at], 'n', letters);
+        names[at][letters] = (char)('a' + at);
+        names[at][letters + 1] = 0;
+    }
+    for (uint32_t at = 0; at < rooms; at++) {
+        int32_t left = (int32_t)at * wide;
+        REQUIRE(goodbot_home_room(robot, names[at], left, 0, left + wide, 4, "red"));
+        if (at > 0) REQUIRE(goodbot_home_door(robot, names[3 + at], left, 2, left, 2));
+    }
+    REQUIRE(goodbot_home_agent(robot, names[6], 1, 1));
+    for (uint32_t at = 0; at < blocks; at++) REQUIRE(goodbot_home_block(robot, names[7 + at], 1 + (int32_t)(at % 2), 2 + (int32_t)(at / 2), "blue", "chair"));
+    do status = COUNT(HOME_FIND_CELLS, goodbot_home_find_cells(robot, 1));
+    while (status == GOODBOT_STATUS_WORKING);
+    REQUIRE(status);
+    REQUIRE(goodbot_home_build(robot));
+    for (moves = 0; moves < 4; moves++) {
+        (void)COUNT(HOME_PLACE, goodbot_home_place(robot, names[draw(12)], 1 + (int32_t)draw(4), 1 + (int32_t)draw(3)));
+        (void)COUNT(HOME_WHERE, goodbot_home_where(robot, names[draw(12)], &x, &y));
+        for (uint32_t at = 0; at <= blocks; at++) sensed[at] = (goodbot_sensed){names[6 + at], 1 + (int32_t)(at % 2), 1 + (int32_t)(at / 2)};
+        (void)COUNT(HOME_SENSE, goodbot_home_sense(robot, sensed, blocks + 1));
+    }
+}
+
 static void live(void) {
     static goodbot_capacities capacities;
     static goodbot_saving saving;
@@ -282,7 +326,7 @@ static void live(void) {
     goodbot_lessons lessons = {4, 64, 64, 1024};
     goodbot_options options;
     size_t bytes, written;
-    uint32_t evidence, gave_way, number = gene(12, 1, 5), turns = gene(13, 0, 6);
+    uint32_t evidence, gave_way, number = gene(21, 0, 3) ? gene(12, 1, 5) : gene(12, 6, 24), turns = gene(13, 0, 6);
     goodbot_status status;
     drawn = genome[14];
     make_world();
@@ -350,11 +394,13 @@ static void live(void) {
     }
     (void)COUNT(FORGET, goodbot_forget(robot));
     (void)COUNT(TRAINER, goodbot_trainer(robot, 0.7f, 0.7f, 0.1f));
+    trained_by_many();
+    live_in_a_home();
 }
 
 /* The calls that do all at once, which may take as long as they do. */
 static bool is_bounded(int call) {
-    return call != EXPLAIN_WORD && call != QUESTION && call != SAID && call != LEAST_CAPACITIES;
+    return call != EXPLAIN_WORD && call != QUESTION && call != SAID && call != SAVED_SIZE && call != LEAST_CAPACITIES;
 }
 
 /* One of the calls that a control loop makes: the longest of three. */

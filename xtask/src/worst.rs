@@ -20,7 +20,7 @@ const TRIALS_OF_A_CHECK: u32 = 12;
 const MOST: u64 = 62_500;
 
 /// Calls of the search, by their names in C.
-const CALLS: [(&str, &str); 38] = [
+const CALLS: [(&str, &str); 43] = [
     ("begin_hearing", "goodbot_begin_hearing"),
     ("hear_on", "goodbot_hear_on, budget 1"),
     ("hear_again", "goodbot_hear_again"),
@@ -49,12 +49,17 @@ const CALLS: [(&str, &str); 38] = [
     ("usage", "goodbot_usage"),
     ("full", "goodbot_full"),
     ("table_set_state", "goodbot_table_set_state"),
-    ("saved_size", "goodbot_saved_size"),
+    ("saved_size", "goodbot_saved_size (at once)"),
     ("begin_saving", "goodbot_begin_saving"),
     ("save_on", "goodbot_save_on, budget 1"),
     ("begin_restoring", "goodbot_begin_restoring"),
     ("restore_on", "goodbot_restore_on, budget 1"),
     ("trainer", "goodbot_trainer"),
+    ("trainers", "goodbot_trainers"),
+    ("home_find_cells", "goodbot_home_find_cells, budget 1"),
+    ("home_place", "goodbot_home_place"),
+    ("home_sense", "goodbot_home_sense"),
+    ("home_where", "goodbot_home_where"),
     ("current_options", "goodbot_current_options"),
     ("set_options", "goodbot_set_options"),
     ("explain_word", "goodbot_explain_word (at once)"),
