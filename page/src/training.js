@@ -122,7 +122,7 @@ export function showSession(records) {
 export async function leaveSession() {
   const { session } = state;
   // The moment of a success ends, and the tour goes on.
-  if (state.phase === 'moment') enterStop(state.tour.at);
+  if (state.phase === 'moment') state.mode === 'tour' ? enterStop(state.tour.at) : stopSession();
   if (state.phase === 'learning') {
     tell(t('judge.learning'));
     return false;
@@ -475,9 +475,31 @@ export async function finishSession() {
   state.session = null;
   state.phase = 'none';
   $('command').value = session.command;
-  if (!tellRest() && !session.onEnd) render();
-  if (session.onEnd) session.onEnd();
-  else if (learned) tell(t('learned.told', { text: learned }));
+  const more = tellRest();
+  if (session.onEnd) {
+    session.onEnd();
+    return;
+  }
+  if (learned) tell(t('learned.told', { text: learned }));
+  if (more || (learned && session.affirmed && mayCelebrate() && !await moment(MOMENT))) return;
+  render();
+}
+
+// How many milliseconds a success is shown.
+export const MOMENT = 1500;
+
+/** Whether a success is shown: not where motion is not wanted, because nothing is shown there that takes time. */
+export const mayCelebrate = () => state.settings.speed !== 'once' && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+/** The robot is glad where it has got to, and the words that have become clear fly to the others. Returns false if the user goes elsewhere meanwhile.
+ * @param {number} milliseconds */
+export async function moment(milliseconds) {
+  state.phase = 'moment';
+  render();
+  await new Promise(done => { setTimeout(done, milliseconds); });
+  if (state.phase !== 'moment') return false;
+  state.phase = 'none';
+  return true;
 }
 
 export function finishWithoutLearning() {
