@@ -206,7 +206,7 @@ export function renderTour() {
     const name = stop.appendix ? nameOf(at) : stop.test ? t('tour.testOf', { n: at - lessons + 1, of: count(true) }) : t('tour.lessonOf', { n: at + 1, of: lessons });
     // The command is placed as the language wants it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
-    $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
+    $('tour-title').replaceChildren(...(state.session ? [before, make('bdi', {}, ...heardWords(state.session.command)), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
     $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
   const walking = Boolean(state.session?.looking);
