@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { close, eachTab, launch, learned, open, opened, play, reload } from './browser.mjs';
 
@@ -207,4 +208,12 @@ test('words that are written from right to left stand in the order of the senten
   await page.locator('#toast', { hasText: 'is deleted' }).waitFor();
   assert.equal(await page.textContent('#toast'), '\u2068רובוט 2\u2069 is deleted. “Bring back” is below the list.');
   await close(page);
+});
+
+test('no text has a word that sounds wrong to somebody who grew up with the language', () => {
+  // Each with what would be natural: exercise, should or must, whoever.
+  for (const [language, wrong] of [['de', /Sitzung/], ['en', /\bshall\b|\bno model that|^Who opens|^Kept in this/], ['fr', /^Qui ouvre/], ['es', /^Ideas$/]]) {
+    const texts = Object.entries(JSON.parse(readFileSync(new URL(`../languages/${language}.json`, import.meta.url), 'utf8')));
+    assert.deepEqual(texts.filter(([, text]) => wrong.test(text.other ?? text)).map(([key, text]) => [language, key, text]), []);
+  }
 });

@@ -37,7 +37,7 @@ test('what is kept and cannot be read is told, stays, and can be saved as a file
   await page.evaluate(all => { for (const [key, text] of Object.entries(all)) localStorage.setItem(key, text); }, kept);
   await page.reload();
   await page.waitForSelector('body.ready');
-  assert.match(await page.textContent('#unread'), /^3 things kept in this browser cannot be read here/);
+  assert.match(await page.textContent('#unread'), /^3 things saved in this browser cannot be read here/);
   const file = JSON.parse(String(await saved(page, '#unread button')));
   assert.deepEqual([file['robot.damaged'], file['log.damaged'], file['robot.newer'], file['unread.drawing']], Object.values(kept));
   assert.equal(await page.evaluate(() => localStorage.getItem('goodbot.robot.newer')), kept['goodbot.robot.newer'], 'a newer page can still read it');
