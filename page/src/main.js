@@ -104,6 +104,7 @@ async function begin(module, languages) {
     if (state.mode === 'tour') enterStop(state.tour.at);
     else nameHome();
   }
+  tellUnread();
   render();
   document.body.classList.add('ready');
   showSession(visited?.session);

@@ -82,6 +82,7 @@ export async function switchTo(robot) {
     await open(robot);
   } catch (error) {
     tell(t('robots.cannot', { name: robot.name, why: error.message }), true);
+    tellUnread();
     return;
   }
   shown();

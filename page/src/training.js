@@ -9,7 +9,7 @@ import { knowsWords, lessonLearned, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
 import { SPEEDS } from './settings.js';
-import { underWay } from './shelf.js';
+import { put, underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
 import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
@@ -144,8 +144,8 @@ export async function leaveSession() {
 export async function takeUpSession(attend) {
   /** @type {import('./state.js').Session} */
   let session;
+  const { value, closed } = await underWay.get();
   try {
-    const { value, closed } = await underWay.get();
     const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
     // A session without steps is not resumed from a tab that was closed.
@@ -174,6 +174,8 @@ export async function takeUpSession(attend) {
       session.steps += 1;
     }
   } catch {
+    // It is damaged, and is told as such.
+    put('unread.session', value);
     underWay.put(null);
     stopSession();
     return false;
