@@ -16,7 +16,7 @@ let spoken = '';
 export function speak(text) {
   const isNew = text !== spoken;
   spoken = text;
-  if (!isNew || !state.settings.voice || !browser.speechSynthesis) return;
+  if (!isNew || !text || !state.settings.voice || !browser.speechSynthesis) return;
   browser.speechSynthesis.cancel();
   const utterance = new SpeechSynthesisUtterance(text);
   utterance.lang = document.documentElement.lang;
