@@ -3,7 +3,6 @@ import { attempt, parsed, world } from './core.js';
 import { listed, t } from './language.js';
 import { noteAnswer, pause, wake } from './session.js';
 import { $, announce, inParts, make, render, state } from './state.js';
-import { speak } from './voice.js';
 import { objectWords, questionWords } from './words.js';
 
 const BUDGET = 4000;
@@ -24,7 +23,6 @@ export async function askTrainer(session) {
   const focused = document.activeElement;
   render();
   announce([questionWords(question), listed(['', ...choicesOf(question)].slice(choicesOf(question).length ? 1 : 0), 'or')].join(' '));
-  speak(questionWords(question));
   if (focused === $('good') || focused === $('bad')) $('answers').focus({ preventScroll: true });
   const before = session.answers;
   await pause(session, Infinity);

@@ -25,13 +25,14 @@ export function speech() {
     return [t('say.ready'), t('say.learnedFrom', { sessions: sessionsWord() })];
   }
   const best = ranked()[0];
-  if (!best) return ['…', ''];
   const unknown = unknownWords();
   const strange = unknown.length ? ' ' + t('say.strange', { words: listed(unknown.map(word => quoted(asWritten(word)))) }) : '';
   if (session.question) return [questionWords(session.question), strange.trim()];
   if (state.secret === 'open') return [t('secret.going'), ''];
+  // Among equally likely tasks it is not known yet which one it follows.
+  if (!session.decided || !best) return [t('say.thinking'), strange.trim()];
   const task = best.words;
-  if (session.decided && session.decided.action === 'noop') {
+  if (session.decided.action === 'noop') {
     const plan = session.decided.plans[session.decided.task];
     // In a test nobody can answer.
     const asked = key => (session.looking ? '' : t(key));

@@ -19,6 +19,8 @@ const build = {
   chosen: null,
   /** @type {any} */
   drag: null,
+  // Whether the pointer was last on the drawing.
+  drawing: false,
   /** @type {any} */
   frame: null,
   // The cells that are shown.
@@ -82,12 +84,18 @@ function keepDrawing() {
   shelf.put('drawing', JSON.stringify({ file: build.file, home, past: build.past, future: build.future }));
 }
 
+// The core's faults of a home: a part of its text, and the page's name for it.
+const FAULTS = {
+  'in a wall': 'outside', 'no cell': 'small', 'or another block': 'crowded', 'beyond -255': 'large', 'more states': 'large', 'no agent;': 'robot', 'agent already': 'robot',
+};
+
 // Why a drawing is no home, in words for people: the core's limits have the names of its tables.
 function whyNot(error) {
   const [, table = '', n] = error.match(/apacit(?:ies|y)::(\w+) is (\d+)/) || [];
+  const [, fault] = Object.entries(FAULTS).find(([part]) => error.includes(part)) || [];
+  const [, where = ''] = error.match(/^(.+?): /) || [];
   // In the editor it is called a robot.
-  const [, where] = error.match(/^(\w+): it is in a wall or outside every room/) || [];
-  if (where) return t('build.outside', { name: build.file.objects.some(({ name, class: kind }) => name === where && kind === 'agent') ? t('build.robot') : where });
+  if (fault) return t(/** @type {import('./language.js').Key} */ ('build.why.' + fault), { name: build.file.objects.some(({ name, class: kind }) => name === where && kind === 'agent') ? t('build.robot') : where });
   return named('build.most.' + table.toLowerCase())?.replace('{n}', n) || (/ field |invalid |expected /.test(error) ? t('build.malformed') : error.startsWith('line ') ? t('build.malformed') + ' (' + error + ')' : error);
 }
 
@@ -126,8 +134,8 @@ function boundsOf(objects, before = null) {
 
 // The drawing as it is, even if it is no home.
 function draftScene() {
-  // The frame only grows, so that the drawing does not slide away under the pointer, nor the next stroke land elsewhere.
-  if (!build.drag) build.bounds = boundsOf(build.file.objects, build.bounds);
+  // The frame only grows, and not from stroke to stroke, so that the drawing does not slide away under the pointer, nor the next stroke land elsewhere.
+  if (!build.bounds || !build.drawing) build.bounds = boundsOf(build.file.objects, build.bounds);
   const { bounds } = build;
   const of = kind => build.file.objects.filter(object => object.class === kind);
   const [rooms, doors] = [of('room'), of('door')];
@@ -289,8 +297,10 @@ function parsedHome(text) {
 
 function cellUnder(event) {
   const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform($('draft').getScreenCTM().inverse());
-  const { bounds } = build.frame;
-  return { x: bounds.left + Math.floor(x / CELL), y: bounds.top - Math.floor(y / CELL) };
+  const { left, right, bottom, top } = build.frame.bounds;
+  const cell = { x: left + Math.floor(x / CELL), y: top - Math.floor(y / CELL) };
+  // What is drawn ends at the frame.
+  return build.tool === 'move' ? cell : { x: Math.max(left, Math.min(right, cell.x)), y: Math.max(bottom, Math.min(top, cell.y)) };
 }
 
 // The object on a cell: things before doors before rooms.
@@ -307,6 +317,7 @@ const span = (a, b) => ({ left: Math.min(a.x, b.x), bottom: Math.min(a.y, b.y), 
 
 export function setUpBuild() {
   const root = $('draft');
+  for (const event of ['pointerdown', 'keydown']) document.addEventListener(event, ({ target }) => { build.drawing = root.contains(target); }, true);
   root.addEventListener('pointerdown', event => {
     event.preventDefault();
     root.setPointerCapture(event.pointerId);

@@ -7,11 +7,11 @@ import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, robotLink } from './link.js';
 import { toMicrobit } from './microbit.js';
 import { writeHomes } from './play.js';
-import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, relearn, tellUnread } from './roster.js';
+import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, nextGroup, relearn, tellUnread } from './roster.js';
 import { shareSecret } from './secret.js';
 import { setUpSerial } from './serial.js';
 import { isThere, refresh, wake } from './session.js';
-import { LOOKS, RULES, SPEEDS, isSetting, keepSetting } from './settings.js';
+import { LOOKS, RULES, SPEEDS, TABS, isSetting, keepSetting } from './settings.js';
 import { setUpShare, share } from './share.js';
 import { $, all, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
@@ -27,6 +27,7 @@ export function renderSettings() {
   $('rule-field').hidden = settings.speed !== 'confidence';
   for (const name of SWITCHES) $('set-' + name).checked = settings[name];
   if (state.phase !== 'learning') [$('set-ways').checked, $('set-starter').checked] = [world.ways(), state.robot.starter === document.documentElement.lang];
+  for (const tab of TABS) $('show-' + tab).checked = !settings.hidden.split(' ').includes(tab);
   $('theme').value = settings.theme;
   renderBelieves();
   if (document.activeElement !== $('seed')) $('seed').value = settings.seed;
@@ -69,6 +70,19 @@ function writeOptions() {
     $(id).replaceChildren(...options.map(value => make('option', { value }, t(/** @type {import('./language.js').Key} */ (prefix + value)))));
   }
   $('language').replaceChildren(...names().map(([value, name]) => make('option', { value, lang: value }, name)));
+}
+
+/** Writes the page anew, in the language of the settings. */
+export function takeLanguage() {
+  speakLanguage(state.settings.language);
+  writePage();
+  tellUnread();
+  writeOptions();
+  writeHomes();
+  [state.said, state.verdict] = [null, ''];
+  refresh();
+  if (state.mode === 'tour' && !state.session && state.phase === 'none') enterStop(state.tour.at);
+  render();
 }
 
 export function setUpSettings() {
@@ -120,16 +134,14 @@ export function setUpSettings() {
   });
   $('language').addEventListener('change', () => {
     keepSetting('language', $('language').value);
-    speakLanguage(state.settings.language);
-    writePage();
-    tellUnread();
-    writeOptions();
-    writeHomes();
-    [state.said, state.verdict] = [null, ''];
-    refresh();
-    if (state.mode === 'tour' && !state.session && state.phase === 'none') enterStop(state.tour.at);
-    render();
+    takeLanguage();
   });
+  for (const tab of TABS) {
+    $('show-' + tab).addEventListener('change', () => {
+      keepSetting('hidden', TABS.filter(one => !$('show-' + one).checked).join(' '));
+      render();
+    });
+  }
   $('save-model').addEventListener('click', () => {
     const bytes = attempt(() => world.save());
     if (bytes) download(fileName() + '.goodbot', bytes, 'application/octet-stream');
@@ -154,12 +166,14 @@ export function setUpSettings() {
     else tell(t('settings.noLog'));
   });
   $('share').addEventListener('click', () => share(homeLink(), t('settings.link'), t('link.home')));
+  $('share-class').addEventListener('click', () => share(homeLink(true), t('class.link'), t('class.linkAbout')));
   $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
   $('meet-secret').addEventListener('click', shareSecret);
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();
   });
+  $('next-group').addEventListener('click', nextGroup);
   $('keep-guest').addEventListener('click', keepGuest);
   $('end-guest').addEventListener('click', endGuest);
 }

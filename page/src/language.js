@@ -32,13 +32,18 @@ export function speakLanguage(code) {
   document.documentElement.lang = chosen;
 }
 
+// Letters that are written from right to left.
+const FROM_THE_RIGHT = /[\u0590-\u08ff\ufb1d-\ufdff\ufe70-\ufefc\u{10800}-\u{10fff}\u{1e800}-\u{1efff}]/u;
+// So that they do not turn the sentence round them, they stand between two invisible signs. Those of a part are enough for the whole.
+const isolated = value => (FROM_THE_RIGHT.test(value) && !/\u2068/.test(value) ? '\u2068' + value + '\u2069' : value);
+
 /** A text, with values for the names in braces. If it depends on a number, that is `n`.
  * @param {Key} key
  * @param {Record<string, any>} values */
 export function t(key, values = {}) {
   const found = texts[key];
   const text = typeof found === 'object' ? found[plural.select(values.n)] ?? found.other : found;
-  return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
+  return text.replace(/\{(\w+)\}/g, (whole, name) => isolated(values[name] ?? whole));
 }
 
 /** A probability. */

@@ -86,11 +86,23 @@ export const knowsWords = () => state.sessions > 0 || Boolean(world.starter());
 /** The words of the command under way that the robot has not learned from. */
 export const unknownWords = () => (state.support && knowsWords() ? [...new Set(state.support.words.filter((_, at) => !state.support?.known[at]))] : []);
 
-/** A command, with unknown words underlined.
+/** A command, with unknown words underlined. The robot's words are its own: in a script without spaces, hardly more than single signs.
  * @param {string} command */
 export function heardWords(command) {
   const unknown = new Set(unknownWords());
-  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).map(part => (unknown.has(part.toLowerCase()) ? make('u', { title: t('unknownWord') }, part) : part === ' ' && unspaced(command) !== command ? '' : part));
+  const words = [...new Set(state.support?.words)].sort((a, b) => b.length - a.length);
+  const inSpaced = unspaced(command) === command;
+  const underlined = word => (unknown.has(word.toLowerCase()) ? make('u', { title: t('unknownWord') }, word) : word);
+  return command.split(/([^\p{L}\p{M}\p{N}'’]+)/u).flatMap(part => {
+    if (inSpaced || unknown.has(part.toLowerCase())) return [underlined(part)];
+    const parts = [];
+    for (let rest = part.trim(); rest;) {
+      const word = words.find(one => rest.toLowerCase().startsWith(one)) ?? [...rest][0];
+      parts.push(underlined(rest.slice(0, word.length)));
+      rest = rest.slice(word.length);
+    }
+    return parts;
+  });
 }
 
 const hasWay = task => / (through|avoiding) /.test(task.name);

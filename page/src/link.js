@@ -6,16 +6,22 @@ import { expanded, packed } from './deflate.js';
 import { takeWords } from './invention.js';
 import { t } from './language.js';
 import { checkRecord } from './logs.js';
-import { isSetting } from './settings.js';
+import { isSetting, keepSetting } from './settings.js';
+import { put } from './shelf.js';
 import { state, tell } from './state.js';
 import { logOf } from './store.js';
 
 // The settings in a link; the look and the keys are everybody's own.
 const SHARED = ['speed', 'rule', 'questions', 'style', 'pull', 'ghost', 'names', 'speech', 'seed'];
 
-/** The address of this page with the home and the settings. */
-export function homeLink() {
-  const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries(SHARED.map(name => [name, state.settings[name]])) };
+// A link for a class has these too, and they are kept.
+const OF_CLASS = ['language', 'hidden'];
+
+/** The address of this page with the home and the settings.
+ * @param {boolean} forClass also with the language and the tabs */
+export function homeLink(forClass = false) {
+  const settings = { ...state.settings, language: document.documentElement.lang };
+  const share = { home: JSON.parse(world.environment()), settings: Object.fromEntries((forClass ? [...SHARED, ...OF_CLASS] : SHARED).map(name => [name, settings[name]])) };
   return location.href.split('#')[0] + '#home=' + toAddress(checked(new TextEncoder().encode(JSON.stringify(share))));
 }
 
@@ -131,6 +137,8 @@ export function readLink() {
       const value = (share.settings || {})[name];
       if (isSetting(name, value)) state.settings[name] = value;
     }
+    for (const name of OF_CLASS) if (isSetting(name, share.settings?.[name])) keepSetting(name, share.settings[name]);
+    put('class', share.settings?.language ? JSON.stringify(share.home) : null);
     world.setPulls(state.settings.pull);
     const { style } = state.settings;
     if (style !== expectedNow()) expectTrainer(style);

@@ -2,7 +2,7 @@
 import { drawnElsewhere, setUpBuild } from './build.js';
 import { shareSession } from './charts.js';
 import { setUpCollector } from './collector.js';
-import { setUpSettings, setUpShortcuts } from './controls.js';
+import { setUpSettings, setUpShortcuts, takeLanguage } from './controls.js';
 import { attempt, startCore, whileLearning, world } from './core.js';
 import { speakLanguage, takeLanguages, writePage } from './language.js';
 import { readLink } from './link.js';
@@ -57,6 +57,7 @@ function setUp() {
     const visitor = isHome ? null : await meet();
     if (!isHome && !visitor) return;
     await enterMode('play');
+    if (isHome) takeLanguage();
     takeStock();
     nameHome();
     render();
@@ -96,7 +97,11 @@ async function begin(module, languages) {
   await openLast();
   const home = shelf.get('home');
   if (home) attempt(() => world.setEnvironment(home));
-  if (readLink()) await enterMode('play');
+  if (readLink()) {
+    speakLanguage(state.settings.language);
+    writePage();
+    await enterMode('play');
+  }
   const visited = await meet();
   takeStock();
   setUp();
@@ -104,6 +109,7 @@ async function begin(module, languages) {
     if (state.mode === 'tour') enterStop(state.tour.at);
     else nameHome();
   }
+  tellUnread();
   render();
   document.body.classList.add('ready');
   showSession(visited?.session);

@@ -26,7 +26,8 @@ export async function setMode(mode) {
   if (mode === 'build') enterBuild();
   else if (mode === 'tour') enterStop(state.tour.at);
   else {
-    enterHome(world.environment());
+    // A link for a class may have fixed the home.
+    enterHome(shelf.get('class') ?? world.environment());
     nameHome();
     render();
   }

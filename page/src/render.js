@@ -17,7 +17,7 @@ import { $, all, make, state } from './state.js';
 import { renderTabs } from './tabs.js';
 import { feedbackWord, renderThoughts } from './thoughts.js';
 import { renderTour } from './tour.js';
-import { maySpeak } from './voice.js';
+import { maySpeak, speak } from './voice.js';
 import { acted } from './words.js';
 
 // The animation of the time that the robot still waits.
@@ -45,6 +45,8 @@ export function renderPage() {
   renderSettings();
   const [head, rest] = speech();
   $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
+  // In a session the numbers after its guess change with each step.
+  speak(busy ? '' : session ? (session.decided || session.question ? head : '') : state.said ? (head + ' ' + rest).trim() : '');
   $('else').hidden = !state.already || Boolean(session);
   $('tell').hidden = state.mode !== 'play' || state.secret === 'open';
   $('train').hidden = state.mode === 'build';

@@ -13,6 +13,7 @@ import { put, refused } from './shelf.js';
 import { $, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
 import { add, change, copy, enterMode, freeName, logOf, newRecord, open, patch, robots, takeModel, travel, unread } from './store.js';
+import { saveTable } from './tables.js';
 import { isShown } from './tabs.js';
 import { leaveSession } from './training.js';
 import { sessionsWord, unspaced } from './words.js';
@@ -82,6 +83,7 @@ export async function switchTo(robot) {
     await open(robot);
   } catch (error) {
     tell(t('robots.cannot', { name: robot.name, why: error.message }), true);
+    tellUnread();
     return;
   }
   shown();
@@ -138,6 +140,15 @@ export async function newRobot() {
   await open(robot);
   shown();
   tell(t('robots.isNew', robot));
+}
+
+/** The next group of a class: the table of this robot is saved, and an empty one takes its place. The old one can be brought back. */
+export async function nextGroup() {
+  if (!await leaveSession()) return;
+  saveTable();
+  await patch(state.robot, { deleted: Date.now() });
+  state.tour.said = {};
+  await newRobot();
 }
 
 /** Begins with a robot that is shown and not kept, unless the user asks for it. The user's own robot waits. */

@@ -14,6 +14,9 @@ export const RULES = {
   linear: sure => 1 - sure, sigmoid: sure => 1 / (1 + Math.exp(12 * (sure - 0.6))), threshold: sure => (sure < 0.7 ? 1 : 0),
 };
 
+/** The tabs that need not be shown. */
+export const TABS = ['thoughts', 'words', 'steps', 'challenges', 'robots'];
+
 export const LOOKS = ['auto', 'light', 'dark'];
 
 /** Whether a setting may have this value.
@@ -24,6 +27,7 @@ export function isSetting(name, value) {
   if (name === 'theme') return LOOKS.includes(value);
   if (name === 'language') return names().some(([code]) => code === value);
   if (name === 'seed') return Number.isInteger(value) && value >= 0 && value < 2 ** 32;
+  if (name === 'hidden') return typeof value === 'string' && value.split(' ').every(tab => !tab || TABS.includes(tab));
   if (name === 'style' && typeof value === 'string') return true;
   return typeof value === 'boolean';
 }

@@ -90,6 +90,8 @@ export const state = {
   guess: '',
   settings: /** @type {Record<string, any>} */ ({
     speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, speech: true, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
+    // The tabs that are not shown, with spaces between them.
+    hidden: '',
   }),
 };
 

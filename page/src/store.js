@@ -219,10 +219,16 @@ export async function patch(robot, fields) {
 
 export const keepTour = () => patch(state.robot, { tour: tourNow() });
 
-/** Makes this the robot of this tab: restores its model in the world.
+// The keys of the robots whose models turned out to be damaged.
+const damagedModels = new Set();
+
+/** Makes this the robot of this tab: restores its model in the world. Throws if it is damaged.
  * @param {Robot} robot */
 export async function open(robot) {
+  const key = 'robot.' + robot.id;
+  damagedModels.add(key);
   await takeModel(fromBase64(robot.model), robot.ways === true, robot.starter);
+  damagedModels.delete(key);
   state.robot = robot;
   state.secret = '';
   state.tour = { ...tourOf(robot), watching: false };
@@ -267,11 +273,11 @@ export function unread() {
     return key.startsWith('robot.') ? isRobot(value) : value !== null;
   };
   // These would be written over.
-  for (const key of ['drawing', 'settings'].filter(one => shelf.get(one) !== null && !isRead(one))) {
+  for (const key of ['drawing', 'settings', 'session'].filter(one => shelf.get(one) !== null && !isRead(one))) {
     shelf.put('unread.' + key, shelf.get(key));
     shelf.put(key, null);
   }
-  const damaged = shelf.keysOf('').filter(key => key.startsWith('unread.') || (key.startsWith('robot.') && !isRead(key)));
+  const damaged = shelf.keysOf('').filter(key => key.startsWith('unread.') || damagedModels.has(key) || (key.startsWith('robot.') && !isRead(key)));
   return Object.fromEntries(damaged.flatMap(key => [key, key.replace(/^robot/, 'log')]).map(key => [key, shelf.get(key)]).filter(([, text]) => text));
 }
 

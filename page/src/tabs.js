@@ -9,7 +9,10 @@ import { $, all, render, state } from './state.js';
 function offered() {
   if (state.mode === 'build') return ['editor', 'settings'];
   const nothing = !knowsWords() && !state.session;
-  return [...(/** @type {Tab[]} */ (nothing ? ['thoughts'] : ['thoughts', 'words', 'steps'])), ...(/** @type {Tab[]} */ (state.mode === 'play' ? ['challenges'] : [])), 'robots', 'settings'];
+  const hidden = state.settings.hidden.split(' ');
+  /** @type {Tab[]} */
+  const all = [...(/** @type {Tab[]} */ (nothing ? ['thoughts'] : ['thoughts', 'words', 'steps'])), ...(/** @type {Tab[]} */ (state.mode === 'play' ? ['challenges'] : [])), 'robots', 'settings'];
+  return all.filter(tab => !hidden.includes(tab));
 }
 
 /** Whether a tab's panel is visible: large tables and charts are drawn only then.

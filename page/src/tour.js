@@ -9,7 +9,7 @@ import { refresh, stopSession } from './session.js';
 import { $, all, announce, make, render, state, tell } from './state.js';
 import { commandOf, count, enterStop, inOwnWords, lengthOfCourse, rightTests, stopAt, stops } from './stops.js';
 import { keepTour, logOf, patch } from './store.js';
-import { endWalk, leaveSession, startSession } from './training.js';
+import { MOMENT, endWalk, leaveSession, mayCelebrate, moment, startSession } from './training.js';
 import { quoted, spaced, taskWords, understands, unspaced } from './words.js';
 import { renderWordShelf } from './wordshelf.js';
 
@@ -85,23 +85,11 @@ function noteTest(stop, { command, heard }, understood) {
   patch(state.robot, { asked: [...(state.robot.asked || []), test] });
 }
 
-// How many milliseconds a success is shown; who only watches is shown the next lesson or test after a shorter while.
-const [MOMENT, BETWEEN] = [1500, 900];
+// Who only watches is shown the next lesson or test after a shorter while.
+const BETWEEN = 900;
 
-// A lesson is a success if the trainer has said something, and the robot has got it. Where motion is not wanted, nothing is shown that takes time.
-const mayCelebrate = (stop, session) => !stop.test && session.took?.name === stop.intended && (session.affirmed || hasStar(session))
-  && state.settings.speed !== 'once' && !matchMedia('(prefers-reduced-motion: reduce)').matches;
-
-// The robot is glad where it has got to, and the words that have become clear fly to the others. Returns false if the user goes elsewhere meanwhile.
-async function moment(told) {
-  state.phase = 'moment';
-  [state.said, state.verdict, state.astray, state.failed] = told;
-  render();
-  await new Promise(done => { setTimeout(done, state.tour.watching ? BETWEEN : MOMENT); });
-  if (state.phase !== 'moment') return false;
-  state.phase = 'none';
-  return state.mode === 'tour';
-}
+// A lesson is a success if the trainer has said something, and the robot has got it.
+const isSuccess = (stop, session) => !stop.test && session.took?.name === stop.intended && (session.affirmed || hasStar(session));
 
 // After a lesson or test: on to the next. The verdict stays until that begins.
 async function passStop(understood, session) {
@@ -115,8 +103,11 @@ async function passStop(understood, session) {
   const told = [stop.test ? null : said, verdict, astray, astray || (stop.test && !understood)];
   state.tour.at += 1;
   keepTour();
-  const glad = mayCelebrate(stop, session);
-  if (glad && !await moment(told)) return;
+  const glad = isSuccess(stop, session) && mayCelebrate();
+  if (glad) {
+    [state.said, state.verdict, state.astray, state.failed] = told;
+    if (!await moment(state.tour.watching ? BETWEEN : MOMENT) || state.mode !== 'tour') return;
+  }
   enterStop(state.tour.at);
   [state.said, state.verdict, state.astray, state.failed] = told;
   announce(state.verdict);
@@ -185,6 +176,7 @@ export function renderTour() {
   const stop = each[at];
   const lessons = count(false);
   $('tour').hidden = state.mode !== 'tour';
+  renderWordShelf(state.mode === 'play' ? state.secret !== 'open' : Boolean(stop));
   if (state.mode !== 'tour') return;
   $('dots').dataset.about = own ? '' : t('tour.dotsShort');
   $('dots').replaceChildren(...each.map((one, index) => {
@@ -214,7 +206,7 @@ export function renderTour() {
     const name = stop.appendix ? nameOf(at) : stop.test ? t('tour.testOf', { n: at - lessons + 1, of: count(true) }) : t('tour.lessonOf', { n: at + 1, of: lessons });
     // The command is placed as the language wants it, with its words underlined.
     const [before, after] = t('tour.said', { name, command: '\0' }).split('\0');
-    $('tour-title').replaceChildren(...(state.session ? [before, ...heardWords(state.session.command), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
+    $('tour-title').replaceChildren(...(state.session ? [before, make('bdi', {}, ...heardWords(state.session.command)), after] : mayReword() ? [before, commandOf(stop), after] : [name]));
     $('tour-hint').textContent = stop.test ? aboutTest(stop) : named('tour.hint.' + (stop.appendix ? 'way' : at + 1)) || '';
   }
   const walking = Boolean(state.session?.looking);
@@ -227,7 +219,6 @@ export function renderTour() {
   const glad = state.phase === 'moment';
   const idle = Boolean(stop) && !watching && !state.session && !glad;
   $('tour-title').hidden = $('tour-hint').hidden = glad;
-  renderWordShelf(Boolean(stop));
   $('own-way').hidden = !idle || !(asked ? asked.wanted : mayReword());
   $('own-words').placeholder = asked ? offered(at) : stop ? inOwnWords(commandOf(stop)) : '';
   [$('own-before').textContent, $('own-after').textContent] = [unspaced(asked?.before ?? ''), unspaced(asked?.after ?? '')];

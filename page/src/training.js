@@ -9,7 +9,7 @@ import { knowsWords, lessonLearned, unknownWords } from './learned.js';
 import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
 import { SPEEDS } from './settings.js';
-import { underWay } from './shelf.js';
+import { put, underWay } from './shelf.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
 import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
@@ -122,7 +122,7 @@ export function showSession(records) {
 export async function leaveSession() {
   const { session } = state;
   // The moment of a success ends, and the tour goes on.
-  if (state.phase === 'moment') enterStop(state.tour.at);
+  if (state.phase === 'moment') state.mode === 'tour' ? enterStop(state.tour.at) : stopSession();
   if (state.phase === 'learning') {
     tell(t('judge.learning'));
     return false;
@@ -144,8 +144,8 @@ export async function leaveSession() {
 export async function takeUpSession(attend) {
   /** @type {import('./state.js').Session} */
   let session;
+  const { value, closed } = await underWay.get();
   try {
-    const { value, closed } = await underWay.get();
     const kept = JSON.parse(value || 'null');
     if (!kept || kept.robot !== state.robot.id) return false;
     // A session without steps is not resumed from a tab that was closed.
@@ -174,6 +174,8 @@ export async function takeUpSession(attend) {
       session.steps += 1;
     }
   } catch {
+    // It is damaged, and is told as such.
+    put('unread.session', value);
     underWay.put(null);
     stopSession();
     return false;
@@ -475,9 +477,31 @@ export async function finishSession() {
   state.session = null;
   state.phase = 'none';
   $('command').value = session.command;
-  if (!tellRest() && !session.onEnd) render();
-  if (session.onEnd) session.onEnd();
-  else if (learned) tell(t('learned.told', { text: learned }));
+  const more = tellRest();
+  if (session.onEnd) {
+    session.onEnd();
+    return;
+  }
+  if (learned) tell(t('learned.told', { text: learned }));
+  if (more || (learned && session.affirmed && mayCelebrate() && !await moment(MOMENT))) return;
+  render();
+}
+
+// How many milliseconds a success is shown.
+export const MOMENT = 1500;
+
+/** Whether a success is shown: not where motion is not wanted, because nothing is shown there that takes time. */
+export const mayCelebrate = () => state.settings.speed !== 'once' && !matchMedia('(prefers-reduced-motion: reduce)').matches;
+
+/** The robot is glad where it has got to, and the words that have become clear fly to the others. Returns false if the user goes elsewhere meanwhile.
+ * @param {number} milliseconds */
+export async function moment(milliseconds) {
+  state.phase = 'moment';
+  render();
+  await new Promise(done => { setTimeout(done, milliseconds); });
+  if (state.phase !== 'moment') return false;
+  state.phase = 'none';
+  return true;
 }
 
 export function finishWithoutLearning() {

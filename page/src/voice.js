@@ -9,10 +9,14 @@ const Recognition = browser.SpeechRecognition || browser.webkitSpeechRecognition
 /** Whether commands can be spoken: a teacher may not want that a voice leaves the room. */
 export const maySpeak = () => Boolean(Recognition) && state.settings.speech;
 
-/** Says a text aloud.
+let spoken = '';
+
+/** Says a text aloud, unless it was the last one.
  * @param {string} text */
 export function speak(text) {
-  if (!state.settings.voice || !browser.speechSynthesis) return;
+  const isNew = text !== spoken;
+  spoken = text;
+  if (!isNew || !text || !state.settings.voice || !browser.speechSynthesis) return;
   browser.speechSynthesis.cancel();
   const utterance = new SpeechSynthesisUtterance(text);
   utterance.lang = document.documentElement.lang;

@@ -140,10 +140,10 @@ export const sessionsWord = (n = state.sessions) => t('sessions', { n });
 // Scripts that are written without spaces between the words.
 const UNSPACED = /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\p{Script=Thai}\p{Script=Lao}\p{Script=Khmer}\p{Script=Myanmar}]/u;
 
-/** A command in composed letters, with spaces between its words, in any script.
+/** A command in composed letters, with spaces between its words, in any script, and without the invisible signs that isolate words.
  * @param {string} written */
 export function spaced(written) {
-  const command = written.normalize('NFKC').replace(/[‘’ʼ]/g, "'");
+  const command = written.normalize('NFKC').replace(/[\u2066-\u2069]/g, '').replace(/[‘’ʼ]/g, "'");
   if (!UNSPACED.test(command) || !('Segmenter' in Intl)) return command;
   return [...new Intl.Segmenter(undefined, { granularity: 'word' }).segment(command)].map(part => part.segment.trim()).filter(Boolean).join(' ');
 }

@@ -138,7 +138,7 @@ test('an answer stands in the log, survives a reload, and the log teaches the sa
   await close(page);
 });
 
-test('what it asks is said aloud where that is switched on', async () => {
+test('what it asks, guesses and answers is said aloud where that is switched on', async () => {
   const context = await browser.newContext();
   await context.addInitScript(() => {
     window.spoken = [];
@@ -153,7 +153,29 @@ test('what it asks is said aloud where that is switched on', async () => {
   await page.fill('#command', 'abrakadabra');
   await page.click('#say-it');
   await page.locator('#answers button').first().waitFor();
-  assert.deepEqual(await page.evaluate(() => window.spoken), [await page.textContent('#say strong')]);
+  const spoken = () => page.evaluate(() => window.spoken.splice(0));
+  assert.deepEqual(await spoken(), [await page.textContent('#say strong')]);
+  // Its guess, each time that it is another one, and its answers between sessions.
+  await page.click('#unanswered');
+  await page.locator('#say', { hasText: 'you mean' }).waitFor();
+  await page.click('#pause');
+  const guesses = await spoken();
+  assert.equal(guesses.at(-1), await page.textContent('#say strong'));
+  assert.equal(new Set(guesses).size, guesses.length);
+  await page.click('#good');
+  await page.click('#finish');
+  await page.waitForFunction(() => window.goodbot.sessions() === 1 && document.body.dataset.phase === 'none');
+  assert.match((await spoken()).join(), /^Thank you\. New words: abrakadabra/);
+  await page.fill('#command', '…');
+  await page.click('#say-it');
+  await page.locator('#say', { hasText: 'no word in that' }).waitFor();
+  assert.deepEqual((await spoken()).map(text => text.trim()), ['There is no word in that. Tell me in words what to do.']);
+  // Switched off, it is silent.
+  await page.uncheck('#set-voice');
+  await page.fill('#command', 'abrakadabra');
+  await page.click('#say-it');
+  await page.locator('#answers button, #good[aria-disabled=false]').first().waitFor();
+  assert.deepEqual(await spoken(), []);
   await close(page);
 });
 

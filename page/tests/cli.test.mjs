@@ -98,7 +98,7 @@ for (const settings of ['roles', 'paper']) {
       await close(page);
       return;
     }
-    await page.getByText('Kept in this browser: 7 sessions').waitFor();
+    await page.getByText('Saved in this browser: 7 sessions').waitFor();
     await play(page, 'Test');
     const environment = file('home.json', await home(page));
     for (const command of TESTS) {

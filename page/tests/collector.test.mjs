@@ -1,7 +1,7 @@
 // A class: each robot's table has its lessons and tests, and many tables are opened as one.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, downloaded, launch, learned, open, opened } from './browser.mjs';
+import { address, close, downloaded, launch, learned, linkOf, open, openIn, opened, play, reload, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -74,5 +74,58 @@ test('twenty-five tables are one table and one plot; what is no such table is na
   assert.equal(lines.length, 25 * (text.trim().split('\r\n').length - 1) + 1);
   assert.equal(lines[0], text.trim().split('\r\n')[0]);
   await page.click('#close-class');
+  await close(page);
+});
+
+test('for the next group one tap saves the table and empties the robot, its lessons and its tests', async () => {
+  const page = await open(browser);
+  await taught(page, 'Ada');
+  await opened(page, 'Settings, keeping, sharing');
+  const { name, bytes } = await downloaded(page, '#next-group');
+  assert.equal(name, 'Ada.csv');
+  assert.match(bytes.toString(), /,test,/);
+  await page.locator('#toast', { hasText: 'It knows no word' }).waitFor();
+  assert.equal(await sessions(page), 0);
+  assert.match(await page.textContent('#tour-title'), /Lesson 1 of 7/);
+  assert.equal(await page.locator('#dots .right, #dots .wrong').count(), 0);
+  await opened(page, 'Your robots');
+  assert.equal(await page.locator('#robots li').count(), 1);
+  assert.match(await page.textContent('#deleted'), /Ada/, 'by mistake it is not lost');
+  // A group that did nothing has no table.
+  await page.click('#next-group');
+  await page.locator('#toast', { hasText: 'It knows no word' }).waitFor();
+  await close(page);
+});
+
+test('a link for a class fixes home, language and tabs, and a reload does not undo it', async () => {
+  const page = await open(browser);
+  await play(page, 'C');
+  await page.selectOption('#language', 'fr');
+  await page.locator('#tab-settings').click();
+  for (const tab of ['words', 'steps', 'robots']) await page.uncheck('#show-' + tab);
+  assert.deepEqual(await page.locator('#tabs button:visible').evaluateAll(all => all.map(({ id }) => id)), ['tab-thoughts', 'tab-challenges', 'tab-settings']);
+  const hash = (await linkOf(page, '#share-class')).slice(address.length);
+  assert.match(hash, /^#home=/);
+  const home = await page.evaluate(() => window.goodbot.environment());
+  const pupil = await openIn(await browser.newContext(), hash);
+  for (let times = 0; times < 2; times += 1) {
+    assert.equal(await pupil.getAttribute('html', 'lang'), 'fr');
+    assert.equal(await pupil.textContent('#good b'), 'Bien');
+    await pupil.click('[data-mode=play]');
+    assert.equal(await pupil.evaluate(() => window.goodbot.environment()), home);
+    assert.deepEqual(await pupil.locator('#tabs button:visible').evaluateAll(all => all.map(({ id }) => id)), ['tab-thoughts', 'tab-challenges', 'tab-settings']);
+    await reload(pupil);
+  }
+  // A page that is open already takes it too; a link to a home alone leaves language and tabs as they are.
+  const other = await openIn(await browser.newContext());
+  await other.evaluate(text => { location.hash = text; }, hash);
+  await other.waitForFunction(() => document.documentElement.lang === 'fr');
+  assert.ok(await other.locator('#tab-words').isHidden());
+  await page.click('#close-link');
+  const plain = (await linkOf(page, '#share')).slice(address.length);
+  const friend = await openIn(await browser.newContext(), plain);
+  assert.equal(await friend.getAttribute('html', 'lang'), 'en');
+  assert.equal(await friend.locator('#tab-robots:visible').count(), 1);
+  for (const one of [pupil, other, friend]) await close(one);
   await close(page);
 });

@@ -187,3 +187,67 @@ test('a home is drawn by touch alone', async () => {
   assert.equal((await objects()).length, before.length);
   await close(page);
 });
+
+test('what is wrong with a drawing is told in the language of the page', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  await page.click('#clear');
+  await drag(page, 'room', [1, 1], [6, 6]);
+  await drag(page, 'agent', [3, 3]);
+  const said = { en: [/room1: it is too small/, /block0: another thing or the robot stands there/, /too large, or too far away/, /needs exactly one robot/],
+    de: [/room1: zu klein/, /block0: dort steht schon/, /zu groß oder zu weit weg/, /genau einen Roboter/],
+    fr: [/trop petit/, /il y a déjà/, /trop grand/, /un robot, et un seul/], es: [/demasiado pequeño/, /ya hay/, /demasiado grande/, /exactamente un robot/], zh: [/太小/, /已经有/, /太大/, /正好一个机器人/] };
+  for (const [language, [small, crowded, large, robot]] of Object.entries(said)) {
+    await page.selectOption('#language', language);
+    const error = async wanted => {
+      assert.match(await page.textContent('#build-error'), wanted);
+      if (language === 'zh') assert.doesNotMatch(await page.textContent('#build-error'), /[a-z]{3,} [a-z]{2,}/);
+      await page.click('#build-undo');
+    };
+    await drag(page, 'room', [2, 2]);
+    await error(small);
+    await drag(page, 'block', [3, 3]);
+    await error(crowded);
+    const field = async (at, name, value) => {
+      if (!await page.locator(`[data-field="${at}.${name}"]`).isVisible()) await page.locator('#objects summary').nth(at).click();
+      await page.locator(`[data-field="${at}.${name}"]`).fill(value);
+      await page.locator(`[data-field="${at}.${name}"]`).blur();
+    };
+    await field(0, 'right', '900');
+    await error(large);
+    await page.fill('#home-text', '#####\n#rrr#\n#####');
+    await page.click('#import');
+    assert.match(await page.textContent('#build-error'), robot);
+  }
+  await close(page);
+});
+
+test('a stroke that goes beyond the frame ends at it, and the drawing keeps its scale under the pointer', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  await page.click('#clear');
+  const frame = () => page.evaluate(() => { const { a, e, f } = document.getElementById('draft').getScreenCTM(); return [a, e, f]; });
+  await page.click('[data-tool=room]');
+  await page.locator('#draft').scrollIntoViewIfNeeded();
+  const before = await frame();
+  const at = (column, row) => [before[1] + (column + 0.5) * before[0] * 48, before[2] + (row + 0.5) * before[0] * 48];
+  await page.mouse.move(...at(1, 1));
+  await page.mouse.down();
+  await page.mouse.move(...at(13, 5), { steps: 4 });
+  await page.mouse.up();
+  assert.deepEqual(await frame(), before);
+  // The second stroke lands where the pointer is.
+  await page.mouse.move(...at(1, 5));
+  await page.mouse.down();
+  await page.mouse.move(...at(5, 9), { steps: 4 });
+  await page.mouse.up();
+  assert.deepEqual(await frame(), before);
+  const rooms = await page.evaluate(() => JSON.parse(localStorage['goodbot.drawing']).file.objects);
+  assert.deepEqual(rooms.map(({ left, top, right, bottom }) => [left, top, right, bottom]), [[0, 8, 9, 4], [0, 4, 4, 0]]);
+  // With the next tool there is a margin again.
+  const width = () => page.evaluate(() => document.getElementById('draft').viewBox.baseVal.width);
+  assert.equal(await width(), 11 * 48);
+  await page.click('[data-tool=door]');
+  assert.equal(await width(), 12 * 48);
+  await close(page);
+});

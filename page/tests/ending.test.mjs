@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { after, before, test } from 'node:test';
-import { close, launch, open, openFirst, pass, sessions, stopTime, takePaper, teachInvention, toTheGoal } from './browser.mjs';
+import { close, launch, open, openFirst, pass, play, sessions, stopTime, takePaper, teachInvention, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -260,5 +260,65 @@ test('the card is seen before it is saved, and a long name fits on it; that of a
   });
   assert.equal(dark[0] + dark[2], 0, 'the name is cut off: ' + dark);
   assert.ok(dark[1] > 0, 'the name is there');
+  await close(page);
+});
+
+test('in the moment of a success the plan keeps its size, on a small phone too', async () => {
+  const page = await open(browser, { viewport: { width: 360, height: 640 }, reducedMotion: 'no-preference' });
+  await page.selectOption('#speed', 'step');
+  await page.click('#lesson');
+  await toTheGoal(page, /green/, good => page.click(good ? '#good' : '#bad'));
+  const before = await page.locator('#plan').boundingBox();
+  await page.click('#finish');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  const now = await page.locator('#plan').boundingBox();
+  assert.deepEqual([now.width, now.height], [before.width, before.height]);
+  await close(page);
+});
+
+test('one known word is one word, in each language that tells one from many', async () => {
+  const page = await open(browser);
+  await page.evaluate(() => { window.goodbot.heat = () => JSON.stringify({ words: ['mokka'], tokens: ['colorRed'], cells: [0.9], idle: [0.1], letters: 0 }); });
+  await page.selectOption('#speed', 'once');
+  await page.check('#set-starter');
+  await page.locator('#dots button').last().click();
+  await page.click('#lesson');
+  for (const [language, words] of [['de', 'Er kennt 1 Wort gut:'], ['fr', 'Il connaît bien 1 mot :'], ['es', 'Conoce bien 1 palabra:'], ['en', 'It knows 1 word well:']]) {
+    await page.selectOption('#language', language);
+    assert.equal((await page.locator('#card p').first().textContent()).replaceAll('\u00a0', ' '), words);
+  }
+  await close(page);
+});
+
+test('a lesson in free play that succeeds has its moment too: the robot is glad, and the words that became clear fly to the known ones', async () => {
+  const page = await open(browser, { reducedMotion: 'no-preference' });
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  const known = () => page.locator('#word-shelf b').allTextContents();
+  for (let lesson = 0; lesson < 5 && !(await known()).length; lesson += 1) {
+    const [command, meant] = lesson % 2 ? ['mokka zot', /green/] : ['blip zot', /red/];
+    await page.click('#reset');
+    await page.fill('#command', command);
+    await page.click('#say-it');
+    await toTheGoal(page, meant, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#good');
+    await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+    assert.equal(await page.locator('#plan .robot.happy.dancing').count(), 1);
+    const flying = await page.evaluate(() => document.getAnimations().filter(({ effect }) => effect.target.closest('#word-shelf')).length);
+    assert.equal(flying, (await known()).length);
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  }
+  assert.ok((await known()).length && await page.isVisible('#word-shelf'));
+  // Whoever speaks in that moment is heard at once.
+  await page.fill('#command', 'blip zot');
+  await page.click('#say-it');
+  await toTheGoal(page, /red/, good => page.click(good ? '#good' : '#bad'));
+  await page.click('#good');
+  await page.waitForFunction(() => document.body.dataset.phase === 'moment');
+  await page.fill('#command', 'mokka zot');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.waitForTimeout(1700);
+  assert.ok(await page.isVisible('#finish'), 'and the lesson is not disturbed');
   await close(page);
 });

@@ -97,7 +97,7 @@ test('in Firefox, a link brings a robot, a file saves it, and a file brings it b
   const third = await open(browser);
   await opened(third, 'Settings, keeping, sharing');
   await third.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: bytes });
-  await third.getByText('Kept in this browser: 1 session').waitFor();
+  await third.getByText('Saved in this browser: 1 session').waitFor();
   assert.deepEqual(await model(third), await model(page));
   for (const tab of [page, other, third]) await close(tab);
 });

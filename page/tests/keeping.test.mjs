@@ -63,7 +63,7 @@ test('a model goes out as a file and comes back into another page', async () => 
   const other = await open(browser);
   await opened(other, 'Settings, keeping, sharing');
   await other.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: bytes });
-  await other.getByText('Kept in this browser: 7 sessions').waitFor();
+  await other.getByText('Saved in this browser: 7 sessions').waitFor();
   assert.deepEqual(await model(other), Array.from(bytes));
   // For the host's tests: this model's belief on a command, to the last bit.
   const folder = process.env.GOODBOT_PAGE_EXPORT;
@@ -176,7 +176,7 @@ test('a damaged model file is refused, and the old model stays', async () => {
   damaged[Math.floor(damaged.length / 2)] ^= 0x40;
   for (const buffer of [damaged, Buffer.from('no model at all'), Buffer.from(old.slice(0, -3))]) {
     await page.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer });
-    await page.getByText('This file is no model that can be used').first().waitFor();
+    await page.getByText('This file is not a usable model').first().waitFor();
     assert.deepEqual(await model(page), old);
     await page.evaluate(() => { document.getElementById('toast').hidden = true; document.getElementById('live').textContent = ''; });
   }

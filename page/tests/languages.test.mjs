@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { close, eachTab, launch, learned, open, opened, play, reload } from './browser.mjs';
 
@@ -170,4 +171,49 @@ test('a robot at its goal says where it is, and in German in the dative', async 
   }
   assert.match(await page.textContent('#say'), /^Ich bin im (grünen|roten) Raum\./);
   await close(page);
+});
+
+test('words that are written from right to left stand in the order of the sentence around them, and so do names', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', 'שלום חדר');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#finish');
+  await learned(page, 1);
+  // Where a text is seen: its distance from the left.
+  const left = (element, text) => page.evaluate(([id, wanted]) => {
+    const nodes = document.createTreeWalker(document.getElementById(id), NodeFilter.SHOW_TEXT);
+    for (let node = nodes.nextNode(); node; node = nodes.nextNode()) {
+      const at = node.data.indexOf(wanted);
+      if (at < 0) continue;
+      const range = document.createRange();
+      range.setStart(node, at);
+      range.setEnd(node, at + wanted.length);
+      return range.getBoundingClientRect().left;
+    }
+    return NaN;
+  }, [element, text]);
+  assert.match(await page.textContent('#say'), /New words: /);
+  assert.ok(await left('say', 'שלום') < await left('say', 'חדר'), await page.textContent('#say'));
+  // What the robot learns has no invisible signs in it.
+  assert.deepEqual(await page.evaluate(() => JSON.parse(window.goodbot.heat()).words), ['שלום', 'חדר']);
+  await page.locator('#tab-robots').click();
+  await page.fill('#robots .here input', 'רובוט');
+  await page.locator('#robots .here input').blur();
+  await page.locator('#robots .here button', { hasText: 'Copy' }).click();
+  await page.locator('#toast', { hasText: 'knows what' }).waitFor();
+  await page.locator('#robots li:not(.here) button', { hasText: 'Delete' }).click();
+  await page.locator('#toast', { hasText: 'is deleted' }).waitFor();
+  assert.equal(await page.textContent('#toast'), '\u2068רובוט 2\u2069 is deleted. “Bring back” is below the list.');
+  await close(page);
+});
+
+test('no text has a word that sounds wrong to somebody who grew up with the language', () => {
+  // Each with what would be natural: exercise, should or must, whoever.
+  for (const [language, wrong] of [['de', /Sitzung/], ['en', /\bshall\b|\bno model that|^Who opens|^Kept in this/], ['fr', /^Qui ouvre/], ['es', /^Ideas$/]]) {
+    const texts = Object.entries(JSON.parse(readFileSync(new URL(`../languages/${language}.json`, import.meta.url), 'utf8')));
+    assert.deepEqual(texts.filter(([, text]) => wrong.test(text.other ?? text)).map(([key, text]) => [language, key, text]), []);
+  }
 });

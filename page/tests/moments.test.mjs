@@ -85,3 +85,20 @@ test('a lesson that went wrong is not told in the colour of a success; one word 
   assert.ok(await page.locator('#verdict.wrong').isVisible());
   await close(page);
 });
+
+test('until the robot has decided, its bubble names none of the tasks that are still equally likely', async () => {
+  const page = await open(browser);
+  await play(page, 'A');
+  // A home or a machine in which planning takes long.
+  await page.evaluate(() => {
+    const { plan } = Object.getPrototypeOf(window.goodbot);
+    window.goodbot.plan = budget => (window.slow === false ? plan.call(window.goodbot, budget) : false);
+  });
+  await page.fill('#command', 'blip zot');
+  await page.click('#say-it');
+  await page.getByText('It is making a plan').waitFor();
+  assert.equal((await page.textContent('#say')).trim(), 'Thinking it over …');
+  await page.evaluate(() => { window.slow = false; });
+  await page.locator('#say', { hasText: 'you mean: go to the' }).waitFor();
+  await close(page);
+});

@@ -1,7 +1,7 @@
 // Nothing goes wrong in silence: a changed link, kept data that cannot be read, a voice that leaves the room, a drawing that jumps.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { address, close, drag, launch, linkOf, open, openIn, opened, saved, sessions } from './browser.mjs';
+import { address, close, drag, launch, learned, linkOf, open, openIn, opened, play, saved, sessions } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -37,12 +37,59 @@ test('what is kept and cannot be read is told, stays, and can be saved as a file
   await page.evaluate(all => { for (const [key, text] of Object.entries(all)) localStorage.setItem(key, text); }, kept);
   await page.reload();
   await page.waitForSelector('body.ready');
-  assert.match(await page.textContent('#unread'), /^3 things kept in this browser cannot be read here/);
+  assert.match(await page.textContent('#unread'), /^3 things saved in this browser cannot be read here/);
   const file = JSON.parse(String(await saved(page, '#unread button')));
   assert.deepEqual([file['robot.damaged'], file['log.damaged'], file['robot.newer'], file['unread.drawing']], Object.values(kept));
   assert.equal(await page.evaluate(() => localStorage.getItem('goodbot.robot.newer')), kept['goodbot.robot.newer'], 'a newer page can still read it');
   assert.equal(await sessions(page), 0);
   await close(page);
+});
+
+// A robot with one lesson, in free play.
+async function taught(context) {
+  const page = await openIn(context);
+  await play(page, 'A');
+  await page.selectOption('#speed', 'step');
+  await page.fill('#command', 'go to the red room');
+  await page.click('#say-it');
+  await page.getByText('Good or Bad?').waitFor();
+  await page.click('#good');
+  return page;
+}
+
+test('a robot whose model is damaged is told and can be saved as a file, with its lessons', async () => {
+  const page = await taught(await browser.newContext());
+  await page.click('#finish');
+  await learned(page, 1);
+  const key = await page.evaluate(() => {
+    const [one] = Object.keys(localStorage).filter(name => name.startsWith('goodbot.robot.'));
+    localStorage.setItem(one, JSON.stringify({ ...JSON.parse(localStorage.getItem(one)), model: 'AAAAAAAA' }));
+    return one.slice('goodbot.'.length);
+  });
+  await page.reload();
+  await page.waitForSelector('body.ready');
+  assert.match(await page.textContent('#unread'), /^1 thing saved in this browser cannot be read here/);
+  const file = JSON.parse(String(await saved(page, '#unread button')));
+  assert.match(file[key], /AAAAAAAA/);
+  assert.match(file[key.replace('robot', 'log')], /go to the red room/);
+  await close(page);
+});
+
+test('a damaged session under way does not vanish in silence, and can be saved as a file', async () => {
+  for (const damaged of [text => text.replace(/"action\\?":\\?"\w+/, '"action\\":\\"flies'), text => text.slice(0, 300)]) {
+    const page = await taught(await browser.newContext());
+    const text = damaged(await page.evaluate(() => sessionStorage.getItem('goodbot.session')));
+    assert.notEqual(text, await page.evaluate(() => sessionStorage.getItem('goodbot.session')));
+    await page.evaluate(session => sessionStorage.setItem('goodbot.session', session), text);
+    await page.reload();
+    await page.waitForSelector('body.ready');
+    assert.match(await page.textContent('#unread'), /^1 thing saved in this browser cannot be read here/);
+    assert.equal(JSON.parse(String(await saved(page, '#unread button')))['unread.session'], text);
+    await page.reload();
+    await page.waitForSelector('body.ready');
+    assert.ok(await page.isHidden('#unread'), 'once it is saved, it is not told again');
+    await close(page);
+  }
 });
 
 test('where all can be read, nothing is told', async () => {

@@ -294,7 +294,8 @@ impl World {
             return Err(Refusal::from(LiveError::NoSession));
         }
         let mut support = support(self.agent(), self.home()).map_err(Refusal::from)?;
-        // Whole words, not only the beginnings that are kept. If the robot listened, some words are about the command, and not part of it.
+        // Whole words, not only the beginnings that are kept. If the robot listened, some words are about the command, and not part of it, or the
+        // robot has put them into another order.
         let mut said = Vec::new();
         let command = self.lesson.command().unwrap_or_default();
         let take = |word: &str| {
@@ -302,15 +303,10 @@ impl World {
             Ok(())
         };
         self.agent().options().language.model.for_each_word(command, take).map_err(Refusal::from)?;
-        if said.len() == support.words.len() {
-            support.words = said;
-            return Ok(support);
-        }
-        let mut said = said.into_iter();
-        for word in &mut support.words {
-            let mut ahead = said.clone();
-            if let Some(whole) = ahead.find(|whole| whole.starts_with(word.as_str())) {
-                (*word, said) = (whole, ahead);
+        for (at, word) in support.words.iter_mut().enumerate().filter(|(_, word)| !said.contains(word)) {
+            let (before, ahead) = said.split_at(at.min(said.len()));
+            if let Some(whole) = ahead.iter().chain(before).find(|whole| whole.starts_with(word.as_str())) {
+                whole.clone_into(word);
             }
         }
         Ok(support)
