@@ -188,7 +188,14 @@ export function renderBuild() {
   $('build-error').textContent = missing || (build.refused ? t('build.noHome', { why: build.refused }) : build.error ? t('build.notYet', { why: build.error })
     : closed.length ? t('build.closed', { rooms: listed(closed, 'or') }) : t('build.fine'));
   $('build-error').className = missing ? '' : build.refused || build.error || closed.length ? 'wrong' : 'fine';
-  for (const tool of all('[data-tool]')) tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+  // What is to be done next stands out.
+  const next = !scene.rooms.length ? 'room' : !scene.agent ? 'agent' : closed.length ? 'door' : build.error ? 'undo' : '';
+  for (const tool of all('[data-tool]')) {
+    tool.setAttribute('aria-pressed', tool.dataset.tool === build.tool);
+    tool.classList.toggle('primary', tool.dataset.tool === next);
+  }
+  $('build-undo').classList.toggle('primary', next === 'undo');
+  $('move-in').hidden = Boolean(next);
   $('build-undo').disabled = !build.past.length;
   $('build-redo').disabled = !build.future.length;
   $('take-shown').hidden = JSON.stringify(build.shown) === build.text;

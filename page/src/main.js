@@ -45,7 +45,7 @@ function setUp() {
   for (const [id, action] of Object.entries({
     good: () => judge('reward'), bad: () => judge('punish'), pause: togglePause, next: stepOnce, finish: () => (isThere() ? thatWasIt() : finishSession()),
     drop: finishWithoutLearning, undo: () => undo('past'), redo: () => undo('future'), lesson: () => beginStop(false), auto: () => beginStop(true), watch: watchTour,
-    again: restartTour, other: changeTour, amend: () => undo('past'), onward: () => setMode('play'), appendix: beginAppendix,
+    again: restartTour, other: changeTour, amend: () => undo('past'), onward: () => setMode('play'), 'move-in': () => setMode('play'), appendix: beginAppendix,
   })) $(id).addEventListener('click', action);
   $('pick').addEventListener('change', () => pick($('pick').value));
   $('heat-before').addEventListener('change', renderHeat);

@@ -67,7 +67,10 @@ export function setUpPlay() {
   $('choose').addEventListener('click', choose);
   $('tell').addEventListener('submit', event => {
     event.preventDefault();
-    say($('command').value);
+    // Who has no words is offered some.
+    const idea = $('ideas').firstChild?.textContent;
+    if (!$('command').value && idea && !state.session) $('command').value = idea;
+    else say($('command').value);
   });
   $('else').addEventListener('click', () => tellRobot(state.already, true));
   $('reset').addEventListener('click', async () => {

@@ -47,7 +47,11 @@ export function renderPage() {
   $('say').replaceChildren(make('strong', {}, head), ' ', make('span', {}, rest));
   // In a session the numbers after its guess change with each step.
   speak(busy ? '' : session ? (session.decided || session.question ? head : '') : state.said ? (head + ' ' + rest).trim() : '');
-  $('else').hidden = !state.already || Boolean(session);
+  const elsewhere = Boolean(state.already) && !session;
+  $('else').hidden = !elsewhere;
+  // One thing stands out: in a session its end, in a game the game.
+  $('else').classList.toggle('primary', elsewhere);
+  $('say-it').classList.toggle('primary', !session && !elsewhere && !state.secret);
   $('tell').hidden = state.mode !== 'play' || state.secret === 'open';
   $('train').hidden = state.mode === 'build';
   $('plan').parentElement.hidden = state.mode === 'build';

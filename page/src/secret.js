@@ -17,8 +17,8 @@ const MOST_WORDS = 12;
 // The words to find out, each with its idea. Of an invented language they are its parts.
 const words = (own = state.robot.tour.own) => (own?.take ? partsOf(own) : clearWords().slice(0, MOST_WORDS));
 
-// When the game began, and its score.
-let [began, score] = [0, ''];
+// When the game began, its score, and the most right words so far.
+let [began, score, most] = [0, '', -1];
 
 /** The link to this robot as a game. */
 export async function shareSecret() {
@@ -45,6 +45,13 @@ function check() {
   score = t('secret.score', { n, of: all.length, seconds: Math.round((performance.now() - began) / 1000) });
   announce($('secret-say').textContent);
   if (n === all.length) reveal();
+  else suggestTheEnd(n <= most);
+  most = Math.max(most, n);
+}
+
+// Who is no longer coming closer sees how the game ends.
+function suggestTheEnd(stuck) {
+  for (const [at, button] of [...$('secret-buttons').children].entries()) button.className = 'small ' + (stuck === (at === 1) ? 'primary' : 'quiet');
 }
 
 function reveal() {
@@ -59,7 +66,7 @@ export function renderSecret() {
   if (!state.secret || isDrawn('secret', state.secret, state.robot.id)) return;
   const all = words();
   const told = state.secret === 'told';
-  if (!told) [began, score] = [performance.now(), ''];
+  if (!told) [began, score, most] = [performance.now(), '', -1];
   $('secret-say').textContent = t(told ? 'secret.told' : 'secret.about', { name: state.robot.name, n: all.length }) + (told && score ? ' ' + score : '');
   if (told) {
     $('secret-words').replaceChildren(...all.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token))));
@@ -71,7 +78,7 @@ export function renderSecret() {
   const ideas = [...new Set((state.heat.now?.tokens || []))].map(token => [token, ideaWords(token)]).sort((a, b) => a[1].localeCompare(b[1]));
   $('secret-words').replaceChildren(...all.map(([word]) => make('li', {},
     make('button', { type: 'button', class: 'small', 'aria-label': t('secret.sayWord', { word }), onclick: () => sayWord(word) }, word), ' ',
-    make('select', { 'aria-label': t('secret.meaningOf', { word }) }, make('option', { value: '' }, '…'), ...ideas.map(([token, idea]) => make('option', { value: token }, idea))))));
+    make('select', { 'aria-label': t('secret.meaningOf', { word }), onchange: () => suggestTheEnd(false) }, make('option', { value: '' }, '…'), ...ideas.map(([token, idea]) => make('option', { value: token }, idea))))));
   $('secret-buttons').replaceChildren(
     make('button', { type: 'button', class: 'small primary', onclick: check }, t('secret.check')),
     make('button', { type: 'button', class: 'small quiet', onclick: reveal }, t('secret.giveUp')));

@@ -125,7 +125,7 @@ test('a prohibition is no command for it', async () => {
   const page = await taught();
   const red = await roomOf(page, 'red');
   await say(page, 'don’t go to the red room');
-  assert.match(await page.textContent('#say'), /what I shall not do, so I wait/);
+  assert.match(await page.textContent('#say'), /what I must not do, so I wait/);
   assert.ok(await page.isHidden('#finish'), 'it is not there, and stays');
   await say(page, 'go to the red room');
   await walk(page);

@@ -1,7 +1,7 @@
 // Nobody gets stuck: whoever presses only the button that stands out, and answers in whatever way, comes to the end of the tour.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, open, openFirst, sessions } from './browser.mjs';
+import { address, close, drag, launch, linkOf, open, openFirst, play, sessions, teachInvention } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -9,7 +9,7 @@ after(() => browser.close());
 
 /** What a visitor says to a robot's step, by its number.
  * @type {Record<string, (step: number) => string>} */
-const ANSWERS = { 'always Good': () => '#good', 'always Bad': () => '#bad', 'Good and Bad by turns': step => (step % 2 ? '#bad' : '#good') };
+const ANSWERS = { 'always Good': () => '#good', 'always Bad': () => '#bad', 'Good and Bad by turns': step => (step % 2 ? '#bad' : '#good'), silence: () => '#next' };
 
 for (const first of [true, false]) for (const [who, answer] of Object.entries(ANSWERS)) {
   test('by the button that stands out alone one comes to the end ' + (first ? 'of a first visit: ' : 'of the tour: ') + who, async () => {
@@ -36,3 +36,74 @@ for (const first of [true, false]) for (const [who, answer] of Object.entries(AN
     await close(page);
   });
 }
+
+// The one button that stands out, or none where an answer or a stroke is wanted.
+async function outstanding(page) {
+  await page.waitForFunction(() => !['planning', 'learning', 'moment'].includes(document.body.dataset.phase));
+  const out = page.locator('dialog[open] .primary, #page button.primary:not([disabled]):visible');
+  const all = await out.allInnerTexts();
+  assert.ok(all.length <= 1, 'these stand out: ' + all.join());
+  return all.length ? out.first() : null;
+}
+
+for (const questions of [false, true]) for (const [who, answer] of Object.entries(ANSWERS)) {
+  test('in free play the button that stands out leads to a lesson that is learned' + (questions ? ', with questions: ' : ': ') + who, async () => {
+    const page = await open(browser);
+    if (questions) await page.check('#set-questions');
+    await play(page, 'Test');
+    await page.selectOption('#speed', 'step');
+    // Also where the robot's tests are at hand.
+    await page.locator('#tab-challenges').click();
+    await page.fill('#test-command', 'go to the red room');
+    await page.selectOption('#test-meant', { index: 1 });
+    await page.click('#test-it');
+    await page.locator('#tests li').waitFor();
+    for (let at = 0; at < 120; at += 1) {
+      const button = await outstanding(page);
+      if (await sessions(page)) break;
+      if (button) await button.click();
+      else await page.locator(await page.isVisible('#answers') ? '#answers button >> nth=' + at % 2 : answer(at)).click();
+    }
+    assert.equal(await sessions(page), 1);
+    assert.ok(await outstanding(page));
+    await close(page);
+  });
+}
+
+test('in the game of a secret language the button that stands out leads to its end', async () => {
+  const page = await openFirst(browser);
+  await teachInvention(page);
+  await page.selectOption('#speed', 'once');
+  await page.click('#lesson');
+  const hash = (await linkOf(page, '#decode')).slice(address.length);
+  const friend = await open(browser, {}, hash);
+  await friend.selectOption('#speed', 'once');
+  await friend.locator('#secret-words button').first().click();
+  for (let at = 0; at < 6 && await friend.locator('#secret-words select').count(); at += 1) await (await outstanding(friend)).click();
+  assert.equal(await friend.locator('#secret-words select').count(), 0);
+  assert.equal(await (await outstanding(friend)).innerText(), 'Invent a language');
+  for (const one of [friend, page]) await close(one);
+});
+
+test('while a home is drawn, what is to be done next stands out, up to free play in it', async () => {
+  const page = await open(browser);
+  await page.click('[data-mode=build]');
+  assert.equal(await (await outstanding(page)).innerText(), 'Now say what you like', 'the home that was shown');
+  await page.click('#clear');
+  for (const [tool, from, to] of [['Room', [1, 1], [4, 4]], ['Robot', [2, 2]]]) {
+    const next = await outstanding(page);
+    assert.equal(await next.innerText(), tool);
+    await next.click();
+    await drag(page, await next.getAttribute('data-tool'), from, to);
+  }
+  await drag(page, 'room', [4, 1], [8, 4]);
+  assert.equal(await (await outstanding(page)).innerText(), 'Door', 'a room without a way in');
+  await drag(page, 'block', [2, 2]);
+  assert.equal(await (await outstanding(page)).innerText(), 'Undo', 'what cannot be');
+  await (await outstanding(page)).click();
+  await drag(page, 'door', [4, 2]);
+  await (await outstanding(page)).click();
+  assert.equal(await page.getAttribute('body', 'data-mode'), 'play');
+  assert.equal(await (await outstanding(page)).innerText(), 'Tell the robot');
+  await close(page);
+});
