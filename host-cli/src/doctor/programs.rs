@@ -4,7 +4,7 @@ use super::{Finding, State};
 use std::path::{Path, PathBuf};
 
 /// Each program, and its use.
-const PROGRAMS: [(&str, &str); 11] = [
+const PROGRAMS: [(&str, &str); 12] = [
     ("git", "style checks"),
     ("gcc", "the C interface"),
     ("g++", "the C interface from C++"),
@@ -14,6 +14,7 @@ const PROGRAMS: [(&str, &str); 11] = [
     ("qemu-system-arm", "the firmware"),
     ("qemu-system-riscv32", "the firmware on RISC-V"),
     ("arm-none-eabi-gcc", "C on controllers"),
+    ("clang", "the C header's layout"),
     ("chromium-headless-shell", "the page"),
     ("firefox-esr", "the page"),
 ];
