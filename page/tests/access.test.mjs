@@ -83,8 +83,27 @@ test('axe finds nothing to object to, light and dark, wide and narrow', async ()
   await check(page, 'editor');
   await page.click('#clear');
   await page.setInputFiles('#load-model', { name: 'robot.goodbot', mimeType: 'application/octet-stream', buffer: Buffer.from('none') });
-  await page.getByText('This file is no model').first().waitFor();
+  await page.getByText('This file is not a usable model').first().waitFor();
   await check(page, 'a drawing that is no home, and a model that is none');
+  await close(page);
+});
+
+test('axe finds nothing to object to at any of the twelve stops of the tour, before it and in it', async () => {
+  const page = await open(browser, { bypassCSP: true });
+  await page.addScriptTag({ path: axe });
+  await page.selectOption('#speed', 'step');
+  for (let at = 0; at < 12; at += 1) {
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await page.locator('#dots button').nth(at).click();
+    await checkTab(page, 'stop ' + (at + 1));
+    await page.click('#lesson');
+    await page.locator('#bad[aria-disabled=false], #lesson:has-text("Skip the walk")').first().waitFor();
+    await checkTab(page, 'in stop ' + (at + 1));
+    // A test ends, and a lesson is left.
+    if (at > 6) await page.click('#lesson');
+    else await page.click('#drop');
+    await page.locator('body:not([data-session])').waitFor();
+  }
   await close(page);
 });
 

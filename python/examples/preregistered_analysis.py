@@ -4,13 +4,14 @@
     python preregistered_analysis.py data                    the analysis
     python preregistered_analysis.py --power 40              how often a difference such as the simulated one would be found
 
-`data` has a folder for each of two conditions, and there a session log for each person: `data/paper/p01.jsonl`. Sessions that are not to be
-learned are tests.
+`data` has a folder for each of two conditions, and there a file for each person: a session log, `data/paper/p01.jsonl`, in which sessions that
+are not to be learned are tests, or the table that the page saves, `data/paper/p01.csv`, which has lessons and tests. The page's log has no tests.
 """
 
 from __future__ import annotations
 
 import argparse
+import csv
 import json
 import random
 import tempfile
@@ -54,18 +55,43 @@ def measured(log: Path, condition: Condition) -> Person:
     lessons = [one.session for one in posteriors if one.session.learn]
     tests = [one for one in posteriors if not one.session.learn]
     if not tests:
-        raise ValueError(f"{log} has no tests: sessions with an intended task that are not to be learned from")
+        raise ValueError(f"{log} has no tests: sessions with an intended task that are not to be learned from; the page has them in its table")
     words = sum(word in ("reward", "punish") for session in lessons for _, word in session.steps)
     right = [one.tasks[int(one.beliefs[0].argmax())] == one.session.intended for one in tests]
     return Person(condition, log.stem, len(lessons), words, sum(right) / len(right))
 
 
+def tabled(table: Path, condition: Condition) -> Person:
+    """Reads the table of a person: a row for each step of a lesson, and one for each test, with the most probable task before any action."""
+    with table.open(encoding="utf-8-sig", newline="") as file:
+        # Programs for tables write semicolons where the comma is for decimals.
+        separator = ";" if ";" in file.readline() else ","
+        file.seek(0)
+        reader = csv.DictReader(file, delimiter=separator)
+        if not {"session", "kind", "meant", "understood", "feedback"} <= set(reader.fieldnames or []):
+            raise ValueError(f"{table} is no table of the page")
+        rows = list(reader)
+    tests = [row for row in rows if row["kind"] == "test"]
+    if not tests:
+        raise ValueError(f"{table} has no tests")
+    lessons = {row["session"] for row in rows if row["kind"] == "lesson"}
+    words = sum(row["feedback"] in ("reward", "punish") for row in rows)
+    right = [row["understood"] == row["meant"] for row in tests]
+    return Person(condition, table.stem, len(lessons), words, sum(right) / len(right))
+
+
 def people(data: Path) -> list[Person]:
     """All people, in the order of their names."""
-    found = [measured(log, condition) for condition in CONDITIONS for log in sorted((data / condition).glob("*.jsonl"))]
+    found: list[Person] = []
+    for condition in CONDITIONS:
+        files = sorted(file for file in (data / condition).glob("*") if file.suffix in (".csv", ".jsonl"))
+        for one, next_one in zip(files, files[1:], strict=False):
+            if one.stem == next_one.stem:
+                raise ValueError(f"{one.stem} has both a log and a table; keep one of them in {data / condition}")
+        found += [tabled(file, condition) if file.suffix == ".csv" else measured(file, condition) for file in files]
     for condition in CONDITIONS:
         if not any(person.condition == condition for person in found):
-            raise ValueError(f"{data / condition} has no logs; the analysis compares {' and '.join(CONDITIONS)}")
+            raise ValueError(f"{data / condition} has no logs and no tables; the analysis compares {' and '.join(CONDITIONS)}")
     return found
 
 

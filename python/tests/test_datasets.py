@@ -116,5 +116,30 @@ def test_the_preregistered_analysis_runs_on_simulated_people(root: Path, tmp_pat
     result = example["compared"](found)
     assert result["people"] + result["left_out"] == 6 and result["low"] <= result["difference"] <= result["high"] and 0.0 < result["p"] <= 1.0
     assert result == example["compared"](found), "the same data give the same numbers"
-    with pytest.raises(ValueError, match="has no logs; the analysis compares paper and roles"):
+    with pytest.raises(ValueError, match="has no logs and no tables; the analysis compares paper and roles"):
         example["people"](tmp_path / "paper")
+
+
+def test_the_preregistered_analysis_reads_the_tables_of_the_page(root: Path, tmp_path: Path) -> None:
+    example = runpy.run_path(str(root / "python/examples/preregistered_analysis.py"))
+    head = "session,kind,command,home,meant,heard,understood,right,guess,step,action,feedback,robot"
+    lesson = '1,lesson,"go, robot",A,task0,0.3,,,,{},east,{},Ada'
+    test = "{},test,go,Test,task0,{},{},{},,,,,Ada"
+    lines = [head, lesson.format(1, "reward"), lesson.format(2, "punish"), lesson.format(3, "neutral")]
+    # The intended task is the most probable one in two of three tests, even where the page does not count it.
+    lines += [test.format(2, 0.9, "task0", "yes"), test.format(3, 0.4, "task0", "no"), test.format(4, 0.2, "task1", "no")]
+    for condition, separator in (("paper", ","), ("roles", ";")):
+        (tmp_path / condition).mkdir()
+        text = "\r\n".join(lines).replace('"go, robot"', "go").replace(",", separator) + "\r\n"
+        (tmp_path / condition / "Ada.csv").write_bytes(b"\xef\xbb\xbf" + text.encode())
+    for person in example["people"](tmp_path):
+        assert (person.name, person.lessons, person.words, person.understood) == ("Ada", 1, 2, 2 / 3)
+    (tmp_path / "paper/Bea.csv").write_text(head + "\n" + lesson.format(1, "reward") + "\n")
+    with pytest.raises(ValueError, match="Bea.csv has no tests"):
+        example["people"](tmp_path)
+    (tmp_path / "paper/Bea.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(ValueError, match="Bea.csv is no table of the page"):
+        example["people"](tmp_path)
+    (tmp_path / "paper/Bea.csv").rename(tmp_path / "paper/Ada.jsonl")
+    with pytest.raises(ValueError, match="Ada has both a log and a table"):
+        example["people"](tmp_path)
