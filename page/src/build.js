@@ -195,10 +195,10 @@ export function renderBuild() {
     tool.classList.toggle('primary', tool.dataset.tool === next);
   }
   $('build-undo').classList.toggle('primary', next === 'undo');
-  $('move-in').hidden = Boolean(next);
   $('build-undo').disabled = !build.past.length;
   $('build-redo').disabled = !build.future.length;
-  $('take-shown').hidden = JSON.stringify(build.shown) === build.text;
+  // They keep their places, so that the drawing keeps its own.
+  for (const [id, wanted] of /** @type {const} */ ([['move-in', !next], ['take-shown', JSON.stringify(build.shown) !== build.text]])) $(id).style.visibility = wanted ? '' : 'hidden';
   renderObjects();
 }
 

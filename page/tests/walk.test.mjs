@@ -93,8 +93,15 @@ test('while a home is drawn, what is to be done next stands out, up to free play
   for (const [tool, from, to] of [['Room', [1, 1], [4, 4]], ['Robot', [2, 2]]]) {
     const next = await outstanding(page);
     assert.equal(await next.innerText(), tool);
+    // What is pressed looks otherwise than what is to be pressed.
+    const colors = await page.locator('[data-tool]').evaluateAll(tools => tools.map(tool => getComputedStyle(tool).backgroundColor));
+    const color = await next.evaluate(tool => getComputedStyle(tool).backgroundColor);
+    assert.equal(colors.filter(one => one === color).length, 1);
     await next.click();
+    const place = () => page.locator('#draft').boundingBox();
+    const before = await place();
     await drag(page, await next.getAttribute('data-tool'), from, to);
+    assert.deepEqual(await place(), before, 'a stroke does not move the drawing');
   }
   await drag(page, 'room', [4, 1], [8, 4]);
   assert.equal(await (await outstanding(page)).innerText(), 'Door', 'a room without a way in');
