@@ -22,6 +22,7 @@ use heapless::Vec;
 
 /// The action of doing nothing, which every robot has.
 pub const GOODBOT_NOOP: u8 = 15;
+
 /// The action with this number in C. In one build with programs for hosts, doing nothing has another number there.
 fn action_of(number: u8) -> Action {
     match number {
