@@ -187,7 +187,11 @@ impl<'t> LanguageRef<'t> {
     pub fn likelihood(self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
         match self.model() {
             Model::Model2 => ibm2::likelihood::likelihood(self.tables, sentence, command, self.settings.length),
-            Model::Roles => roles::forward::likelihood(self.tables.layout(), self.tables.cells(), sentence, command, |_, _| {}),
+            Model::Roles if self.tables.words() == 0 => Scaled::ONE,
+            Model::Roles => {
+                let by_words = roles::forward::likelihood(self.tables.layout(), self.tables.cells(), sentence, command, |_, _| {});
+                by_words.scaled_by(roles::whole::said_before(self.bitext, sentence, command))
+            }
         }
     }
 
@@ -601,6 +605,9 @@ impl<'t> LanguageMut<'t> {
         let memory = &mut self.tables.memory;
         let done = likelihood_on(layout, memory.translations, memory.alignments, sentence, description, reading, most);
         *left = left.saturating_sub(u32::from(reading.words.saturating_sub(before)).max(1).saturating_mul(cells_of_word));
+        if done {
+            reading.probability = reading.probability.scaled_by(roles::whole::said_before(self.bitext.read(), sentence, description));
+        }
         done
     }
 

@@ -274,8 +274,37 @@ fn a_deed_that_was_heard_once_is_a_hint_and_no_proof() {
     let ratio = |command: &str| {
         trained_on(8, &data, |likelihood| likelihood(command, (forms[0], "colorRed")) / likelihood(command, (forms[1], "colorRed")))
     };
-    let (once, often) = (ratio("aakk to the red room"), ratio("go to the red room"));
+    let (once, often) = (ratio("please aakk to the red room"), ratio("please go to the red room"));
     assert!((1.5..30.0).contains(&once) && often > 3.0 * once, "{once} {often}");
+}
+
+#[test]
+fn a_code_word_means_a_whole_task_after_one_lesson_with_it() {
+    let colors = ["blue", "green", "red"];
+    let meanings = ["agent0 room1", "agent0 room2", "block0 room1", "block0 room2"];
+    let code = ["hop", "zap", "nix", "bam"];
+    let mut agent = new();
+    let chair = ("blue", "chair");
+    for (command, meant) in code.iter().zip(meanings) {
+        let meant = meant.split_once(' ').unwrap();
+        teach(&mut agent, &lesson("", colors, None, meant), colors, Some(chair), command, [0, 1, 2]);
+    }
+    for (command, meant) in code.iter().zip(meanings) {
+        let all = posterior(&mut agent, colors, chair, [0, 1, 2], command);
+        assert_eq!(best(&all), meant, "{command}: {all:?}");
+    }
+}
+
+#[test]
+fn a_command_that_means_something_else_each_time_tells_none_of_its_meanings() {
+    let colors = ["colorRed", "colorGreen", "colorBlue", "colorGray"];
+    let said_of = |meanings: [usize; 4]| {
+        let data = meanings.map(|meaning| ("again", colors[meaning], 1.0));
+        let others = colors.map(|color| ("go there", color, 1.0));
+        trained(8, &[&data[..], &others[..]].concat(), |likelihood| likelihood("again", colors[0]) / likelihood("again", colors[3]))
+    };
+    let (always, each) = (said_of([0; 4]), said_of([0, 1, 2, 2]));
+    assert!(always > 5.0 * each && each < 4.0, "{always} {each}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use super::tables::{LayerRef, Room};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::language::bitext::BitextRef;
+use crate::language::roles::whole::said_before;
 use crate::language::roles::{forward, kind};
 use crate::language::tables::TablesRef;
 use crate::probability::{Scaled, total};
@@ -53,7 +54,7 @@ impl Room<'_> {
         let weights = &mut *vec![Scaled::ZERO; pairs.len()];
         for (task, weight) in weights.iter_mut().enumerate() {
             let likelihood = forward::likelihood(layout, tables.cells(), &sentence, description(task), |_, _| {});
-            *weight = likelihood.scaled_by(prior(task));
+            *weight = likelihood.scaled_by(said_before(bitext, &sentence, description(task))).scaled_by(prior(task));
             cells = cells.saturating_add(description(task).len().saturating_mul(sentence.len()).saturating_mul(4));
         }
         kind::weigh(tables, &sentence, |task| form(description(task)).unwrap_or(Symbol(0)), weights);

@@ -25,6 +25,7 @@
 //! - `data`: memory for the training data;
 //! - `talk`: commands with words around them, and how much of a task is named;
 //! - `names`: how often a word was taken for a value;
+//! - `whole`: what lessons with exactly the same words meant;
 //! - [`explanation`]: what each word was taken for.
 
 pub(crate) mod data;
@@ -38,6 +39,7 @@ mod start;
 #[cfg(feature = "talk")]
 pub(crate) mod talk;
 pub mod training;
+pub(crate) mod whole;
 
 pub use explanation::Meaning;
 pub use layout::Layout;
