@@ -70,7 +70,8 @@ pub async fn live(controller: Peri<'static, peripherals::NVMC>) {
 async fn try_to_live(flash: Flash) -> Result<core::convert::Infallible, &'static str> {
     // SAFETY: there is one such task, and nothing else touches the statics.
     let (agent, rooms) = unsafe { (&mut *(&raw mut AGENT), &mut *(&raw mut ROOMS)) };
-    agent.set_tasks(&paper_tasks().map_err(|_| "the tasks cannot be read")?, Options::DEFAULT).map_err(text)?;
+    let tasks = paper_tasks().map_err(|_| "the tasks cannot be read")?;
+    agent.set_tasks(&tasks, Options { done: Options::SELDOM_DONE, ..Options::DEFAULT }).map_err(text)?;
     let (home, start) = house(rooms).ok_or("this is no home")?;
     let slots = TwoSlotsAsync::new(flash, START, SLOT).map_err(|_| "the slots do not lie as they must")?;
     let mut robot = Robot { agent, home, start, slots, random: Pcg32::new(1, 1) };

@@ -453,7 +453,7 @@ impl<'a> Robot<'a> {
 
     fn forget_all(&mut self) -> Result<(), &'static str> {
         let tasks = paper_tasks().map_err(|_| "the tasks cannot be read")?;
-        self.agent.set_tasks(&tasks, Options::DEFAULT).map_err(text)?;
+        self.agent.set_tasks(&tasks, Options { done: Options::SELDOM_DONE, ..Options::DEFAULT }).map_err(text)?;
         (self.doing, self.next) = (Doing::Nothing, 0);
         Ok(())
     }
