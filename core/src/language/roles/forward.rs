@@ -561,8 +561,8 @@ impl Reading {
     /// Before the first word.
     pub const START: Self = Self { words: 0, probability: Scaled::ONE };
 
-    /// Reads at most `most` more words. Returns `true` at the end of the command; where tasks have ways, the end is read in a part of its
-    /// own, because it looks at all words once more. `masses` keeps the probability of each memory between calls; `tell` gets each word's
+    /// Reads at most `most` more words. Returns `true` at the end of the command. The end is read in a part of its own, because it looks at
+    /// all words once more where tasks have ways, and at lessons with the same words. `masses` keeps the probability of each memory between calls; `tell` gets each word's
     /// position and its probability after the words before it.
     pub(super) fn go_on(
         &mut self,
@@ -597,7 +597,7 @@ impl Reading {
             self.words = self.words.saturating_add(1);
         }
         let read = usize::from(self.words).saturating_sub(first);
-        if usize::from(self.words) < sentence.len() || (read >= most && reader.layout.has_ways()) {
+        if usize::from(self.words) < sentence.len() || read >= most {
             masses.iter_mut().zip(&before).for_each(|(slot, mass)| *slot = *mass);
             return false;
         }
