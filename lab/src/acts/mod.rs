@@ -17,7 +17,7 @@ use goodbot_console::output;
 use rayon::prelude::*;
 use readings::Said;
 use serde_json::json;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -46,6 +46,9 @@ pub struct ActsOptions {
     /// A list of sets of sentences
     #[arg(value_name = "SETS", value_hint = ValueHint::FilePath)]
     sets: PathBuf,
+    /// Ask the decision that the library has, and fit nothing: a first look at sentences that it never saw
+    #[arg(long, conflicts_with_all = ["weights", "explain", "price", "most"])]
+    first_look: bool,
     /// Write the weights, as a part of the library
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
     weights: Option<PathBuf>,
@@ -94,6 +97,21 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).filter(|author| !author.starts_with(FOR_TRAINING)).collect();
     authors.sort_unstable();
     authors.dedup();
+    if options.first_look {
+        let languages: BTreeSet<&str> = said.iter().map(|it| it.language.as_str()).collect();
+        for author in authors.iter().copied().chain([""]) {
+            for language in [""].into_iter().chain(languages.iter().copied()) {
+                let of = said
+                    .iter()
+                    .filter(|it| author.is_empty() || it.author == author)
+                    .filter(|it| language.is_empty() || it.language == language);
+                let figures =
+                    figures(of, &|it| it.readings.iter().map(|reading| f64::from(reading.probability)).collect(), f64::from(ACTS_FROM));
+                tell(&mut out, options.json, (if author.is_empty() { "all" } else { author }, language, f64::from(ACTS_FROM)), &figures)?;
+            }
+        }
+        return Ok(out.flush()?);
+    }
     if authors.len() > 1 {
         let progress = bar(authors.len(), "leaving out one author at a time");
         let without = |author: &&str| {
@@ -104,7 +122,8 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         let fitted: Vec<Fitted> = authors.par_iter().map(without).collect();
         progress.finish_and_clear();
         let of = |author: &str, language: &str, fitted: &Fitted, above: f64| {
-            figures(said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language)), fitted, above)
+            let of = said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language));
+            figures(of, &|it| fitted.probabilities(it), above)
         };
         for (author, fitted) in authors.iter().zip(&fitted) {
             let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
@@ -126,7 +145,12 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         }
     }
     let fitted = fitted_to(&said, &|_| true, prices);
-    tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
+    tell(
+        &mut out,
+        options.json,
+        ("fitted", "", f64::from(ACTS_FROM)),
+        &figures(said.iter(), &|it| fitted.probabilities(it), f64::from(ACTS_FROM)),
+    )?;
     if options.explain {
         explain(&mut out, &said, &fitted)?;
     }
@@ -194,14 +218,21 @@ impl Figures {
     }
 }
 
-/// The figures of sentences, by these weights, if the robot acts above this probability.
-fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64) -> Figures {
+impl Fitted {
+    /// The probability of each reading of a sentence.
+    fn probabilities(&self, said: &Said) -> Vec<f64> {
+        said.examples().map(|example| self.probability(&example)).collect()
+    }
+}
+
+/// The figures of sentences whose readings have these probabilities, if the robot acts above one.
+fn figures<'s>(said: impl Iterator<Item = &'s Said>, probabilities: &dyn Fn(&Said) -> Vec<f64>, above: f64) -> Figures {
     let mut figures = Figures::default();
     for sentence in said {
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
         figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
-        let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
+        let weighed = probabilities(sentence).into_iter().zip(&sentence.readings);
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
         if probability > above {

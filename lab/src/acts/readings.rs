@@ -45,6 +45,8 @@ pub struct Read {
     pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
     pub to_kind: u16,
+    /// Its probability by the library's weights.
+    pub probability: f32,
     /// Whether it is what was meant.
     pub is_right: bool,
     /// Whether it asks for what is so already.
@@ -74,6 +76,7 @@ struct Weighed {
     hypothesis: Hypothesis,
     tasks: TaskSet,
     is_negated: bool,
+    probability: f32,
 }
 
 /// Reads the sentences of a set.
@@ -127,9 +130,9 @@ fn readings(
                 }
             });
         }
-        let &Reading { hypothesis, tasks, is_negated, .. } = reading;
+        let &Reading { hypothesis, tasks, is_negated, probability, .. } = reading;
         let (kind, to_kind) = (reading.clues.kind(), reading.clues.to_kind());
-        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated });
+        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated, probability });
     };
     let _ = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
     let read = |weighed: Weighed| {
@@ -142,8 +145,8 @@ fn readings(
         let asked: Vec<String> =
             tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        let Weighed { clues, values, kind, to_kind, .. } = weighed;
-        Read { clues, values, kind, to_kind, is_right, is_done }
+        let Weighed { clues, values, kind, to_kind, probability, .. } = weighed;
+        Read { clues, values, kind, to_kind, probability, is_right, is_done }
     };
     Ok((words.into_inner(), weighed.into_inner().into_iter().map(read).collect()))
 }
