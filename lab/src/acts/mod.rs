@@ -15,7 +15,7 @@ use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
-use readings::Said;
+use readings::{Did, Said};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
@@ -98,18 +98,23 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     authors.sort_unstable();
     authors.dedup();
     if options.first_look {
-        let languages: BTreeSet<&str> = said.iter().map(|it| it.language.as_str()).collect();
+        let different = |of: fn(&Said) -> &str| said.iter().map(of).collect::<BTreeSet<&str>>();
+        let (languages, kinds) = (different(|it| &it.language), different(|it| &it.kind));
+        let mut first_look = |author: &str, language: &str, kind: &str| {
+            let is = |it: &&Said| {
+                [(author, &it.author), (language, &it.language), (kind, &it.kind)].iter().all(|(of, it)| of.is_empty() || of == it)
+            };
+            tell_first_look(
+                &mut out,
+                options.json,
+                [author, language, kind],
+                &said.iter().filter(is).fold(Figures::default(), Figures::and_first_look),
+            )
+        };
         for author in authors.iter().copied().chain([""]) {
-            for language in [""].into_iter().chain(languages.iter().copied()) {
-                let of = said
-                    .iter()
-                    .filter(|it| author.is_empty() || it.author == author)
-                    .filter(|it| language.is_empty() || it.language == language);
-                let figures =
-                    figures(of, &|it| it.readings.iter().map(|reading| f64::from(reading.probability)).collect(), f64::from(ACTS_FROM));
-                tell(&mut out, options.json, (if author.is_empty() { "all" } else { author }, language, f64::from(ACTS_FROM)), &figures)?;
-            }
+            [""].into_iter().chain(languages.iter().copied()).try_for_each(|language| first_look(author, language, ""))?;
         }
+        kinds.iter().try_for_each(|kind| first_look("", "", kind))?;
         return Ok(out.flush()?);
     }
     if authors.len() > 1 {
@@ -122,8 +127,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         let fitted: Vec<Fitted> = authors.par_iter().map(without).collect();
         progress.finish_and_clear();
         let of = |author: &str, language: &str, fitted: &Fitted, above: f64| {
-            let of = said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language));
-            figures(of, &|it| fitted.probabilities(it), above)
+            figures(said.iter().filter(|it| it.author == author && (language.is_empty() || it.language == language)), fitted, above)
         };
         for (author, fitted) in authors.iter().zip(&fitted) {
             let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
@@ -145,12 +149,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
         }
     }
     let fitted = fitted_to(&said, &|_| true, prices);
-    tell(
-        &mut out,
-        options.json,
-        ("fitted", "", f64::from(ACTS_FROM)),
-        &figures(said.iter(), &|it| fitted.probabilities(it), f64::from(ACTS_FROM)),
-    )?;
+    tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
     if options.explain {
         explain(&mut out, &said, &fitted)?;
     }
@@ -203,6 +202,18 @@ fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool, prices: Prices) -> Fi
 }
 
 impl Figures {
+    /// With what the robot did of one more sentence.
+    fn and_first_look(self, said: &Said) -> Self {
+        let did = |is: fn(&Did) -> bool| usize::from(said.did.as_ref().is_some_and(is));
+        Self {
+            sentences: self.sentences + 1,
+            meant: self.meant + usize::from(said.is_meant),
+            helpful: self.helpful + if said.is_meant { did(|did| did.is_right) } else { 0 },
+            harmful: self.harmful + did(|did| !did.is_right && !did.is_done),
+            ..self
+        }
+    }
+
     fn and(self, other: &Self) -> Self {
         Self {
             sentences: self.sentences + other.sentences,
@@ -218,21 +229,14 @@ impl Figures {
     }
 }
 
-impl Fitted {
-    /// The probability of each reading of a sentence.
-    fn probabilities(&self, said: &Said) -> Vec<f64> {
-        said.examples().map(|example| self.probability(&example)).collect()
-    }
-}
-
-/// The figures of sentences whose readings have these probabilities, if the robot acts above one.
-fn figures<'s>(said: impl Iterator<Item = &'s Said>, probabilities: &dyn Fn(&Said) -> Vec<f64>, above: f64) -> Figures {
+/// The figures of sentences, by these weights, if the robot acts above this probability.
+fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64) -> Figures {
     let mut figures = Figures::default();
     for sentence in said {
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
         figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
-        let weighed = probabilities(sentence).into_iter().zip(&sentence.readings);
+        let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
         if probability > above {
@@ -246,8 +250,30 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, probabilities: &dyn Fn(&Sai
     figures
 }
 
+fn share(count: usize, of: usize) -> f64 {
+    count as f64 / of.max(1) as f64
+}
+
+fn tell_first_look(out: &mut impl Write, json: bool, of: [&str; 3], figures: &Figures) -> Result<(), Failure> {
+    let [author, language, kind] = of;
+    let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
+    if json {
+        let Figures { sentences, meant, .. } = figures;
+        let line = json!({ "author": author, "language": language, "kind": kind, "sentences": sentences, "meant": meant, "helpful": helpful, "harmful": harmful });
+        writeln!(out, "{line}")?;
+    } else {
+        let of = of.map(|it| if it.is_empty() { "all" } else { it });
+        let [helpful, harmful] = [helpful, harmful].map(|share| 100.0 * share);
+        writeln!(
+            out,
+            "{:10} {:4} {:14} {:6} sentences  helpful {helpful:5.1} %  harmful {harmful:4.1} %",
+            of[0], of[1], of[2], figures.sentences
+        )?;
+    }
+    Ok(())
+}
+
 fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
-    let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
     let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
     let (read, first) = (share(figures.read, figures.meant), share(figures.first, figures.meant));
     let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));

@@ -5,7 +5,7 @@ use super::sets::{Meaning, Sentence, Set};
 use goodbot::home::{Home, HomeState, Moves, paper_tasks};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::Domain;
-use goodbot::talk::{Hypothesis, Reading};
+use goodbot::talk::{Hypothesis, Listened, Reading, Verdict};
 use goodbot::task::{GroundedTask, TaskSet};
 use goodbot::{Agent, AgentError};
 use goodbot_console::load::input::{self, InputFile};
@@ -26,12 +26,25 @@ pub struct Said {
     pub author: String,
     /// Its language.
     pub language: String,
+    /// Its kind.
+    pub kind: String,
     /// Its words.
     pub words: Words,
     /// Whether something is to be done.
     pub is_meant: bool,
     /// Its readings.
     pub readings: Vec<Read>,
+    /// What the robot did, if it did not wait.
+    pub did: Option<Did>,
+}
+
+/// What a robot did.
+#[derive(Clone, Copy, Debug)]
+pub struct Did {
+    /// Whether it is what was meant.
+    pub is_right: bool,
+    /// Whether it was so already.
+    pub is_done: bool,
 }
 
 /// A reading.
@@ -45,8 +58,6 @@ pub struct Read {
     pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
     pub to_kind: u16,
-    /// Its probability by the library's weights.
-    pub probability: f32,
     /// Whether it is what was meant.
     pub is_right: bool,
     /// Whether it asks for what is so already.
@@ -76,7 +87,6 @@ struct Weighed {
     hypothesis: Hypothesis,
     tasks: TaskSet,
     is_negated: bool,
-    probability: f32,
 }
 
 /// Reads the sentences of a set.
@@ -93,9 +103,9 @@ pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
     let mut said = Vec::new();
     for sentence in &set.sentences {
         let read = readings(&mut agent, &home, &start, sentence);
-        let (words, readings) = read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
-        let (author, language) = (set.author.clone(), set.language.clone());
-        said.push(Said { author, language, words, is_meant: !sentence.meanings.is_empty(), readings });
+        let (words, readings, did) = read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
+        let (author, language, kind) = (set.author.clone(), set.language.clone(), sentence.kind.clone());
+        said.push(Said { author, language, kind, words, is_meant: !sentence.meanings.is_empty(), readings, did });
     }
     Ok(said)
 }
@@ -105,7 +115,7 @@ fn readings(
     home: &Home<&mut HomeHeap>,
     start: &HomeState,
     sentence: &Sentence,
-) -> Result<(Words, Vec<Read>), AgentError> {
+) -> Result<(Words, Vec<Read>, Option<Did>), AgentError> {
     agent.resume(goodbot::talk::Conversation::NEW);
     let mut state = *start;
     if let Some(before) = &sentence.before {
@@ -130,25 +140,59 @@ fn readings(
                 }
             });
         }
-        let &Reading { hypothesis, tasks, is_negated, probability, .. } = reading;
+        let &Reading { hypothesis, tasks, is_negated, .. } = reading;
         let (kind, to_kind) = (reading.clues.kind(), reading.clues.to_kind());
-        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated, probability });
+        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated });
     };
-    let _ = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
+    let listened = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
     let read = |weighed: Weighed| {
-        let holds =
-            |task: &GroundedTask| kind(agent, task).is_some_and(|kind| task.propositions(kind).all(|part| home.holds(&part, &state)));
-        let tasks: Vec<GroundedTask> = weighed.tasks.iter().filter_map(|task| agent.tasks().get(task).copied()).collect();
-        // What is so already need not be done.
-        let is_so = |task: &&GroundedTask| holds(task) != weighed.is_negated;
-        let is_done = tasks.iter().all(|task| is_so(&task));
-        let asked: Vec<String> =
-            tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, weighed.is_negated)).collect();
+        let (asked, is_done) = asked(agent, home, &state, weighed.tasks, weighed.is_negated);
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        let Weighed { clues, values, kind, to_kind, probability, .. } = weighed;
-        Read { clues, values, kind, to_kind, probability, is_right, is_done }
+        let Weighed { clues, values, kind, to_kind, .. } = weighed;
+        Read { clues, values, kind, to_kind, is_right, is_done }
     };
-    Ok((words.into_inner(), weighed.into_inner().into_iter().map(read).collect()))
+    let readings = weighed.into_inner().into_iter().map(read).collect();
+    Ok((words.into_inner(), readings, did(agent, home, state, sentence, listened)?))
+}
+
+/// What the robot does of a sentence, one command after the other; `None` if it waits at the first or at a later one.
+fn did(
+    agent: &mut Agent<AgentHeap>,
+    home: &Home<&mut HomeHeap>,
+    mut state: HomeState,
+    sentence: &Sentence,
+    mut listened: Listened,
+) -> Result<Option<Did>, AgentError> {
+    let (mut all, mut did) = (Vec::new(), Did { is_right: false, is_done: true });
+    let mut rest = sentence.words.as_str();
+    loop {
+        if !matches!(listened.verdict, Verdict::Sure | Verdict::Done) {
+            return Ok(None);
+        }
+        let is_negated = agent.tasks().get(listened.task).is_some_and(GroundedTask::is_negated);
+        let (asked, is_done) = asked(agent, home, &state, listened.tasks, is_negated);
+        all.extend(asked);
+        did.is_done &= is_done;
+        let Some(after) = listened.rest.and_then(|at| rest.get(at..)) else { break };
+        if let Some(task) = agent.tasks().get(listened.task).copied() {
+            state = followed(agent, home, &state, &task);
+        }
+        rest = after;
+        listened = agent.listen_on(home, &state, rest, CLOSED_WORDS)?;
+    }
+    let in_order = |meaning: &&Meaning| !meaning.is_ordered || meaning.tasks == all;
+    did.is_right = sentence.meanings.iter().filter(in_order).any(|meaning| is_meant(&all, Hypothesis::Command, meaning));
+    Ok(Some(did))
+}
+
+/// The names of tasks that are asked for, without those that are so already unless all are, and whether all are.
+fn asked(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, state: &HomeState, tasks: TaskSet, is_negated: bool) -> (Vec<String>, bool) {
+    let holds = |task: &GroundedTask| kind(agent, task).is_some_and(|kind| task.propositions(kind).all(|part| home.holds(&part, state)));
+    let tasks: Vec<GroundedTask> = tasks.iter().filter_map(|task| agent.tasks().get(task).copied()).collect();
+    // What is so already need not be done.
+    let is_so = |task: &&GroundedTask| holds(task) != is_negated;
+    let is_done = tasks.iter().all(|task| is_so(&task));
+    (tasks.iter().filter(|task| is_done || !is_so(task)).map(|task| name(agent, home, task, is_negated)).collect(), is_done)
 }
 
 fn kind<'a>(agent: &'a Agent<AgentHeap>, task: &GroundedTask) -> Option<&'a goodbot::task::LiftedTask> {

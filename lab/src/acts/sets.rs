@@ -21,6 +21,8 @@ pub struct Set {
 /// A sentence with its meaning.
 #[derive(Clone, Debug)]
 pub struct Sentence {
+    /// Its kind, such as `polite`.
+    pub kind: String,
     /// Its words.
     pub words: String,
     /// What was said and followed before.
@@ -50,10 +52,10 @@ pub fn read(list: &Path) -> Result<Vec<Set>, Failure> {
         let file = folder.join(sentences);
         let mut of_file = Vec::new();
         for (_, columns) in rows(&file, 3)? {
-            let [_, words, meaning] = columns.as_slice() else { continue };
+            let [kind, words, meaning] = columns.as_slice() else { continue };
             let (before, words) =
                 words.split_once(" ||| ").map_or((None, words.as_str()), |(before, words)| (Some(before.trim().to_owned()), words));
-            of_file.push(Sentence { words: words.trim().to_owned(), before, meanings: meanings(meaning) });
+            of_file.push(Sentence { kind: kind.clone(), words: words.trim().to_owned(), before, meanings: meanings(meaning) });
         }
         if of_file.is_empty() {
             return Err(Failure::Input(format!("{}:{at}: {} has no sentences", list.display(), file.display())));
