@@ -3,7 +3,7 @@
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::{ActionOfWorld, Literal, ObjectOfWorld, Term, WorldFile};
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, not_json};
 use crate::json::Source;
 
 /// Writes pairs as an object, in their order.
@@ -97,7 +97,7 @@ impl WorldFile {
     /// # Errors
     /// An error if the line could not be read again.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
-        let line = serde_json::to_string(self).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
+        let line = serde_json::to_string(self).map_err(|error| FormatError::new(1, not_json(error)))?;
         Self::read(&Source::new(&line, 1).root()?.object()?)?;
         Ok(line)
     }
