@@ -60,8 +60,8 @@ fn milliseconds(fields: &Object<'_>, name: &'static str) -> Result<Option<u64>, 
     fields.optional(name).map(|node| node.count()).transpose()
 }
 
-fn is_one(others: &u8) -> bool {
-    *others == 1
+pub(crate) fn is_one(number: &u8) -> bool {
+    *number == 1
 }
 
 /// A line of type `end`.
