@@ -36,7 +36,7 @@ fn lessons(tasks: usize) -> Vec<Lesson> {
     };
     let lines: Vec<String> = std::iter::once(world).chain((0..COMMANDS).map(command)).map(|line| line.to_string()).collect();
     let (mut lessons, mut left) = (Vec::new(), COMMANDS);
-    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, false, &mut left, |lesson| {
+    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, &mut left, |lesson| {
         lesson.map(|lesson| lessons.extend(lesson))
     });
     read.expect("a log of a world");

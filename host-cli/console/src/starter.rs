@@ -101,7 +101,7 @@ impl Starter {
     /// [`Failure::Input`] for tasks that make a sentence unreadable.
     pub fn new(language: Language, lifted: &[LiftedTask], options: Options) -> Result<Self, Failure> {
         let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
-        let mut witness = Witness::new(lifted, options, None, false).map_err(|error| fault(&error))?;
+        let mut witness = Witness::new(lifted, options, None).map_err(|error| fault(&error))?;
         let lesson = |sentence| Ok(witness.lesson("starter", &labelled(sentence).map_err(|error| fault(&error))?)?);
         let lessons = sentences(language.code(), lifted).into_iter().map(lesson).collect::<Result<_, Failure>>()?;
         Ok(Self { lessons })

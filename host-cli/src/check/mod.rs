@@ -398,7 +398,7 @@ fn check_log_of_worlds(file: &str, opened: impl BufRead, limit: Limit) -> Findin
     let (mut sessions, mut commands, mut no_task) = (0_usize, 0_usize, 0_usize);
     let mut left = limit.count();
     let progress = counting("sessions checked");
-    let read = worlds::read(file, opened, Options::DEFAULT, None, false, &mut left, |lesson| {
+    let read = worlds::read(file, opened, Options::DEFAULT, None, &mut left, |lesson| {
         progress.inc(1);
         match lesson {
             Ok(Some(lesson)) if lesson.header.kind != Kind::Labelled => {

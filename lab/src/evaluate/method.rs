@@ -32,8 +32,6 @@ pub enum Method {
     Paper,
     /// Each machine command has words of its own: naive Bayes, no alignment
     BagOfWords,
-    /// Words are translated into the demonstrated actions, and a task is known by its actions
-    Action,
 }
 
 impl Method {
@@ -43,7 +41,7 @@ impl Method {
             Self::Default => Learner::Default.options(),
             Self::Roles => Learner::Roles.options(),
             Self::Smoothed => Options::SMOOTHED,
-            Self::Paper | Self::BagOfWords | Self::Action => Learner::Paper.options(),
+            Self::Paper | Self::BagOfWords => Learner::Paper.options(),
         }
     }
 }
@@ -90,7 +88,7 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Roles | Method::Smoothed | Method::Paper | Method::Action => {
+            Method::Default | Method::Roles | Method::Smoothed | Method::Paper => {
                 Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })

@@ -22,8 +22,6 @@ pub struct Reading {
     pub prior: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
-    /// The actions of one of its shortest plans; empty if no plans were wanted.
-    pub plan: MachineCommand,
 }
 
 /// The training data of one session.
@@ -53,8 +51,6 @@ pub struct Lesson {
     pub beliefs: Vec<f32>,
     /// The machine commands of the possible tasks, with their probabilities.
     pub pairs: Vec<(MachineCommand, f32)>,
-    /// The demonstrated actions in order; empty for feedback.
-    pub shown: Vec<String>,
     /// The actions and their feedback, as a text.
     pub walk: String,
     /// Whether the language model is to learn from it.
@@ -81,7 +77,6 @@ impl Lesson {
             readings,
             numbers: Arc::default(),
             pairs: vec![],
-            shown: vec![],
             walk: String::new(),
             learn: false,
             remarks: vec![],

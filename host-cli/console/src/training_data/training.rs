@@ -372,7 +372,7 @@ mod tests {
         let (mut lessons, mut left) = (vec![], usize::MAX);
         let options = Learner::Default.options();
         let log = [WORLD, &said[0], &said[1]].join("\n");
-        worlds::read("log", log.as_bytes(), options, None, false, &mut left, |lesson| {
+        worlds::read("log", log.as_bytes(), options, None, &mut left, |lesson| {
             lessons.extend(lesson?);
             Ok::<(), goodbot_lesson::Fault>(())
         })
