@@ -49,6 +49,14 @@ impl Misunderstood {
 
 type Answers = Result<Vec<Value>, Misunderstood>;
 
+fn refused(message: &str, instead: &'static str) -> Answers {
+    Err(Misunderstood { message: message.to_owned(), instead })
+}
+
+const NO_SESSION: &str = "no session is under way";
+const ASK_FIRST: &str = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
+const COMMAND_FIRST: &str = "send a command first, such as: command go to the red room";
+
 const REQUESTS: &[(&str, &str)] = &[
     ("command WORDS", "say a command; in the tour, without words, the lesson's own command"),
     ("say WORDS", "say anything: praise, blame, stop, undo, again, an answer, a correction, or a command"),
@@ -200,10 +208,7 @@ impl Speaker<'_> {
             _ => words,
         };
         if said.is_empty() {
-            return Err(Misunderstood {
-                message: "the command has no word".to_owned(),
-                instead: "send what the robot shall do, such as: command go to the red room",
-            });
+            return refused("the command has no word", "send what the robot shall do, such as: command go to the red room");
         }
         let heard = self.classroom.say(said)?;
         let told = self.heard(said, &heard)?;
@@ -249,10 +254,7 @@ impl Speaker<'_> {
     /// Handles any utterance.
     fn say(&mut self, words: &str) -> Answers {
         if words.is_empty() {
-            return Err(Misunderstood {
-                message: "nothing was said".to_owned(),
-                instead: "send say and some words, such as: say good robot",
-            });
+            return refused("nothing was said", "send say and some words, such as: say good robot");
         }
         let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
         let said = self.classroom.pupil.said(words)?;
@@ -299,11 +301,14 @@ impl Speaker<'_> {
     }
 
     fn support(&self) -> Result<Vec<Value>, Failure> {
-        let meanings = self.classroom.pupil.meanings();
-        let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
+        let lesson = &self.classroom.pupil.lesson;
         let word = |word: crate::teach::pupil::WordSupport| {
-            let shares: Map<String, Value> =
-                word.shares.iter().enumerate().filter_map(|(position, &share)| Some((of(position)?, number(share)))).collect();
+            let shares: Map<String, Value> = word
+                .shares
+                .iter()
+                .enumerate()
+                .filter_map(|(position, &share)| Some((lesson.name_of(position)?.to_string(), number(share))))
+                .collect();
             json!({"word": word.word, "known": word.known, "speaks_for": shares})
         };
         Ok(self.classroom.pupil.word_support()?.into_iter().map(word).collect())
@@ -311,10 +316,7 @@ impl Speaker<'_> {
 
     fn step(&mut self) -> Answers {
         if !self.classroom.pupil.lesson.is_under_way() {
-            return Err(Misunderstood {
-                message: "no session is under way".to_owned(),
-                instead: "send a command first, such as: command go to the red room",
-            });
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         let pupil = &mut self.classroom.pupil;
         pupil.lesson.go_on()?;
@@ -339,7 +341,7 @@ impl Speaker<'_> {
     fn judge(&mut self, feedback: Feedback) -> Answers {
         let pupil = &mut self.classroom.pupil;
         let Some(action) = pupil.lesson.acted().map(|acted| acted.action.clone()) else {
-            return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
+            return refused("there is no step to judge yet", "send step first");
         };
         let judged = pupil.lesson.judge(feedback)?;
         let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": judged == Evidence::Used});
@@ -349,42 +351,35 @@ impl Speaker<'_> {
 
     fn ask(&mut self) -> Answers {
         if !self.classroom.pupil.lesson.is_under_way() {
-            return Err(Misunderstood {
-                message: "no session is under way".to_owned(),
-                instead: "send a command first, such as: command go to the red room",
-            });
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         let pupil = &mut self.classroom.pupil;
         pupil.plan_fully()?;
         let asks = pupil.ask(&Asking::DEFAULT)?;
-        let meanings = pupil.meanings();
-        let of = |position: &usize| meanings.iter().find(|meaning| meaning.position == *position).map(|meaning| meaning.name.clone());
         Ok(vec![match asks {
             None => json!({"type": "question", "text": null}),
             Some(asks) => {
-                let tasks: Vec<String> = asks.tasks.iter().filter_map(of).collect();
+                let tasks: Vec<String> = asks.tasks.iter().filter_map(|&task| Some(pupil.lesson.name_of(task)?.to_string())).collect();
                 json!({"type": "question", "text": asks.text, "choices": asks.choices, "tasks": tasks})
             }
         }])
     }
 
     fn reply(&mut self, answer: &str) -> Answers {
-        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let given = match answer {
             "yes" => Answer::Yes,
             "no" => Answer::No,
             number => match number.parse::<u8>().ok().and_then(|number| number.checked_sub(1)) {
                 Some(chosen) => Answer::This(chosen),
-                None => return Err(Misunderstood { message: format!("{number:?} is no answer"), instead }),
+                None => return refused(&format!("{number:?} is no answer"), ASK_FIRST),
             },
         };
         self.reply_as(answer, given)
     }
 
     fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
-        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let pupil = &mut self.classroom.pupil;
-        let evidence = pupil.lesson.answer(given).map_err(|refused| Misunderstood::told(refused, instead))?;
+        let evidence = pupil.lesson.answer(given).map_err(|refused| Misunderstood::told(refused, ASK_FIRST))?;
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
         self.add_tasks(&mut told);
         Ok(vec![told])
@@ -421,7 +416,7 @@ impl Speaker<'_> {
     fn back(&mut self) -> Answers {
         let pupil = &mut self.classroom.pupil;
         if !pupil.lesson.take_back()? {
-            return Err(Misunderstood { message: "no step was taken yet".to_owned(), instead: "send step" });
+            return refused("no step was taken yet", "send step");
         }
         pupil.lesson.walk_on()?;
         let mut answer = json!({"type": "back"});
@@ -446,7 +441,7 @@ impl Speaker<'_> {
     fn forget(&mut self) -> Answers {
         let steps = self.classroom.pupil.lesson.steps();
         if !self.classroom.forget()? {
-            return Err(Misunderstood { message: "no session is under way".to_owned(), instead: "send a command first" });
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         Ok(self.over(false, steps, 0))
     }
@@ -459,10 +454,7 @@ impl Speaker<'_> {
 
     fn undo(&mut self) -> Answers {
         if !self.classroom.unlearn()? {
-            return Err(Misunderstood {
-                message: "nothing was learned since the start".to_owned(),
-                instead: "send a command, step, good and finish first",
-            });
+            return refused("nothing was learned since the start", "send a command, step, good and finish first");
         }
         let undone = json!({"type": "undone", "sessions": self.classroom.pupil.lessons_learned()});
         Ok(std::iter::once(undone).chain(self.lesson()).collect())
