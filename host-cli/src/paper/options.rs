@@ -80,16 +80,6 @@ pub enum Layouts {
     Random,
 }
 
-impl Layouts {
-    /// The name in output.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fixed => "fixed",
-            Self::Random => "random",
-        }
-    }
-}
-
 impl PaperOptions {
     /// Whether a single run is told as a story.
     pub fn is_story(&self) -> bool {

@@ -7,6 +7,7 @@ use super::reported::REPORTED;
 use super::summary::Summary;
 use goodbot_console::csv::{self, Cell};
 use goodbot_console::messages::counted;
+use goodbot_console::numbers::name_of;
 use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::mean::wilson;
 use std::io::{self, Write};
@@ -44,7 +45,7 @@ fn share(right: usize, all: usize) -> String {
 
 /// Many runs: shares of right answers, beside the paper's results for its one agent.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
-    let (homes, learner) = (options.homes().name(), options.learner.name());
+    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
     let last = options.seed.wrapping_add(u64::from(options.runs) - 1);
     writeln!(out, "{}, seeds {} to {last}, {homes} homes, learner {learner}", counted(summary.runs, "agent"), options.seed)?;
     writeln!(out, "trainer {}{}; the agent believes {}\n", options.trainer.name, options.trainer.withheld(), options.believed().name)?;
@@ -83,8 +84,8 @@ pub fn csv(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> i
     csv::line(out, names.into_iter().map(Cell::Text))?;
     let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
     let (low, high) = wilson(summary.test_all_right, summary.runs);
-    let (homes, learner) = (options.homes().name(), options.learner.name());
-    let mut cells: Vec<Cell> = [options.trainer.name.as_str(), &options.believed().name, homes, learner].map(Cell::text).into();
+    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
+    let mut cells: Vec<Cell> = [&options.trainer.name, &options.believed().name, &homes, &learner].map(Cell::text).into();
     cells.extend([Cell::number(options.seed), Cell::number(summary.runs)]);
     let shares = [share(summary.test_all_right), low, high].into_iter();
     let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));

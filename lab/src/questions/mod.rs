@@ -9,7 +9,7 @@ use clap::Args;
 use goodbot::asking::Asking;
 use goodbot::{Capacities, HeapMemory};
 use goodbot_console::messages::bar;
-use goodbot_console::numbers::between;
+use goodbot_console::numbers::{between, name_of};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
@@ -116,7 +116,7 @@ pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
         let (steps, questions) = (row.mean(|spent| spent.steps.into()), row.mean(|spent| spent.questions.into()));
         let (words, understood) = (row.mean(|spent| spent.words.into()), row.mean(|spent| f64::from(u8::from(spent.understood))));
         let kappa = if asking.kappa.is_finite() { format!("{:5}", asking.kappa) } else { "never".to_owned() };
-        let (name, eta, percent) = (trainer.name(), asking.eta, 100.0 * understood);
+        let (name, eta, percent) = (name_of(trainer), asking.eta, 100.0 * understood);
         writeln!(
             out,
             "{name:11}  {kappa}  {eta:4.2}  {cost:5.1}  {never:14.1}  {saved:8.1} ± {wide:4.1}  {steps:5.1}  {questions:9.2}  {words:5.1}  {percent:5.1} %"
