@@ -112,6 +112,13 @@ const FIELDS: [&[&str]; 4] = [
     &["class", "name", "x", "y", "color", "shape"],
 ];
 
+/// An environment without objects, in the newest version.
+impl Default for EnvironmentFile {
+    fn default() -> Self {
+        Self::new(vec![])
+    }
+}
+
 impl EnvironmentFile {
     /// An environment of these objects, in the newest version.
     pub fn new(objects: Vec<ObjectRecord>) -> Self {

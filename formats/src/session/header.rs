@@ -12,10 +12,11 @@ use crate::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 use crate::weights;
 
 /// How the trainer teaches in a session.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// The robot acts, and the trainer judges each step.
+    #[default]
     Feedback,
     /// The trainer shows the task.
     Demonstration,
@@ -24,7 +25,7 @@ pub enum Kind {
 }
 
 /// A line of type `session`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct SessionHeader {
     /// The session's name.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -123,25 +124,8 @@ const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
     /// A session of this kind, without optional fields.
-    pub const fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
-        Self {
-            id: None,
-            kind,
-            environment,
-            command,
-            intended: None,
-            before: None,
-            through: None,
-            avoiding: None,
-            actions: None,
-            continues: false,
-            prior: None,
-            strategies: None,
-            utterance: None,
-            after: None,
-            conversation: None,
-            closed_words: None,
-        }
+    pub fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
+        Self { kind, environment, command, ..Self::default() }
     }
 
     /// The names of the session's actions: its own, or the four moves. `noop`, which is always possible, is among them only if the session

@@ -97,7 +97,7 @@ impl SessionInWorld {
         if let Some(intended) = fields.optional("intended") {
             known.atoms(&intended)?;
         }
-        let header = SessionHeader::read_in(EnvironmentFile::new(vec![]), fields)?;
+        let header = SessionHeader::read_in(EnvironmentFile::default(), fields)?;
         drop(known);
         Ok((world, facts, header))
     }

@@ -34,8 +34,6 @@ pub struct Answer {
     pub chance: f32,
     /// The training session that this one copies, if any.
     pub copy_of: Option<String>,
-    /// The words that most support a mistake.
-    pub telling: Vec<(String, f32)>,
 }
 
 /// The numbers up to `count` in an order that the seed draws.
@@ -145,7 +143,6 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
     let posterior = trained.posterior(lesson)?;
     let (best, meant) = best_and_meant(&posterior, lesson);
     let name = |task: usize| lesson.readings.get(task).map_or_else(Default::default, |it| (it.name.to_string(), it.label.clone()));
-    let telling = if best == meant { vec![] } else { trained.telling(lesson, best, meant)? };
     Ok(Some(Answer {
         id: lesson.id.clone(),
         command: lesson.command.clone(),
@@ -154,7 +151,6 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
         probabilities: (posterior.get(meant).copied().unwrap_or(0.0), posterior.get(best).copied().unwrap_or(0.0)),
         right: best == meant,
         is_told_by_steps: lesson.is_told_by_steps,
-        telling,
         ..Answer::default()
     }))
 }

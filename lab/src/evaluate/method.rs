@@ -129,26 +129,6 @@ impl<'m> Trained<'m> {
             }
         }
     }
-
-    /// The words that most support `predicted` against `meant`, each with the ratio of its probabilities.
-    ///
-    /// # Errors
-    /// A [`CapacityError`].
-    pub fn telling(&mut self, lesson: &Lesson, predicted: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
-        let Self::Model2(model) = self else { return Ok(vec![]) };
-        let mut sides = Vec::new();
-        for task in [predicted, meant] {
-            let Some(reading) = lesson.readings.get(task) else { return Ok(vec![]) };
-            let Some(command) = training::best_command(model, &lesson.command, &reading.commands)? else { return Ok(vec![]) };
-            sides.push(training::explain(model, &lesson.command, command)?);
-        }
-        let [predicted, meant] = sides.as_slice() else { return Ok(vec![]) };
-        let ratio = |(a, b): (&training::Explained, &training::Explained)| Some((a.word.clone(), a.probability? / b.probability?));
-        let mut words: Vec<(String, f32)> = predicted.iter().zip(meant).filter_map(ratio).collect();
-        words.sort_by(|a, b| b.1.total_cmp(&a.1));
-        words.truncate(3);
-        Ok(words)
-    }
 }
 
 /// Naive Bayes: how often each word goes with each machine command.

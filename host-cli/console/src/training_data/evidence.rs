@@ -111,18 +111,15 @@ impl Witness {
             command: session.walk.command.clone(),
             header: header.clone(),
             intended,
-            is_told_by_steps: false,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
             readings: readings.into(),
-            numbers: std::sync::Arc::default(),
             beliefs,
-            world: None,
             acts: true,
-            group: None,
             walk: walked(recorded),
             learn: recorded.learn,
             remarks,
             long: session.long.map(|long| Fault::on_line(file, recorded.header_line, long).in_field("command")),
+            ..Lesson::default()
         };
         self.agent.forget();
         Ok(lesson)

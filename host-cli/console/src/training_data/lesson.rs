@@ -25,7 +25,7 @@ pub struct Reading {
 }
 
 /// The training data of one session.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Lesson {
     /// The session's name.
     pub id: String,
@@ -69,18 +69,9 @@ impl Lesson {
             command: command.words.to_owned(),
             header,
             world: Some(world),
-            acts: false,
-            group: None,
-            intended: None,
-            is_told_by_steps: false,
             beliefs: readings.iter().map(|reading| reading.prior).collect(),
             readings,
-            numbers: Arc::default(),
-            pairs: vec![],
-            walk: String::new(),
-            learn: false,
-            remarks: vec![],
-            long: None,
+            ..Self::default()
         }
     }
 

@@ -281,33 +281,6 @@ pub struct Explained {
 }
 
 /// Explains the words of a command by a machine command.
-///
-/// # Errors
-/// A [`CapacityError`] if the command does not fit.
-pub fn explain(
-    model: &mut LanguageModel<impl AgentMemory>,
-    english: &str,
-    command: &MachineCommand,
-) -> Result<Vec<Explained>, CapacityError> {
-    let sentence = model.hear(english)?;
-    let tokens = symbols(model, command)?;
-    let mut explained = explained(model.read(), &sentence, &tokens);
-    if model.read().settings().model == Model::Roles {
-        let known = model.read().tables().words();
-        for (word, it) in sentence.iter().zip(&mut explained) {
-            (it.share, it.probability) = (0.0, word.filter(|word| word.index() < known).map(|_| 0.0));
-        }
-        model.read().word_by_word(&sentence, &tokens, |position, probability| {
-            if let Some(slot) = explained.get_mut(position).and_then(|it| it.probability.as_mut()) {
-                *slot = probability;
-            }
-        });
-    }
-    model.forget_unlearned();
-    Ok(explained)
-}
-
-/// As [`explain`], for interned words and tokens.
 pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
     let tables = model.tables();
     let mut explained = Vec::new();
@@ -330,28 +303,6 @@ pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[
         });
     }
     explained
-}
-
-/// The machine command of a task that explains a command best.
-///
-/// # Errors
-/// A [`CapacityError`] if the command does not fit.
-pub fn best_command<'r>(
-    model: &mut LanguageModel<impl AgentMemory>,
-    english: &str,
-    commands: &'r [MachineCommand],
-) -> Result<Option<&'r MachineCommand>, CapacityError> {
-    let sentence = model.hear(english)?;
-    let (mut best, mut most) = (None, Scaled::ZERO);
-    for command in commands {
-        let tokens = symbols(model, command)?;
-        let likelihood = model.likelihood(&sentence, &tokens);
-        if best.is_none() || likelihood.exceeds(most) {
-            (best, most) = (Some(command), likelihood);
-        }
-    }
-    model.forget_unlearned();
-    Ok(best)
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use crate::believes::Believes;
 use goodbot::Options;
 use goodbot::language::Model;
 use goodbot::task::Marker;
-use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, WorldReader};
@@ -224,8 +223,13 @@ impl Worlds<'_> {
 
 /// The header of a labelled session without a home.
 fn header(command: &CommandRecord) -> SessionHeader {
-    let header = SessionHeader::new(Kind::Labelled, EnvironmentFile::new(vec![]), command.command.clone());
-    SessionHeader { id: command.id.clone(), intended: Some(command.intended.clone()), ..header }
+    SessionHeader {
+        kind: Kind::Labelled,
+        command: command.command.clone(),
+        id: command.id.clone(),
+        intended: Some(command.intended.clone()),
+        ..SessionHeader::default()
+    }
 }
 
 /// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles, so it reads the values alone.
