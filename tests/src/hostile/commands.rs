@@ -137,7 +137,7 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 37] = [
+pub const COMMANDS: [&str; 36] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
@@ -153,7 +153,6 @@ pub const COMMANDS: [&str; 37] = [
     "diff words.goodbot roles.goodbot",
     "diff words.goodbot roles.goodbot --json",
     "unlearn words.goodbot 1 --out less.goodbot",
-    "unlearn words.goodbot s1~ --log log.jsonl --out less.goodbot",
     "merge words.goodbot less.goodbot --out both.goodbot",
     "parameters roles.goodbot --out parameters.h --c",
     "size home.json",
