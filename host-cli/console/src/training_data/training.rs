@@ -267,44 +267,6 @@ fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &
     model.weigh_parts(sentence, same, description, scores);
 }
 
-/// The explanation of a word.
-#[derive(Clone, Debug)]
-pub struct Explained {
-    /// The word in the model's form.
-    pub word: String,
-    /// The machine token that explains it best, `NULL` for none.
-    pub token: String,
-    /// That token's share of the word's probability.
-    pub share: f32,
-    /// The word's probability given the whole machine command; `None` for a word never heard in training.
-    pub probability: Option<f32>,
-}
-
-/// Explains the words of a command by a machine command.
-pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
-    let tables = model.tables();
-    let mut explained = Vec::new();
-    for (i, &word) in sentence.iter().enumerate() {
-        let text = word.map_or_else(String::new, |word| model.words().text(word).to_owned());
-        let known = word.filter(|word| word.index() < tables.words());
-        let part = |j: usize, token: Option<Symbol>| {
-            known.map_or(0.0, |word| tables.alignment(j, i, tokens.len(), sentence.len()) * tables.translation(word, token))
-        };
-        let parts: Vec<f32> =
-            std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
-        let whole: f32 = parts.iter().sum();
-        let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
-        let token = best.checked_sub(1).and_then(|j| tokens.get(j));
-        explained.push(Explained {
-            word: text,
-            token: token.map_or("NULL", |&token| model.tokens().text(token)).to_owned(),
-            share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
-            probability: known.map(|_| whole),
-        });
-    }
-    explained
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
