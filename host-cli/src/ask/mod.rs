@@ -62,9 +62,6 @@ pub struct AskOptions {
     /// Show word by word what supports the answer
     #[arg(long)]
     why: bool,
-    /// Below this probability the answer is "unsure"; by default the robot decides
-    #[arg(long, value_name = "P", value_parser = probability, allow_negative_numbers = true)]
-    threshold: Option<f32>,
     #[command(flatten)]
     synonyms: SynonymOptions,
     #[command(flatten)]
@@ -87,7 +84,7 @@ pub struct AskOptions {
 const EXAMPLES: &str = "\
 Tasks that are done already are possible meanings too; the plan is for the most likely task that is not done. The robot also tells the kind of \
 sentence: a command, nothing that it can do, a thing that is not here, several commands, a prohibition, talk. In a world without actions no robot \
-listens: without --threshold every answer is \"unsure\".
+listens, and every answer is \"unsure\".
 
 Refused commands are reported on standard error; the others are asked.
 
@@ -100,11 +97,6 @@ Examples:
   goodbot ask --with words.goodbot --environment home.json --synonyms words.txt go to the crimson room
   printf 'go to the red room\\nthen go back\\n' | goodbot ask --with words.goodbot --environment home.json --conversation -
   echo \"go to the red room\" | goodbot ask --with words.goodbot --environment home.json -";
-
-fn probability(text: &str) -> Result<f32, String> {
-    let number: Option<f32> = text.trim().parse().ok();
-    number.filter(|number| (0.0..=1.0).contains(number)).ok_or_else(|| "give a number from 0 to 1".to_owned())
-}
 
 /// The answer to a command.
 struct Answer {
@@ -142,12 +134,12 @@ pub fn run(options: &AskOptions) -> Result<(), Failure> {
             answer => answer?,
         };
         let before = start;
-        if options.conversation && ["sure", "done"].contains(&answer.verdict(options.threshold)) {
+        if options.conversation && ["sure", "done"].contains(&answer.verdict()) {
             answer.understood.steps.iter().for_each(|(task, before)| agent.remember(&site, before, task));
             start = answer.end;
         }
         if options.json {
-            writeln!(out, "{}", to_json(&answer, command, options.threshold))?;
+            writeln!(out, "{}", to_json(&answer, command))?;
             continue;
         }
         if number > 0 {
@@ -320,12 +312,10 @@ impl Answer {
     }
 
     /// `sure`, `unsure`, `done` or `none`.
-    fn verdict(&self, threshold: Option<f32>) -> &'static str {
+    fn verdict(&self) -> &'static str {
         let Interpretation { listened, followed, meanings, .. } = &self.understood;
-        let is_sure = match threshold {
-            None => matches!(followed.as_ref().map_or(listened.verdict, |followed| followed.verdict), Verdict::Sure | Verdict::Done),
-            Some(threshold) => meanings.first().is_some_and(|first| first.probability >= threshold),
-        };
+        let verdict = followed.as_ref().map_or(listened.verdict, |followed| followed.verdict);
+        let is_sure = matches!(verdict, Verdict::Sure | Verdict::Done);
         match (is_sure, meanings.first()) {
             (true, Some(Meaning { done: true, .. })) => "done",
             (true, _) => "sure",
@@ -335,7 +325,7 @@ impl Answer {
     }
 }
 
-fn to_json(answer: &Answer, command: &str, threshold: Option<f32>) -> serde_json::Value {
+fn to_json(answer: &Answer, command: &str) -> serde_json::Value {
     let Interpretation { tasks, words, meanings, listened, .. } = &answer.understood;
     let tasks: serde_json::Map<_, _> = tasks.iter().map(|task| (task.name.clone(), json!(task.probability))).collect();
     let word = |it: &Word| json!({"word": it.word, "token": it.token, "share": it.share, "probability": it.probability});
@@ -343,7 +333,7 @@ fn to_json(answer: &Answer, command: &str, threshold: Option<f32>) -> serde_json
     let mut line = json!({
         "type": "answer", "command": command, "task": answer.task(), "tied": answer.tied(),
         "tasks": tasks, "plan": answer.plan.as_ref().map(|plan| &plan.actions), "exact": answer.plan.as_ref().map(|plan| plan.is_exact), "words": words.iter().map(word).collect::<Vec<_>>(),
-        "taken_for": listened.hypothesis.to_string(), "verdict": answer.verdict(threshold), "meanings": meanings.iter().map(meaning).collect::<Vec<_>>(),
+        "taken_for": listened.hypothesis.to_string(), "verdict": answer.verdict(), "meanings": meanings.iter().map(meaning).collect::<Vec<_>>(),
     });
     if answer.heard != command {
         line["heard"] = answer.heard.as_str().into();
@@ -371,7 +361,7 @@ fn print(out: &mut Printed, options: &AskOptions, command: &str, answer: &Answer
     if answer.unread > 0 {
         writeln!(out, "\n{}", unread_words())?;
     }
-    verdict(out, options.threshold, answer)?;
+    verdict(out, answer)?;
     if answer.tied() > 1 {
         writeln!(out, "the plan is for one of {} equally likely", answer.tied())?;
     }
@@ -380,7 +370,7 @@ fn print(out: &mut Printed, options: &AskOptions, command: &str, answer: &Answer
         Some(plan) if plan.actions.is_empty() => writeln!(out, "plan{purpose}: nothing to do")?,
         Some(plan) if plan.is_exact => writeln!(out, "plan{purpose}: {}", plan.actions.join(" "))?,
         Some(plan) => writeln!(out, "plan{purpose}: {} (approximate: a shorter way may exist)", plan.actions.join(" "))?,
-        None if answer.verdict(options.threshold) == "done" => writeln!(out, "no plan: it is done already")?,
+        None if answer.verdict() == "done" => writeln!(out, "no plan: it is done already")?,
         None if answer.understood.listened.hypothesis != Hypothesis::Command => writeln!(out, "no plan: I do nothing that I was not told")?,
         None => writeln!(out, "plan{purpose}: none was found")?,
     }
@@ -390,10 +380,10 @@ fn print(out: &mut Printed, options: &AskOptions, command: &str, answer: &Answer
     Ok(())
 }
 
-fn verdict(out: &mut impl Write, threshold: Option<f32>, answer: &Answer) -> std::io::Result<()> {
+fn verdict(out: &mut impl Write, answer: &Answer) -> std::io::Result<()> {
     let percent = |meaning: &Meaning| format!("{} ({:.0} % sure)", meaning.words, 100.0 * meaning.probability);
     let taken_for = answer.understood.listened.hypothesis;
-    match (answer.verdict(threshold), answer.understood.meanings.as_slice()) {
+    match (answer.verdict(), answer.understood.meanings.as_slice()) {
         ("done", [first, ..]) => writeln!(out, "\nanswer: already done here: {}", percent(first)),
         ("sure", [first, ..]) => writeln!(out, "\nanswer: {}", percent(first)),
         ("none", _) => writeln!(out, "\nanswer: none of what I can do here; I take it for {taken_for}"),
