@@ -9,6 +9,7 @@ use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use goodbot_console::restored;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -28,10 +29,18 @@ pub struct DiffArgs {
     /// The model after
     #[arg(value_name = "B", value_hint = ValueHint::FilePath)]
     second: PathBuf,
+    /// Print words that moved by this share or more: 0 to 1
+    #[arg(long, value_name = "SHARE", default_value = "0.05", value_parser = share)]
+    least: f32,
+    /// Print a line of JSON for each difference
+    #[arg(long)]
+    json: bool,
 }
 
-/// The least share by which the meaning of a word has moved that is told.
-const LEAST: f32 = 0.05;
+fn share(text: &str) -> Result<f32, String> {
+    let share: Option<f32> = text.trim().parse().ok();
+    share.filter(|share| (0.0..=1.0).contains(share)).ok_or_else(|| "give a number from 0 to 1, such as 0.05".to_owned())
+}
 
 /// The shares of one word among ideas.
 type Shares = BTreeMap<String, f32>;
@@ -62,8 +71,20 @@ pub fn run(args: &DiffArgs) -> Result<(), Failure> {
     let words = |known: &ModelContents| known.words.keys().cloned().collect::<Vec<_>>();
     let (old, new) = (words(&before), words(&after));
     let (forgotten, learned) = (without(&old, &new), without(&new, &old));
-    let moved: Vec<Moved> = moved(&before.words, &after.words).into_iter().filter(|word| word.by >= LEAST).collect();
+    let moved: Vec<Moved> = moved(&before.words, &after.words).into_iter().filter(|word| word.by >= args.least).collect();
     let mut out = output::text(&[])?;
+    if args.json {
+        let lists = [("session gone", &gone), ("session added", &added), ("word gone", &forgotten), ("word added", &learned)];
+        for (kind, text) in lists.into_iter().flat_map(|(kind, texts)| texts.iter().map(move |text| (kind, text))) {
+            writeln!(out, "{}", json!({"type": kind, "text": text}))?;
+        }
+        for Moved { word, by, ideas } in &moved {
+            let ideas: Vec<_> =
+                ideas.iter().map(|(token, before, after)| json!({"token": token, "before": before, "after": after})).collect();
+            writeln!(out, "{}", json!({"type": "word moved", "text": word, "by": by, "ideas": ideas}))?;
+        }
+        return Ok(out.flush()?);
+    }
     let [a, b] = [&args.first, &args.second].map(|file| file.display().to_string());
     for (name, known) in [(&a, &before), (&b, &after)] {
         writeln!(out, "{name}: {}, {}", counted(known.sessions.len(), "session"), counted(known.words.len(), "word"))?;

@@ -13,6 +13,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
+use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -31,6 +32,9 @@ pub struct InspectOptions {
     /// Print the sessions with their numbers, the oldest first, and nothing else; goodbot unlearn takes one out
     #[arg(long)]
     sessions: bool,
+    /// Print a line of JSON for each token and each word
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
@@ -39,33 +43,51 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let mut out = output::text(&[])?;
     if options.sessions {
         for (number, command) in (1..).zip(sessions::commands(&agent)) {
-            writeln!(out, "{number:>5}  {command}")?;
+            if options.json {
+                writeln!(out, "{}", json!({"type": "session", "number": number, "command": command}))?;
+            } else {
+                writeln!(out, "{number:>5}  {command}")?;
+            }
         }
         return Ok(out.flush()?);
     }
     let mut lexicon = Lexicon::of(agent.language());
     let full = FullWords::new(agent.language().settings().letters_kept());
     lexicon.words.iter_mut().for_each(|word| *word = full.of(word));
-    let sessions = counted(agent.language().bitext().sessions(), "session");
-    writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), alike(agent.language().settings()))?;
-    if let Some(kinds) = kept(&options.model, &read_model(&options.model)?)? {
-        writeln!(out, "for the kinds of task {}", texts(&kinds).join("; "))?;
+    if !options.json {
+        let sessions = counted(agent.language().bitext().sessions(), "session");
+        writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), alike(agent.language().settings()))?;
+        if let Some(kinds) = kept(&options.model, &read_model(&options.model)?)? {
+            writeln!(out, "for the kinds of task {}", texts(&kinds).join("; "))?;
+        }
+        writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     }
-    writeln!(out, "\nThe words of each machine token: t(word | token)")?;
     for (token, row) in &lexicon.rows {
         let words = lexicon.best(row, options.most);
-        let words: Vec<String> = words.iter().map(|(word, t)| format!("{word} {t:.2}")).collect();
-        writeln!(out, "  {token:18} {}", words.join("  "))?;
+        if options.json {
+            let words: serde_json::Map<_, _> = words.iter().map(|&(word, t)| (word.to_owned(), json!(t))).collect();
+            writeln!(out, "{}", json!({"type": "token", "token": token, "words": words}))?;
+        } else {
+            let words: Vec<String> = words.iter().map(|(word, t)| format!("{word} {t:.2}")).collect();
+            writeln!(out, "  {token:18} {}", words.join("  "))?;
+        }
     }
-    writeln!(out, "\nThe machine tokens of each word, by their share of it")?;
+    if !options.json {
+        writeln!(out, "\nThe machine tokens of each word, by their share of it")?;
+    }
     for (column, word) in lexicon.words.iter().enumerate() {
         let mut tokens: Vec<(&str, f32)> =
             lexicon.rows.iter().map(|(token, row)| (token.as_str(), row.get(column).copied().unwrap_or(0.0))).collect();
         let whole: f32 = tokens.iter().map(|(_, t)| t).sum();
         tokens.sort_by(|a, b| b.1.total_cmp(&a.1));
         tokens.truncate(options.most);
-        let tokens: Vec<String> = tokens.iter().take(4).map(|(token, t)| format!("{token} {:.2}", t / whole)).collect();
-        writeln!(out, "  {word:12} {}", tokens.join("  "))?;
+        if options.json {
+            let tokens: serde_json::Map<_, _> = tokens.iter().map(|&(token, t)| (token.to_owned(), json!(t / whole))).collect();
+            writeln!(out, "{}", json!({"type": "word", "word": word, "tokens": tokens}))?;
+        } else {
+            let tokens: Vec<String> = tokens.iter().take(4).map(|(token, t)| format!("{token} {:.2}", t / whole)).collect();
+            writeln!(out, "  {word:12} {}", tokens.join("  "))?;
+        }
     }
     Ok(out.flush()?)
 }

@@ -12,6 +12,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Kind, Output};
 use goodbot_console::starter::StarterOptions;
 use goodbot_console::training_data::{self, LogOptions, training};
+use serde_json::json;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -54,6 +55,9 @@ pub struct LearnOptions {
     /// Skip sessions with faults, and count them
     #[arg(long)]
     keep_going: bool,
+    /// Print a summary of the training data as a line of JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// Runs the command.
@@ -61,7 +65,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let lifted = options.kinds.lifted()?;
     let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
     let log_options = LogOptions { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
-    let mut lessons = training_data::read(&options.files, &lifted, options.learner.options(), &log_options)?.lessons;
+    let training_data::Lessons { mut lessons, skipped, with_way, no_task, long } =
+        training_data::read(&options.files, &lifted, options.learner.options(), &log_options)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
         return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
     }
@@ -91,13 +96,20 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
     let numbers = model.bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
-    let (words, tokens) = (model.words().len(), model.tokens().len());
+    let (words, tokens, pairs) = (model.words().len(), model.tokens().len(), model.bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
-    let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
-    let beside = |count, text: String| if count == 0 { String::new() } else { format!(" and {text}") };
-    let numbers = beside(numbers, counted(numbers, "number"));
-    let starter = lessons.len() - own;
-    let starter = beside(starter, format!("{} of the starter", counted(starter, "sentence")));
-    writeln!(out, "{sessions}{numbers}{starter}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
+    if options.json {
+        let line = json!({
+            "type": "model", "sessions": learned, "skipped": skipped, "left_out_with_way": with_way, "left_out_no_task": no_task, "long_commands": long, "starter": lessons.len() - own, "numbers": numbers, "words": words, "tokens": tokens, "pairs": pairs, "bytes": file.len(),
+        });
+        writeln!(out, "{line}")?;
+    } else {
+        let [sessions, words, tokens] = [(learned, "session"), (words, "word"), (tokens, "machine token")].map(|(n, it)| counted(n, it));
+        let beside = |count, text: String| if count == 0 { String::new() } else { format!(" and {text}") };
+        let numbers = beside(numbers, counted(numbers, "number"));
+        let starter = lessons.len() - own;
+        let starter = beside(starter, format!("{} of the starter", counted(starter, "sentence")));
+        writeln!(out, "{sessions}{numbers}{starter}, {words}, {tokens}: {} bytes in {}", file.len(), target.name())?;
+    }
     Ok(out.flush()?)
 }

@@ -32,8 +32,8 @@ fn a_learned_model_is_asked_and_inspected() {
     assert_eq!(answer["task"], "agentInRoom(agent0,room1)");
     assert_eq!(answer["plan"], serde_json::json!(["north", "north"]));
     assert_eq!(answer["words"][1]["token"], "never heard");
-    let inspected = goodbot(&["inspect", model], b"");
-    assert!(inspected.output.contains("  colorGreen "), "{}", inspected.output);
+    let inspected = goodbot(&["inspect", model, "--json"], b"");
+    assert!(inspected.output.contains(r#""token":"colorGreen""#), "{}", inspected.output);
 }
 
 #[test]

@@ -29,15 +29,15 @@ fn the_first_words_of_a_long_command_are_learned_evaluated_and_replayed() {
     let folder = tempfile::tempdir().unwrap();
     let [log, model] = ["log.jsonl", "words.goodbot"].map(|name| folder.path().join(name).to_str().unwrap().to_owned());
     std::fs::write(&log, homes()).unwrap();
-    for arguments in [&["evaluate", &log, "--json"][..], &["learn", &log, "--out", &model], &["replay", &log, "--json"]] {
+    for arguments in [&["evaluate", &log, "--json"][..], &["learn", &log, "--json", "--out", &model], &["replay", &log, "--json"]] {
         let run = goodbot(arguments, b"");
         assert_eq!(run.code, 0, "{arguments:?}: {}", run.messages);
         assert!(run.messages.contains(&format!("{TOLD}{log}:4\n")), "{arguments:?}: {}", run.messages);
     }
     assert_eq!(line(&goodbot(&["evaluate", &log, "--json"], b""), "summary")["long_commands"], 1);
-    let learned = goodbot(&["learn", &log, "--out", &model], b"").output;
+    let learned = line(&goodbot(&["learn", &log, "--json", "--out", &model], b""), "model");
     // go, to, the, green, room, and 59 of the others.
-    assert!(learned.starts_with("3 sessions, 64 words, "), "{learned}");
+    assert_eq!((&learned["long_commands"], &learned["sessions"], &learned["words"]), (&1.into(), &3.into(), &64.into()), "{learned}");
     let asked = goodbot(&["evaluate", "--with", &model, "--test", &log, "--json"], b"");
     assert_eq!(line(&asked, "summary")["asked"], 3, "{}", asked.messages);
 }

@@ -76,6 +76,9 @@ fn a_difference_is_told_by_sessions_and_words() {
     let name = place.path("a");
     assert!(told.contains(&format!("Sessions that only {name} has:\n  upstairs please")), "{told}");
     assert!(told.contains(&format!("Words that only {name} has:\n")) && told.contains("\n  upstairs\n"), "{told}");
+    let lines = place.run(&["diff", "B", "A", "--json", "--least", "0"]);
+    assert!(lines.contains(r#"{"type":"session added","text":"upstairs please"}"#), "{lines}");
+    assert!(lines.contains(r#""type":"word moved""#), "{lines}");
 }
 
 #[test]

@@ -137,19 +137,21 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 34] = [
+pub const COMMANDS: [&str; 36] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
-    "learn log.jsonl --out words.goodbot",
+    "learn log.jsonl --out words.goodbot --json",
     "learn log.jsonl --out roles.goodbot --learner roles",
     "ask -w words.goodbot -e home.json to the blue room",
     "ask -w words.goodbot -e home.json --why go~ to the bl~ue room",
     "ask -w words.goodbot -e home.json --json go~ to the ba~g",
     "ask -w words.goodbot -e world.json to the ga~rage",
     "inspect words.goodbot",
+    "inspect words.goodbot --json",
     "inspect words.goodbot --sessions",
     "diff words.goodbot roles.goodbot",
+    "diff words.goodbot roles.goodbot --json",
     "unlearn words.goodbot 1 --out less.goodbot",
     "merge words.goodbot less.goodbot --out both.goodbot",
     "parameters roles.goodbot --out parameters.h --c",

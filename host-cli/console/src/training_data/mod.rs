@@ -42,6 +42,8 @@ pub struct Lessons {
     pub skipped: usize,
     /// How many labelled sessions were left out because their task has a way.
     pub with_way: usize,
+    /// How many commands in worlds were left out because no task has their meaning.
+    pub no_task: usize,
     /// How many commands are read by their first words only.
     pub long: usize,
 }
@@ -143,7 +145,7 @@ pub fn read(files: &[InputFile], lifted: &[LiftedTask], options: Options, log_op
     if lessons.is_empty() && !files.is_empty() {
         return Err(Failure::Input("there is no session to learn from; name a file that has one".to_owned()));
     }
-    Ok(Lessons { lessons, skipped, with_way, long })
+    Ok(Lessons { lessons, skipped, with_way, no_task, long })
 }
 
 /// Reports commands that are read by their first words only, with the lines of the first five.
