@@ -3,6 +3,7 @@
 pub mod sessions;
 
 use crate::paper::lexicon::Lexicon;
+use crate::paper::plot;
 use crate::teach::full_words::FullWords;
 use clap::{Args, ValueHint};
 use goodbot::language::Settings;
@@ -10,7 +11,7 @@ use goodbot_console::load::kinds::{kept, texts};
 use goodbot_console::messages::counted;
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
-use goodbot_console::output;
+use goodbot_console::output::{self, Output};
 use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
 use serde_json::json;
@@ -21,7 +22,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
-  goodbot inspect words.goodbot --most 3")]
+  goodbot inspect words.goodbot --plot words.svg")]
 pub struct InspectOptions {
     /// A model that `goodbot learn` wrote
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
@@ -29,8 +30,14 @@ pub struct InspectOptions {
     /// Number of words of each token, and of tokens of each word: 1 to 1000
     #[arg(long, short = 'n', value_name = "N", default_value = "8", value_parser = between(1_usize, 1_000), allow_negative_numbers = true)]
     most: usize,
+    /// Write a heat map of the most telling words; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    plot: Option<PathBuf>,
+    /// Replace a file that is no picture of goodbot's
+    #[arg(long, requires = "plot")]
+    force: bool,
     /// Print the sessions with their numbers, the oldest first, and nothing else; goodbot unlearn takes one out
-    #[arg(long)]
+    #[arg(long, conflicts_with = "plot")]
     sessions: bool,
     /// Print a line of JSON for each token and each word
     #[arg(long)]
@@ -39,9 +46,10 @@ pub struct InspectOptions {
 
 /// Runs the command.
 pub fn run(options: &InspectOptions) -> Result<(), Failure> {
+    let target = Output::picture(&options.plot, [&options.model], options.force)?;
     let agent = restored::model(&options.model)?;
-    let mut out = output::text(&[])?;
     if options.sessions {
+        let mut out = output::text(&[])?;
         for (number, command) in (1..).zip(sessions::commands(&agent)) {
             if options.json {
                 writeln!(out, "{}", json!({"type": "session", "number": number, "command": command}))?;
@@ -54,6 +62,11 @@ pub fn run(options: &InspectOptions) -> Result<(), Failure> {
     let mut lexicon = Lexicon::of(agent.language());
     let full = FullWords::new(agent.language().settings().letters_kept());
     lexicon.words.iter_mut().for_each(|word| *word = full.of(word));
+    let mut out = output::text(&[target.as_ref()])?;
+    // The picture comes first, so that it is written even if the reader of the text stops early.
+    if let Some(target) = &target {
+        target.draw(plot::learned_words(&telling(&lexicon)))?;
+    }
     if !options.json {
         let sessions = counted(agent.language().bitext().sessions(), "session");
         writeln!(out, "{sessions}, {}{}", counted(lexicon.words.len(), "word"), alike(agent.language().settings()))?;
@@ -98,5 +111,22 @@ fn alike(settings: &Settings) -> String {
         (0, _) => String::new(),
         (letters, 0) => format!("; words with the same first {letters} letters count as one, shown as the first of them"),
         (letters, _) => format!("; words are known by their first {letters} letters"),
+    }
+}
+
+/// The words with the highest probabilities: a picture of hundreds of words shows none.
+fn telling(lexicon: &Lexicon) -> Lexicon {
+    const MOST: usize = 40;
+    let largest = |column: usize| lexicon.rows.iter().filter_map(|(_, row)| row.get(column).copied()).fold(0.0, f32::max);
+    let mut columns: Vec<usize> = (0..lexicon.words.len()).collect();
+    columns.sort_by(|&a, &b| largest(b).total_cmp(&largest(a)));
+    columns.truncate(MOST);
+    Lexicon {
+        words: columns.iter().filter_map(|&column| lexicon.words.get(column).cloned()).collect(),
+        rows: lexicon
+            .rows
+            .iter()
+            .map(|(token, row)| (token.clone(), columns.iter().filter_map(|&column| row.get(column).copied()).collect()))
+            .collect(),
     }
 }

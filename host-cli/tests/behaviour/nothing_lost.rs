@@ -64,6 +64,7 @@ fn an_input_is_never_replaced() {
     place.assert_kept("log.jsonl", &["evaluate", "log.jsonl", "--curve", "log.jsonl", "--force"], READ);
     place.assert_kept("log.jsonl", &["evaluate", "--with", "model", "--test", "log.jsonl", "--plot", "log.jsonl", "--force"], READ);
     place.assert_kept("model", &["evaluate", "--with", "model", "--test", "log.jsonl", "--plot", "model", "--force"], READ);
+    place.assert_kept("model", &["inspect", "model", "--plot", "model", "--force"], READ);
     fs::copy(place.path("model"), place.path("other")).unwrap();
     place.assert_kept("other", &["merge", "model", "other", "--out", "other", "--force"], READ);
 }
@@ -87,11 +88,12 @@ fn an_input_is_not_replaced_whatever_letters_its_name_has() {
     let place = Place::new();
     let odd = place.folder.path().join(std::ffi::OsStr::from_bytes(b"m\xff"));
     fs::copy(place.path("model"), &odd).unwrap();
-    for command in ["unlearn", "merge"] {
+    for command in [&["inspect"][..], &["unlearn"], &["merge"]] {
         let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_goodbot"));
-        program.arg(command).arg(&odd);
+        program.args(command).arg(&odd);
         match command {
-            "unlearn" => program.arg("1").arg("--out").arg(&odd),
+            ["inspect"] => program.arg("--plot").arg(&odd),
+            ["unlearn"] => program.arg("1").arg("--out").arg(&odd),
             _ => program.arg(place.path("model")).arg("--out").arg(&odd),
         };
         let run = program.arg("--force").output().unwrap();
@@ -104,10 +106,10 @@ fn a_foreign_file_is_replaced_only_when_it_is_said() {
     let place = Place::new();
     fs::write(place.path("notes.txt"), "what I must not forget").unwrap();
     place.assert_kept("notes.txt", &["learn", "log.jsonl", "--out", "notes.txt"], "is there already and is no model of goodbot's");
-    place.assert_kept("notes.txt", &["replay", "log.jsonl", "--plot", "notes.txt"], "is there already and is no picture of goodbot's");
+    place.assert_kept("notes.txt", &["inspect", "model", "--plot", "notes.txt"], "is there already and is no picture of goodbot's");
     place.assert_kept("notes.txt", &["evaluate", "log.jsonl", "--plot", "notes.txt"], "--force");
     place.assert_kept("notes.txt", &["paper", "--plot", "notes.txt"], "--force");
-    place.assert_kept("model", &["evaluate", "--with", "model", "--test", "log.jsonl", "--plot", "model"], READ);
+    place.assert_kept("model", &["inspect", "model", "--plot", "model"], READ);
     place.assert_kept("notes.txt", &["merge", "model", "model", "--out", "notes.txt"], "--force");
     assert_eq!(place.run(&["learn", "log.jsonl", "--out", "notes.txt", "--force"]).code, 0);
     assert!(fs::read(place.path("notes.txt")).unwrap().starts_with(b"goodbot\0"));
@@ -118,7 +120,7 @@ fn our_own_models_and_pictures_are_replaced() {
     let place = Place::new();
     for _ in 0..2 {
         assert_eq!(place.run(&["learn", "log.jsonl", "--out", "model"]).code, 0);
-        assert_eq!(place.run(&["replay", "log.jsonl", "--plot", "picture.svg"]).code, 0);
+        assert_eq!(place.run(&["inspect", "model", "--plot", "picture.svg"]).code, 0);
         assert_eq!(place.run(&["evaluate", "log.jsonl", "--plot", "picture.svg"]).code, 0);
     }
     assert!(fs::read_to_string(place.path("picture.svg")).unwrap().starts_with("<svg"));
@@ -128,7 +130,7 @@ fn our_own_models_and_pictures_are_replaced() {
 fn what_was_asked_for_is_written_although_the_reader_has_left() {
     let place = Place::new();
     let cases: [&[&str]; 3] = [
-        &["replay", "log.jsonl", "--plot", "picture.svg"],
+        &["inspect", "model", "--plot", "picture.svg"],
         &["evaluate", "log.jsonl", "--json", "--plot", "picture.svg"],
         &["paper", "--plot", "picture.svg"],
     ];
@@ -150,6 +152,8 @@ fn a_dash_is_standard_output_and_the_text_then_goes_beside_it() {
     let run = place.run(&["evaluate", "log.jsonl", "--plot", "-"]);
     assert!(run.output.starts_with("<svg") && run.output.trim_end().ends_with("</svg>"), "{}", run.output);
     assert!(run.messages.contains("accuracy"), "{}", run.messages);
+    let inspected = place.run(&["inspect", "model", "--plot", "-"]);
+    assert!(inspected.output.starts_with("<svg") && inspected.messages.contains("4 sessions"), "{}", inspected.messages);
     let replayed = place.run(&["replay", "log.jsonl", "--plot", "-"]);
     assert!(replayed.output.starts_with("<svg") && replayed.messages.contains("4 learned from"), "{}", replayed.messages);
     let both = place.run(&["evaluate", "log.jsonl", "--plot", "-", "--curve", "-"]);
@@ -230,7 +234,7 @@ fn a_link_to_a_file_that_is_not_there_yet_is_followed_and_is_no_way_around_an_in
     assert_eq!(place.run(&["learn", "log.jsonl", "--out", "link"]).code, 0);
     assert!(std::fs::symlink_metadata(place.path("link")).unwrap().is_symlink() && place.path("other").is_file());
     fs::remove_file(place.path("other")).unwrap();
-    let run = place.run(&["replay", "log.jsonl", "--plot", "link"]);
+    let run = place.run(&["inspect", "model", "--plot", "link"]);
     assert_eq!(run.code, 0, "{}", run.messages);
     assert!(fs::read_to_string(place.path("other")).unwrap().starts_with("<svg"));
 }

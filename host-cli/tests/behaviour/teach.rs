@@ -267,7 +267,7 @@ fn files_of_others_are_never_written_to() {
 
 #[test]
 fn options_without_effect_are_refused() {
-    for arguments in [["teach", "--lines", "--speed", "fast"], ["replay", "log.jsonl", "--force", "--json"]] {
+    for arguments in [["teach", "--lines", "--speed", "fast"], ["inspect", "model", "--force", "--json"]] {
         assert_eq!(goodbot(&arguments, b"quit\n").code, 2, "{arguments:?}");
     }
 }

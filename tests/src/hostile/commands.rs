@@ -137,7 +137,7 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 36] = [
+pub const COMMANDS: [&str; 37] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
@@ -150,6 +150,7 @@ pub const COMMANDS: [&str; 36] = [
     "inspect words.goodbot",
     "inspect words.goodbot --json",
     "inspect words.goodbot --sessions",
+    "inspect words.goodbot --plot words.svg",
     "diff words.goodbot roles.goodbot",
     "diff words.goodbot roles.goodbot --json",
     "unlearn words.goodbot 1 --out less.goodbot",
@@ -202,7 +203,7 @@ pub fn assert_harmless(place: &Place, command: &str, hostile: &str, program: &Pr
 }
 
 /// The pictures that the commands draw.
-pub const PICTURES: [&str; 2] = ["plot.svg", "screen.svg"];
+pub const PICTURES: [&str; 3] = ["words.svg", "plot.svg", "screen.svg"];
 
 /// The input chooses a command, and either is a part of every name, word and id, or replaces or damages one of the files.
 pub fn commands(input: &[u8], program: &Program<'_>) {
