@@ -12,6 +12,7 @@ use goodbot_console::messages::counted;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use goodbot_console::printed::is_terminal;
+use serde_json::json;
 use std::io::{IsTerminal, Write, stdin};
 
 /// The smallest screen for `goodbot teach`: columns and rows.
@@ -30,6 +31,9 @@ pub struct DoctorArgs {
     /// Files to look at too: models, homes, session logs
     #[arg(value_name = "FILE", value_hint = ValueHint::FilePath)]
     files: Vec<InputFile>,
+    /// Print a line of JSON for each finding
+    #[arg(long)]
+    json: bool,
 }
 
 /// The state of a finding.
@@ -77,9 +81,15 @@ pub fn run(args: &DoctorArgs) -> Result<(), Failure> {
     sections.push(("Programs that only cargo xtask test uses", programs::found()));
     let mut out = output::text(&[])?;
     for (section, findings) in &sections {
-        writeln!(out, "{section}")?;
+        if !args.json {
+            writeln!(out, "{section}")?;
+        }
         for Finding { state, text } in findings {
-            writeln!(out, "  {:8} {}", state.name(), text)?;
+            if args.json {
+                writeln!(out, "{}", json!({"type": state.name(), "of": section, "text": text}))?;
+            } else {
+                writeln!(out, "  {:8} {}", state.name(), text)?;
+            }
         }
     }
     out.flush()?;

@@ -252,7 +252,10 @@ fn a_fit_tells_what_trainers_of_a_log_do_and_checks_simulated_ones() {
     for part in ["people", "judge the last action", "silence after a wrong action", "not fitted"] {
         assert!(text.contains(part), "no {part:?} in {text}");
     }
-    assert_eq!(text, output(&["--fit", file.to_str().unwrap(), "--runs", "5"]));
+    let json = output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]);
+    assert_eq!(json, output(&["--fit", file.to_str().unwrap(), "--runs", "5", "--json"]));
+    let checks = json.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()).filter(|line| line["type"] == "check");
+    assert_eq!(checks.count(), 11);
     let home = folder.join("home.json");
     std::fs::write(&home, goodbot(&["example", "home"], b"").output).unwrap();
     refused(&["--fit", home.to_str().unwrap()], "not a session log");

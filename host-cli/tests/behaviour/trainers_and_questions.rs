@@ -79,31 +79,34 @@ fn a_fit_needs_three_trainers_and_gives_shares_that_sum_to_one() {
     let few = goodbot(&["fit-trainers", "-"], log(&["a", "b"]).as_bytes());
     assert_eq!(few.code, 2);
     assert!(few.messages.contains("2 trainers with feedback whose intended task is known: give the sessions of 3"), "{}", few.messages);
-    let run = goodbot(&["fit-trainers", "-"], log(&["a", "b", "c"]).as_bytes());
+    let run = goodbot(&["fit-trainers", "--json", "-"], log(&["a", "b", "c"]).as_bytes());
     assert_eq!(run.code, 0, "{}", run.messages);
-    assert!(run.output.starts_with("3 trainers, 3 sessions"), "{}", run.output);
-    let first = |line: &str| line.split_whitespace().next().and_then(|share| share.parse::<f64>().ok());
-    let shares: f64 = run.output.lines().skip(4).map_while(first).sum();
-    assert!((shares - 1.0).abs() < 0.01, "{}", run.output);
+    let lines: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let shares: f64 = lines.iter().filter_map(|line| line["prior"].as_f64()).sum();
+    assert!((shares - 1.0).abs() < 0.01, "{shares}");
+    let fit = lines.last().unwrap();
+    assert_eq!(fit["trainers"], 3);
     // Trainers who are alike leave no doubt, whichever are drawn; but what so few sessions mean is luck.
-    let compared = run.output.lines().skip_while(|line| !line.starts_with("leaving each trainer out")).skip(1);
-    for row in compared.take_while(|line| !line.is_empty()) {
-        for (at, _) in row.match_indices('(') {
-            let found = row[..at].split_whitespace().last().unwrap();
-            assert!(row[at..].starts_with(&format!("({found} to {found})")), "{row}");
+    for row in fit["leaving_each_trainer_out"].as_array().unwrap() {
+        for figure in ["mean_log_loss", "calibration_error"] {
+            let [least, most, found] = [&row["intervals"][figure][0], &row["intervals"][figure][1], &row["held_out"][figure]];
+            let [least, most, found] = [least, most, found].map(|number| number.as_f64().unwrap());
+            assert!((least - found).abs() < 1e-6 && (most - found).abs() < 1e-6, "{row}");
         }
+        let chance = &row["calibration_error_of_chance"]["mean"];
+        assert!(chance.as_f64().is_some_and(|mean| 0.0 < mean && mean < 0.5), "{row}");
     }
-    let chance = run.output.split("as often: ECE ").nth(1).and_then(|rest| rest.split(',').next()?.parse::<f64>().ok());
-    assert!(chance.is_some_and(|mean| 0.0 < mean && mean < 0.5), "{}", run.output);
 }
 
 #[test]
 fn questions_save_steps_and_what_is_no_cost_is_refused() {
-    let run = goodbot(&["questions", "--runs", "20", "--kappa", "2", "--trainer", "real"], b"");
+    let run = goodbot(&["questions", "--runs", "20", "--kappa", "2", "--trainer", "real", "--json"], b"");
     assert_eq!(run.code, 0, "{}", run.messages);
-    let row: Vec<f64> = run.output.lines().last().unwrap().split_whitespace().filter_map(|cell| cell.parse().ok()).collect();
-    assert!(row[2] < 0.5 * row[3], "{}", run.output);
-    for (option, value, message) in [("--kappa", "0", "a number of steps above 0"), ("--eta", "0.5", "less than 0.5")] {
+    let row: Value = serde_json::from_str(run.output.lines().last().unwrap()).unwrap();
+    assert!(row["cost"].as_f64().unwrap() < 0.5 * row["cost_never_asking"].as_f64().unwrap(), "{row}");
+    for (option, value, message) in
+        [("--kappa", "0", "a number of steps above 0"), ("--eta", "0.5", "less than 0.5"), ("--choices", "4", "whole number from 1 to 3")]
+    {
         let refused = goodbot(&["questions", option, value], b"");
         assert_eq!(refused.code, 2);
         assert!(refused.messages.contains(message), "{}", refused.messages);

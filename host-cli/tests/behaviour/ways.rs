@@ -3,6 +3,7 @@
 use crate::program;
 
 use program::goodbot;
+use serde_json::Value;
 
 const SMALL: [&str; 9] = ["ways", "--runs", "2", "--lessons", "3", "--every", "2", "--tests", "4"];
 
@@ -12,22 +13,23 @@ fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
 
 #[test]
 fn robots_that_learn_ways_are_tested_before_between_and_after_their_lessons() {
-    let run = goodbot(&with(&[]), b"");
+    let run = goodbot(&with(&["--json"]), b"");
     assert_eq!(run.code, 0, "{}", run.messages);
-    let rows: Vec<Vec<&str>> = run.output.lines().map(|line| line.split_whitespace().collect()).collect();
-    let tests: Vec<&Vec<&str>> = rows.iter().filter(|row| ["none", "asked"].contains(&row[0])).collect();
-    let told: Vec<(&str, &str)> = tests.iter().map(|test| (test[0], test[1])).collect();
-    assert_eq!(told, [("none", "0"), ("none", "2"), ("none", "3"), ("asked", "0"), ("asked", "2"), ("asked", "3")]);
+    let lines: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let tests: Vec<&Value> = lines.iter().filter(|line| line["type"] == "test").collect();
+    let told: Vec<(&str, u64)> =
+        tests.iter().map(|test| (test["questions"].as_str().unwrap(), test["lessons"].as_u64().unwrap())).collect();
+    assert_eq!(told, [("none", 0), ("none", 2), ("none", 3), ("asked", 0), ("asked", 2), ("asked", 3)]);
     for test in &tests {
-        let (share, right): (f64, f64) = (test[2].parse().unwrap(), test[6].parse().unwrap());
-        assert_eq!(test[8], "8");
-        assert!((100.0 * right / 8.0 - share).abs() < 0.051, "{test:?}");
+        assert_eq!(test["asked"], 8);
+        let (right, accuracy) = (test["right"].as_f64().unwrap(), test["accuracy"].as_f64().unwrap());
+        assert!((right / 8.0 - accuracy).abs() < 1e-9, "{test}");
     }
     // Both kinds of robots get the same questions before their first lesson.
-    assert_eq!(tests[0][6], tests[3][6]);
-    let questions: Vec<f64> =
-        rows.iter().filter(|row| row.ends_with(&["questions"])).map(|row| row[row.len() - 2].parse().unwrap()).collect();
-    assert!(questions[0] == 0.0 && questions[1] > 0.0, "{}", run.output);
+    assert_eq!(tests[0]["right"], tests[3]["right"]);
+    let lessons: Vec<&Value> = lines.iter().filter(|line| line["type"] == "lessons").collect();
+    assert_eq!(lessons[0]["questions_asked"], 0.0);
+    assert!(lessons[1]["questions_asked"].as_f64().unwrap() > 0.0, "{lessons:?}");
 }
 
 #[test]

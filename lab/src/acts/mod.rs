@@ -16,6 +16,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
 use readings::Said;
+use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -25,9 +26,6 @@ const FOR_TRAINING: char = '+';
 
 /// The probabilities above which robots are tried.
 const ABOVE: [f64; 9] = [0.6, 0.7, 0.76, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86, 0.9];
-
-/// How the weights are fitted.
-const PRICES: Prices = Prices { square: 3.0, most: 6000 };
 
 /// The options of `goodbot acts`.
 #[derive(Debug, Args)]
@@ -54,6 +52,15 @@ pub struct ActsOptions {
     /// Print the weights, the largest first
     #[arg(long)]
     explain: bool,
+    /// The price of the square of a weight: larger prices make smaller weights
+    #[arg(long, value_name = "PRICE", default_value = "3")]
+    price: f64,
+    /// How many words may have weights
+    #[arg(long, value_name = "NUMBER", default_value = "6000")]
+    most: usize,
+    /// Print lines of JSON
+    #[arg(long)]
+    json: bool,
 }
 
 /// The figures of some sentences.
@@ -82,6 +89,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     let read = |set| readings::of(set).inspect(|_| progress.inc(1));
     let said: Vec<Said> = sets.par_iter().map(read).collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect();
     progress.finish_and_clear();
+    let prices = Prices { square: options.price, most: options.most };
     let mut out = output::text(&[])?;
     let mut authors: Vec<&str> = said.iter().map(|said| said.author.as_str()).filter(|author| !author.starts_with(FOR_TRAINING)).collect();
     authors.sort_unstable();
@@ -89,7 +97,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     if authors.len() > 1 {
         let progress = bar(authors.len(), "leaving out one author at a time");
         let without = |author: &&str| {
-            let fitted = fitted_to(&said, &|it| it.author != *author);
+            let fitted = fitted_to(&said, &|it| it.author != *author, prices);
             progress.inc(1);
             fitted
         };
@@ -102,18 +110,23 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
             let mut languages: Vec<&str> = said.iter().filter(|it| it.author == *author).map(|it| it.language.as_str()).collect();
             languages.sort_unstable();
             languages.dedup();
-            for language in languages {
-                tell(&mut out, (author, language, f64::from(ACTS_FROM)), &of(author, language, fitted, f64::from(ACTS_FROM)))?;
+            for (language, above) in languages.iter().flat_map(|language| ABOVE.map(|above| (language, above))) {
+                if options.json || above == f64::from(ACTS_FROM) {
+                    tell(&mut out, options.json, (author, language, above), &of(author, language, fitted, above))?;
+                }
             }
         }
-        for above in ABOVE {
+        for above in (50..100)
+            .map(|hundredth| f64::from(hundredth) / 100.0)
+            .filter(|above| options.json || ABOVE.iter().any(|it| (it - above).abs() < 1e-3))
+        {
             let each = authors.iter().zip(&fitted).map(|(author, fitted)| of(author, "", fitted, above));
             let all = each.fold(Figures::default(), |all, figures| all.and(&figures));
-            tell(&mut out, ("left out", "", above), &all)?;
+            tell(&mut out, options.json, ("left out", "", above), &all)?;
         }
     }
-    let fitted = fitted_to(&said, &|_| true);
-    tell(&mut out, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
+    let fitted = fitted_to(&said, &|_| true, prices);
+    tell(&mut out, options.json, ("fitted", "", f64::from(ACTS_FROM)), &figures(said.iter(), &fitted, f64::from(ACTS_FROM)))?;
     if options.explain {
         explain(&mut out, &said, &fitted)?;
     }
@@ -158,11 +171,11 @@ fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
 }
 
 /// Fits weights to the sentences of these people.
-fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool) -> Fitted {
+fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool, prices: Prices) -> Fitted {
     let of = || said.iter().filter(|it| is_in(it));
     let examples: Vec<Example<'_>> = of().flat_map(Said::examples).collect();
     let by_several = said_by_several(of());
-    fit::fit(&examples, &|hash| by_several[hash as usize], PRICES)
+    fit::fit(&examples, &|hash| by_several[hash as usize], prices)
 }
 
 impl Figures {
@@ -202,23 +215,31 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
     figures
 }
 
-fn tell(out: &mut impl Write, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
+fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str, f64), figures: &Figures) -> Result<(), Failure> {
     let share = |count: usize, of: usize| count as f64 / of.max(1) as f64;
     let (helpful, harmful) = (share(figures.helpful, figures.meant), share(figures.harmful, figures.sentences));
     let (read, first) = (share(figures.read, figures.meant), share(figures.first, figures.meant));
     let (said, right) = (figures.said / figures.acted.max(1) as f64, share(figures.right, figures.acted));
-    writeln!(
-        out,
-        "{author:10} {language:8} above {above:.2} {:6} sentences  read {:5.1} %  first {:5.1} %  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
-        figures.sentences,
-        100.0 * read,
-        100.0 * first,
-        100.0 * helpful,
-        100.0 * harmful,
-        figures.acted,
-        said,
-        right
-    )?;
+    if json {
+        let line = json!({
+            "author": author, "language": language, "above": above, "sentences": figures.sentences, "meant": figures.meant, "read": read, "first": first, "helpful": helpful,
+            "harmful": harmful, "acted": figures.acted, "mean_probability": said, "right": right,
+        });
+        writeln!(out, "{line}")?;
+    } else {
+        writeln!(
+            out,
+            "{author:10} {language:8} above {above:.2} {:6} sentences  read {:5.1} %  first {:5.1} %  helpful {:5.1} %  harmful {:4.1} %  of {:5} acted on: said {:4.2}, right {:4.2}",
+            figures.sentences,
+            100.0 * read,
+            100.0 * first,
+            100.0 * helpful,
+            100.0 * harmful,
+            figures.acted,
+            said,
+            right
+        )?;
+    }
     Ok(())
 }
 

@@ -23,6 +23,7 @@ use goodbot_console::messages::{bar, counted};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
+use serde_json::{Value, json};
 use std::io::Write;
 
 /// The options of `goodbot fit-trainers`.
@@ -50,8 +51,11 @@ pub struct FitOptions {
     files: Vec<InputFile>,
     #[command(flatten)]
     kinds: TaskKinds,
-    /// Print the population as the library's source code, without leaving trainers out
+    /// Print the population as lines of JSON: one for each strategy, and a last one with the rest
     #[arg(long)]
+    json: bool,
+    /// Print the population as the library's source code, without leaving trainers out
+    #[arg(long, conflicts_with = "json")]
     rust: bool,
 }
 
@@ -76,6 +80,19 @@ pub fn run(options: &FitOptions) -> Result<(), Failure> {
         return write_rust(&mut out, &strategies, &ending);
     }
     let compared = compare(&walks);
+    if options.json {
+        for (strategy, share) in &strategies {
+            writeln!(out, "{}", strategy_json(strategy, *share))?;
+        }
+        let compared: Vec<Value> = compared.iter().map(Compared::json).collect();
+        let (trainers, sessions) = (trainers.len(), walks.len());
+        let line = json!({
+            "type": "fit", "trainers": trainers, "sessions": sessions, "hold": fitted.hold,
+            "ends_at_goal": hazard_json(&ending.at_goal), "ends_elsewhere": hazard_json(&ending.elsewhere), "leaving_each_trainer_out": compared,
+        });
+        writeln!(out, "{line}")?;
+        return Ok(out.flush()?);
+    }
     writeln!(out, "{}, {}", counted(trainers.len(), "trainer"), counted(walks.len(), "session"))?;
     writeln!(out, "\n              moves                   rests                         lags")?;
     writeln!(out, "share   mu+    mu-  epsilon    mu+    mu-  epsilon  inside    0      1      2")?;
@@ -172,6 +189,18 @@ impl Compared {
         without.sort_by(|one, other| one.0.total_cmp(&other.0));
         Self { name, rightness: all_but(trainers.len()), intervals: believing::intervals(&trainers), without, words }
     }
+
+    fn json(&self) -> Value {
+        let [log_loss, calibration_error] = self.intervals;
+        let (mean, most) = self.rightness.calibration_error_of_chance();
+        let without: Value = self.without.iter().map(|(error, trainer)| (trainer.clone(), json!(error))).collect();
+        json!({
+            "settings": self.name, "held_out": self.rightness.json(), "log_probability_of_words": self.words,
+            "intervals": {"mean_log_loss": log_loss, "calibration_error": calibration_error},
+            "calibration_error_of_chance": {"mean": mean, "most": most},
+            "calibration_error_without": without,
+        })
+    }
 }
 
 /// For each trainer, replays the sessions with a robot whose expectation was fitted to the other trainers. The first row has the paper's
@@ -202,6 +231,17 @@ fn compare(walks: &[Walk]) -> Vec<Compared> {
     }
     progress.finish_and_clear();
     compared
+}
+
+fn strategy_json(strategy: &Strategy, share: f32) -> Value {
+    json!({
+        "mu_plus": strategy.mu_plus(), "mu_minus": strategy.mu_minus(), "epsilon": strategy.epsilon(),
+        "rests": strategy.rests(), "lags": strategy.lags(), "prior": share,
+    })
+}
+
+fn hazard_json(Hazard { moved, rested, resting, praised, scolded }: &Hazard) -> Value {
+    json!({"moved": moved, "rested": rested, "resting": resting, "praised": praised, "scolded": scolded})
 }
 
 fn write_rust(out: &mut impl Write, strategies: &[(Strategy, f32)], ending: &Ending) -> Result<(), Failure> {

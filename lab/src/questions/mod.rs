@@ -6,13 +6,14 @@ pub mod simulation;
 
 use crate::mean::Mean;
 use clap::Args;
-use goodbot::asking::Asking;
+use goodbot::asking::{Asking, CHOICES};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_console::messages::bar;
 use goodbot_console::numbers::{between, name_of};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
+use serde_json::json;
 use simulation::{MOST_STEPS, Setting, Spent, Trained, simulate};
 use std::io::Write;
 
@@ -44,6 +45,15 @@ pub struct QuestionsOptions {
     /// The trainers
     #[arg(long, value_enum, value_delimiter = ',', default_value = "balanced,punish-only,real")]
     trainer: Vec<Trained>,
+    /// The most meanings that a question offers, 1 to 3; with 1, the answer is yes or no
+    #[arg(long, value_name = "N", default_value = "3", value_parser = between(1, CHOICES as u8))]
+    choices: u8,
+    /// Take any action that leads to the goal, not the most informative one
+    #[arg(long)]
+    any_action: bool,
+    /// Print a line of JSON for each row
+    #[arg(long)]
+    json: bool,
 }
 
 /// The sessions of one row.
@@ -74,13 +84,13 @@ fn cost(spent: &Spent, kappa: f32) -> f64 {
 /// # Errors
 /// [`Failure`].
 pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
-    let base = |kappa, eta| Asking { kappa, eta, ..Asking::DEFAULT };
+    let base = |kappa, eta| Asking { kappa, eta, choices: options.choices, ..Asking::DEFAULT };
     for (&kappa, &eta) in options.kappa.iter().flat_map(|kappa| options.eta.iter().map(move |eta| (kappa, eta))) {
         base(kappa, eta).check().map_err(|error| Failure::Input(error.to_string()))?;
     }
     let mut settings = vec![];
     for &trainer in &options.trainer {
-        let setting = |asking| Setting { trainer, asking };
+        let setting = |asking| Setting { trainer, asking, telling: !options.any_action };
         settings.push(setting(Asking::NEVER));
         settings.extend(options.eta.iter().flat_map(|&eta| options.kappa.iter().map(move |&kappa| setting(base(kappa, eta)))));
     }
@@ -99,10 +109,12 @@ pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
     }
     progress.finish_and_clear();
     let mut out = output::text(&[])?;
-    writeln!(
-        out,
-        "trainer      kappa   eta   cost  (never asking)  cost saved, 95 %  steps  questions  words  understood in {MOST_STEPS}"
-    )?;
+    if !options.json {
+        writeln!(
+            out,
+            "trainer      kappa   eta   cost  (never asking)  cost saved, 95 %  steps  questions  words  understood in {MOST_STEPS}"
+        )?;
+    }
     let mut without: Option<&Row> = None;
     for row in &rows {
         let Setting { trainer, asking, .. } = row.setting;
@@ -115,12 +127,22 @@ pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
         let (cost, never) = (row.cost(asking.kappa), plain.cost(asking.kappa));
         let (steps, questions) = (row.mean(|spent| spent.steps.into()), row.mean(|spent| spent.questions.into()));
         let (words, understood) = (row.mean(|spent| spent.words.into()), row.mean(|spent| f64::from(u8::from(spent.understood))));
-        let kappa = if asking.kappa.is_finite() { format!("{:5}", asking.kappa) } else { "never".to_owned() };
-        let (name, eta, percent) = (name_of(trainer), asking.eta, 100.0 * understood);
-        writeln!(
-            out,
-            "{name:11}  {kappa}  {eta:4.2}  {cost:5.1}  {never:14.1}  {saved:8.1} ± {wide:4.1}  {steps:5.1}  {questions:9.2}  {words:5.1}  {percent:5.1} %"
-        )?;
+        if options.json {
+            let kappa = asking.kappa.is_finite().then_some(asking.kappa);
+            let line = json!({
+                "trainer": name_of(trainer), "kappa": kappa, "eta": asking.eta, "sessions": row.sessions.len(), "seed": options.seed,
+                "choices": options.choices, "actions_that_tell_more": row.setting.telling, "cost": cost, "cost_never_asking": never,
+                "saved": [saved - wide, saved + wide], "steps": steps, "questions": questions, "words": words, "understood": understood,
+            });
+            writeln!(out, "{line}")?;
+        } else {
+            let kappa = if asking.kappa.is_finite() { format!("{:5}", asking.kappa) } else { "never".to_owned() };
+            let (name, eta, percent) = (name_of(trainer), asking.eta, 100.0 * understood);
+            writeln!(
+                out,
+                "{name:11}  {kappa}  {eta:4.2}  {cost:5.1}  {never:14.1}  {saved:8.1} ± {wide:4.1}  {steps:5.1}  {questions:9.2}  {words:5.1}  {percent:5.1} %"
+            )?;
+        }
     }
     Ok(out.flush()?)
 }

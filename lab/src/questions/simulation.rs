@@ -51,6 +51,8 @@ pub struct Setting {
     pub trainer: Trained,
     /// When the robot asks.
     pub asking: Asking,
+    /// Whether it takes informative actions.
+    pub telling: bool,
 }
 
 /// The result of a session.
@@ -75,7 +77,7 @@ pub fn simulate(memory: &mut HeapMemory, setting: &Setting, seed: u64) -> Result
     let homes = Homes::random(&mut random, &mut memory.home);
     let Ok((home, start)) = homes.test.build(&mut memory.home) else { return Ok(Spent::default()) };
     let Ok(lifted) = paper_tasks() else { return Ok(Spent::default()) };
-    let mut agent = Agent::new(&mut memory.agent, &lifted, Options::DEFAULT)?;
+    let mut agent = Agent::new(&mut memory.agent, &lifted, Options { telling: setting.telling, ..Options::DEFAULT })?;
     agent.set_strategies(&setting.trainer.expected())?;
     agent.hear(&home, &start, "do what is meant")?;
     let intended = below(agent.tasks().len(), &mut random);

@@ -10,6 +10,7 @@ use crate::study::trainer::population::{Counts, Observed, Population, Record};
 use goodbot::feedback::Feedback;
 use goodbot_console::outcome::Failure;
 use goodbot_course::generator;
+use serde_json::{Value, json};
 use std::io::Write;
 
 /// The measures, and whether each was fitted.
@@ -149,6 +150,17 @@ fn check(people: &People, population: &Population, options: &StudyOptions) -> Ch
 pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure> {
     let (people, population) = fitted(options)?;
     let check = check(&people, &population, options);
+    if options.json {
+        for ((name, _), counts) in people.iter().zip(&population.people) {
+            writeln!(out, "{}", person_to_json(name, counts))?;
+        }
+        writeln!(out, "{}", json!({"type": "late", "shares": population.late}))?;
+        for (((name, fitted), real), simulated) in MEASURES.iter().zip(check.real).zip(check.simulated) {
+            let simulated = simulated.map(|(mean, low, high)| json!({"mean": mean, "interval": [low, high]}));
+            writeln!(out, "{}", json!({"type": "check", "measure": name, "fitted": fitted, "real": real, "simulated": simulated}))?;
+        }
+        return Ok(());
+    }
     writeln!(out, "{} people. Counts that were fitted: rewards, punishments, silences after right and after wrong actions;", people.len())?;
     writeln!(out, "steps after which the lesson was over and was not, at the goal and elsewhere.\n")?;
     for ((name, _), Counts { right, wrong, at_goal, elsewhere }) in people.iter().zip(&population.people) {
@@ -166,4 +178,10 @@ pub fn show(out: &mut impl Write, options: &StudyOptions) -> Result<(), Failure>
         writeln!(out, "{measure:<36} {real:>8}  {simulated:>28}{}", if fitted { "" } else { "  not fitted" })?;
     }
     Ok(())
+}
+
+fn person_to_json(name: &str, counts: &Counts) -> Value {
+    json!({
+        "type": "person", "name": name, "right": counts.right, "wrong": counts.wrong, "at_goal": counts.at_goal, "elsewhere": counts.elsewhere,
+    })
 }

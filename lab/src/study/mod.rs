@@ -134,7 +134,7 @@ pub struct StudyOptions {
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
     pub merge: Vec<InputFile>,
     /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
-    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv", "json"])]
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv"])]
     pub fit: Vec<InputFile>,
     /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
     #[arg(long, conflicts_with_all = ["merge", "fit", "csv", "json", "report", "agents"])]

@@ -20,6 +20,7 @@ use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{self, Output};
 use rayon::prelude::*;
+use serde_json::json;
 use simulation::{Learned, Setting, simulate};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -54,6 +55,9 @@ pub struct WaysOptions {
     /// The cost of a question, in steps, for the robot that asks
     #[arg(long, value_name = "STEPS", default_value = "4", value_parser = goodbot_console::numbers::cost)]
     kappa: f32,
+    /// Print a line of JSON for each test
+    #[arg(long)]
+    json: bool,
     /// Write the shares of commands that were understood as a picture; - is standard output
     #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     plot: Option<PathBuf>,
@@ -86,7 +90,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
                 },
             )
             .collect::<Result<_, Failure>>()?;
-        Ok::<_, Failure>(Robots::new(name, learned, options))
+        Ok::<_, Failure>(Robots::new(name, asking, learned, options))
     });
     progress.finish_and_clear();
     let [silent, asking] = robots;
@@ -95,7 +99,9 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
     if let Some(plot) = plot {
         plot.draw(picture::draw(&robots, options))?;
     }
-    writeln!(out, "questions  lessons  right of {} commands, 95 %      robots with 9 of 10 right", options.tests)?;
+    if !options.json {
+        writeln!(out, "questions  lessons  right of {} commands, 95 %      robots with 9 of 10 right", options.tests)?;
+    }
     for robots in &robots {
         robots.tell(options, &mut out)?;
     }
@@ -106,6 +112,7 @@ pub fn run(options: &WaysOptions) -> Result<(), Failure> {
 struct Robots {
     /// The name of their kind.
     name: &'static str,
+    asking: Asking,
     learned: Vec<Learned>,
     tests: Vec<Test>,
 }
@@ -123,7 +130,7 @@ struct Test {
 }
 
 impl Robots {
-    fn new(name: &'static str, learned: Vec<Learned>, options: &WaysOptions) -> Self {
+    fn new(name: &'static str, asking: Asking, learned: Vec<Learned>, options: &WaysOptions) -> Self {
         let tests = (0..learned.first().map_or(0, |first| first.right.len())).map(|test| {
             let right: Vec<usize> = learned.iter().filter_map(|robot| robot.right.get(test).copied()).collect();
             Test {
@@ -134,7 +141,7 @@ impl Robots {
                 robots_with_nine_of_ten: right.iter().filter(|&&right| 10 * right >= 9 * options.tests).count(),
             }
         });
-        Self { name, tests: tests.collect(), learned }
+        Self { name, asking, tests: tests.collect(), learned }
     }
 
     /// The mean of a count for one lesson.
@@ -146,20 +153,34 @@ impl Robots {
     fn tell(&self, options: &WaysOptions, out: &mut impl Write) -> Result<(), Failure> {
         let (name, robots) = (self.name, self.learned.len());
         for Test { lessons, right, asked, share: Mean { mean, half }, robots_with_nine_of_ten } in &self.tests {
-            let (low, high) = wilson(*robots_with_nine_of_ten, robots);
-            writeln!(
-                out,
-                "{name:9}  {lessons:7}  {:6.1} % ± {:3.1}  {right:5} of {asked:5}    {:5.1} %  ({:.0} to {:.0})",
-                100.0 * mean,
-                100.0 * half,
-                100.0 * *robots_with_nine_of_ten as f64 / robots.max(1) as f64,
-                100.0 * low,
-                100.0 * high
-            )?;
+            if options.json {
+                let line = json!({
+                    "type": "test", "questions": name, "kappa": self.asking.kappa.is_finite().then_some(self.asking.kappa), "lessons": lessons,
+                    "robots": robots, "seed": options.seed, "right": right, "asked": asked, "accuracy": mean,
+                    "interval": [mean - half, mean + half], "robots_with_nine_of_ten": robots_with_nine_of_ten,
+                });
+                writeln!(out, "{line}")?;
+            } else {
+                let (low, high) = wilson(*robots_with_nine_of_ten, robots);
+                writeln!(
+                    out,
+                    "{name:9}  {lessons:7}  {:6.1} % ± {:3.1}  {right:5} of {asked:5}    {:5.1} %  ({:.0} to {:.0})",
+                    100.0 * mean,
+                    100.0 * half,
+                    100.0 * *robots_with_nine_of_ten as f64 / robots.max(1) as f64,
+                    100.0 * low,
+                    100.0 * high
+                )?;
+            }
         }
         let steps = self.in_a_lesson(|it| it.steps, options);
         let (words, questions) = (self.in_a_lesson(|it| it.words, options), self.in_a_lesson(|it| it.questions, options));
-        writeln!(out, "{:9}  a lesson took {steps:.1} steps, {words:.1} words of feedback, {questions:.2} questions", "")?;
+        if options.json {
+            let line = json!({"type": "lessons", "questions": name, "steps": steps, "words": words, "questions_asked": questions});
+            writeln!(out, "{line}")?;
+        } else {
+            writeln!(out, "{:9}  a lesson took {steps:.1} steps, {words:.1} words of feedback, {questions:.2} questions", "")?;
+        }
         Ok(())
     }
 }
