@@ -36,7 +36,7 @@ pub fn run_seed(options: &PaperOptions, seed: u64, observer: &mut impl Observer)
 
 fn attempt(options: &PaperOptions, seed: u64, observer: &mut impl Observer) -> Result<(Run, Lexicon), CourseError> {
     let lifted = home::paper_tasks().map_err(|_| CourseError::NotPosed)?;
-    let options_of_agent = Options { telling: false, ..options.learner.options() };
+    let options_of_agent = Options { weights: options.weights.into(), telling: false, ..options.learner.options() };
     let agent = learner::memory(&CAPACITIES, &options_of_agent.language, CAPACITIES.pairs);
     let mut memory = HeapMemory { home: HomeHeap::new(&CAPACITIES), agent };
     let mut agent = Agent::new(&mut memory.agent, &lifted, options_of_agent).map_err(CourseError::Agent)?;

@@ -1,7 +1,9 @@
 //! The options of `goodbot paper`.
 
+use super::sweep::Sweep;
 use super::trainer::TrainerChoice;
 use clap::{Args, ValueEnum, ValueHint};
+use goodbot::session::Weights;
 use goodbot_console::learner::Learner;
 use goodbot_console::numbers;
 use std::path::PathBuf;
@@ -23,6 +25,7 @@ With --json there is one line for each run, and a last line for all together:
   translations    mean probability of a word given a machine token
   feedback        how often the trainers rewarded, punished or were silent, all runs together
   paper           the paper's results for its one agent
+With --csv there is a line for each setting; --sweep makes many.
 
 What you see: the robot hears a command in words that it may not know. For every task that is \
 possible in the home it holds a belief, acts for the most likely one, and changes its mind as the \
@@ -32,9 +35,9 @@ two are new. A test is right if the most likely task is the intended one.
 
 Examples:
   goodbot paper --seed 3 --layouts random
-  goodbot paper --runs 200 --seed 1 --layouts fixed --csv
+  goodbot paper --runs 200 --seed 1 --layouts fixed --plot shares.svg
   goodbot paper --trainer 0.6,0.2,0.05 --believes balanced --runs 50 --json
-  goodbot paper --plot words.svg";
+  goodbot paper --runs 100 --sweep mu-plus=0.1..0.9:0.2 --csv > sweep.csv";
 
 /// The options of the experiment.
 #[derive(Clone, Debug, Args)]
@@ -54,17 +57,23 @@ pub struct PaperOptions {
     /// The homes: drawn ones, or random ones for each seed [default: fixed for one run, random for several]
     #[arg(long, value_enum)]
     pub layouts: Option<Layouts>,
+    /// How machine commands are weighted when the agent learns
+    #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
+    pub weights: WeightsChoice,
     /// The learner
     #[arg(long, value_enum, value_name = "NAME", default_value_t = Learner::Roles)]
     pub learner: Learner,
+    /// Sweep a number of the trainer through a range, such as mu-plus=0.1..0.9:0.2; repeat it for all combinations
+    #[arg(long, value_name = "NUMBER=FROM..TO:STEP", conflicts_with = "plot")]
+    pub sweep: Vec<Sweep>,
     /// Print JSON lines: one for each run, and a summary at the end
     #[arg(long)]
     pub json: bool,
-    /// Print the shares as comma-separated values
+    /// Print a table of comma-separated values: a line for each setting
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
-    /// Write a picture of the words that one run learned; - is standard output
-    #[arg(long, conflicts_with_all = ["json", "csv"], value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
+    /// Write a picture: learned words for one run, shares of right answers for several; - is standard output
+    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
     pub plot: Option<PathBuf>,
     /// Replace a file that is no picture of goodbot's
     #[arg(long, requires = "plot")]
@@ -80,10 +89,28 @@ pub enum Layouts {
     Random,
 }
 
+/// The weights of machine commands in learning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum WeightsChoice {
+    /// By their own explanation of the command too (the paper's Algorithm 1)
+    Paper,
+    /// By the belief over tasks alone (the authors' later program)
+    Belief,
+}
+
+impl From<WeightsChoice> for Weights {
+    fn from(choice: WeightsChoice) -> Self {
+        match choice {
+            WeightsChoice::Paper => Self::Paper,
+            WeightsChoice::Belief => Self::Belief,
+        }
+    }
+}
+
 impl PaperOptions {
     /// Whether a single run is told as a story.
     pub fn is_story(&self) -> bool {
-        self.runs == 1 && !self.json && !self.csv
+        self.runs == 1 && !self.json && !self.csv && self.sweep.is_empty()
     }
 
     /// The homes; by default fixed for a single run, random for several, however results are shown.

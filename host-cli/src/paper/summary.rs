@@ -1,9 +1,9 @@
 //! The summary of all runs, and the JSON lines.
 
 use super::experiment::Run;
-use super::options::PaperOptions;
 use super::reported::REPORTED;
 use goodbot_console::numbers::name_of;
+use super::settings::Setting;
 use goodbot_course::{FeedbackCounts, LESSONS, TESTS};
 use goodbot_lab::mean::Mean;
 use goodbot_lab::mean::wilson;
@@ -41,7 +41,8 @@ impl Summary {
     }
 
     /// The last line of `--json`.
-    pub fn to_json(&self, options: &PaperOptions) -> Value {
+    pub fn to_json(&self, setting: &Setting) -> Value {
+        let options = &setting.options;
         let share = |right: usize| right as f64 / self.runs.max(1) as f64;
         let interval = |right: usize| <[f64; 2]>::from(wilson(right, self.runs));
         let mut line = json!({
@@ -64,6 +65,9 @@ impl Summary {
         if let Some(paper) = options.reported_by_paper() {
             let values = paper.translations.map(translations);
             line["paper"] = json!({"tests_right": paper.tests, "train_right": paper.lessons, "translations": values});
+        }
+        for (sweep, &value) in options.sweep.iter().zip(&setting.values) {
+            line["sweep"][&sweep.name] = json!(rounded(value));
         }
         line
     }

@@ -4,6 +4,7 @@ use super::experiment::Run;
 use super::lexicon::Lexicon;
 use super::options::PaperOptions;
 use super::reported::REPORTED;
+use super::settings::Setting;
 use super::summary::Summary;
 use goodbot_console::csv::{self, Cell};
 use goodbot_console::messages::counted;
@@ -73,24 +74,43 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
     writeln!(out, "\nFeedback: {} \"good bot\", {} \"bad bot\", {} times nothing", feedback.reward, feedback.punish, feedback.neutral)
 }
 
-/// All runs as a line of comma-separated values, below the names of the columns.
-pub fn csv(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
+/// Sweeps: a line for each setting.
+pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
+    let (homes, learner) = (options.homes().name(), options.learner.name());
+    writeln!(out, "{} for each setting, {homes} homes, learner {learner}\n", counted(options.runs as usize, "agent"))?;
+    let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
+    writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
+    for (setting, summary) in rows {
+        let values: Vec<String> = setting.values.iter().map(|value| format!("{value:>17}")).collect();
+        writeln!(out, "{}  {}", values.join(" "), share(summary.test_all_right, summary.runs))?;
+    }
+    Ok(())
+}
+
+/// A line of comma-separated values for each setting.
+pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
+    let mut names: Vec<String> = options.sweep.iter().map(|sweep| sweep.name.clone()).collect();
     let fixed = ["trainer", "believes", "layouts", "learner", "seed", "runs", "all_right", "all_right_low", "all_right_high"];
-    let mut names: Vec<String> = fixed.map(str::to_owned).into();
+    names.extend(fixed.map(str::to_owned));
     names.extend((1..=LESSONS.len()).map(|number| format!("lesson_{number}")));
     names.extend((1..=TESTS.len()).map(|number| format!("test_{number}")));
     names.extend(REPORTED.iter().map(|(token, _, word)| format!("t_{word}_given_{token}")));
     names.extend(["rewards", "punishments", "silences"].map(str::to_owned));
     csv::line(out, names.into_iter().map(Cell::Text))?;
-    let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
-    let (low, high) = wilson(summary.test_all_right, summary.runs);
-    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
-    let mut cells: Vec<Cell> = [&options.trainer.name, &options.believed().name, &homes, &learner].map(Cell::text).into();
-    cells.extend([Cell::number(options.seed), Cell::number(summary.runs)]);
-    let shares = [share(summary.test_all_right), low, high].into_iter();
-    let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
-    cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| Cell::Number(format!("{number:.6}"))));
-    let said = summary.feedback;
-    cells.extend([said.reward, said.punish, said.neutral].map(Cell::number));
-    csv::line(out, cells)
+    for (setting, summary) in rows {
+        let of = &setting.options;
+        let share = |right: usize| right as f64 / summary.runs.max(1) as f64;
+        let (low, high) = wilson(summary.test_all_right, summary.runs);
+        let mut cells: Vec<Cell> = setting.values.iter().map(Cell::number).collect();
+        cells.extend([&of.trainer.name, &of.believed().name].map(Cell::text));
+        cells.extend([name_of(of.homes()), name_of(of.learner)].map(Cell::text));
+        cells.extend([Cell::number(of.seed), Cell::number(summary.runs)]);
+        let shares = [share(summary.test_all_right), low, high].into_iter();
+        let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));
+        cells.extend(shares.chain(summary.translations.map(|it| it.mean)).map(|number| Cell::Number(format!("{number:.6}"))));
+        let said = summary.feedback;
+        cells.extend([said.reward, said.punish, said.neutral].map(Cell::number));
+        csv::line(out, cells)?;
+    }
+    Ok(())
 }

@@ -21,16 +21,17 @@ impl FromStr for TrainerChoice {
     fn from_str(text: &str) -> Result<Self, String> {
         match CourseTrainer::NAMED.into_iter().find(|(name, _)| *name == text) {
             Some((name, trainer)) => Ok(Self { name: name.to_owned(), trainer }),
-            None => {
-                let strategy = numbers(text)?;
-                let name = format!("{},{},{}", strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon());
-                Ok(Self { name, trainer: CourseTrainer::of(strategy) })
-            }
+            None => Ok(Self::of(numbers(text)?)),
         }
     }
 }
 
 impl TrainerChoice {
+    /// A trainer who both rewards and punishes, named by its numbers.
+    pub fn of(strategy: Strategy) -> Self {
+        Self { name: name(strategy), trainer: CourseTrainer::of(strategy) }
+    }
+
     /// The feedback that it never gives, as the end of a sentence.
     pub fn withheld(&self) -> &'static str {
         match (self.trainer.rewards, self.trainer.punishes) {
@@ -39,6 +40,11 @@ impl TrainerChoice {
             _ => "",
         }
     }
+}
+
+/// A strategy by its three numbers.
+pub fn name(strategy: Strategy) -> String {
+    format!("{},{},{}", strategy.mu_plus(), strategy.mu_minus(), strategy.epsilon())
 }
 
 fn numbers(text: &str) -> Result<Strategy, String> {

@@ -6,7 +6,9 @@
 mod history;
 mod report;
 
+use crate::paper::options::WeightsChoice;
 use clap::{Args, ValueHint};
+use goodbot::Options;
 use goodbot_console::believes::Believes;
 use goodbot_console::learner::Learner;
 use goodbot_console::load::content::Content;
@@ -55,6 +57,9 @@ pub struct ReplayArgs {
     /// The learner
     #[arg(long, value_enum, value_name = "NAME", default_value_t)]
     learner: Learner,
+    /// How machine commands are weighted when a session is learned from
+    #[arg(long, value_enum, default_value_t = WeightsChoice::Paper)]
+    weights: WeightsChoice,
     #[command(flatten)]
     kinds: TaskKinds,
     /// The trainers to expect, in place of those that the sessions name: population (real people, whose ends of sessions are evidence),
@@ -80,6 +85,12 @@ pub struct ReplayArgs {
     keep_going: bool,
 }
 
+impl ReplayArgs {
+    fn options(&self) -> Options {
+        Options { weights: self.weights.into(), ..self.learner.options() }
+    }
+}
+
 /// Runs the command.
 ///
 /// # Errors
@@ -88,7 +99,7 @@ pub fn run(args: &ReplayArgs) -> Result<(), Failure> {
     let plot = Output::picture(&args.plot, &args.files, args.force)?;
     let learning = if args.every_session { Learning::EverySession } else { Learning::InParts };
     let mut replay = Replay {
-        history: History::new(&args.kinds.lifted()?, args.learner.options(), learning, args.believes.clone(), args.synonyms.read()?)?,
+        history: History::new(&args.kinds.lifted()?, args.options(), learning, args.believes.clone(), args.synonyms.read()?)?,
         totals: Totals::default(),
         progress: counting("sessions replayed"),
         output: output::text(&[plot.as_ref()])?,

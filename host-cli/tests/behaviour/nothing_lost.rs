@@ -129,10 +129,11 @@ fn our_own_models_and_pictures_are_replaced() {
 #[test]
 fn what_was_asked_for_is_written_although_the_reader_has_left() {
     let place = Place::new();
-    let cases: [&[&str]; 3] = [
+    let cases: [&[&str]; 4] = [
         &["inspect", "model", "--plot", "picture.svg"],
         &["evaluate", "log.jsonl", "--json", "--plot", "picture.svg"],
         &["paper", "--plot", "picture.svg"],
+        &["paper", "--runs", "3", "--json", "--plot", "picture.svg"],
     ];
     for arguments in cases {
         let _ = fs::remove_file(place.path("picture.svg"));
@@ -198,6 +199,7 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
         format!("evaluate {log} --k-fold 1"),
         format!("evaluate {log} --curve {} --runs 99999999", other.display()),
         "paper --runs 99999999999".to_owned(),
+        "paper --sweep mu-plus=0..1:0.000001".to_owned(),
         format!("inspect {model} --most 99999999999"),
     ] {
         let (code, messages) = bounded(&arguments);
@@ -289,7 +291,7 @@ fn a_full_disk_is_told_without_the_name_of_an_unfinished_file() {
 fn a_folder_and_a_place_that_is_not_there_are_known_before_the_work() {
     let place = Place::new();
     let missing = place.path("missing").join("picture.svg");
-    let run = goodbot(&["paper", "--plot", missing.to_str().unwrap()], b"");
+    let run = goodbot(&["paper", "--runs", "100000", "--plot", missing.to_str().unwrap()], b"");
     assert_eq!(run.code, 2);
     assert!(run.messages.contains("no file can be written there"), "{}", run.messages);
     let folder = place.folder.path().to_str().unwrap();
