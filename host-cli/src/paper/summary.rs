@@ -2,8 +2,8 @@
 
 use super::experiment::Run;
 use super::reported::REPORTED;
-use goodbot_console::numbers::name_of;
 use super::settings::Setting;
+use goodbot_console::numbers::name_of;
 use goodbot_course::{FeedbackCounts, LESSONS, TESTS};
 use goodbot_lab::mean::Mean;
 use goodbot_lab::mean::wilson;

@@ -76,7 +76,7 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
 
 /// Sweeps: a line for each setting.
 pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
-    let (homes, learner) = (options.homes().name(), options.learner.name());
+    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
     writeln!(out, "{} for each setting, {homes} homes, learner {learner}\n", counted(options.runs as usize, "agent"))?;
     let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
     writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
