@@ -7,6 +7,7 @@ use goodbot::language::{LanguageModel, Settings};
 use goodbot::memory::AgentHeap;
 use goodbot_benches::timing::{in_turn, median, ratio, time};
 use goodbot_console::learner::Learner;
+use goodbot_console::numbers::name_of;
 use goodbot_console::training_data::{Lesson, training, worlds};
 use serde_json::json;
 
@@ -36,7 +37,7 @@ fn lessons(tasks: usize) -> Vec<Lesson> {
     };
     let lines: Vec<String> = std::iter::once(world).chain((0..COMMANDS).map(command)).map(|line| line.to_string()).collect();
     let (mut lessons, mut left) = (Vec::new(), COMMANDS);
-    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, false, &mut left, |lesson| {
+    let read = worlds::read("house", lines.join("\n").as_bytes(), Learner::Default.options(), None, &mut left, |lesson| {
         lesson.map(|lesson| lessons.extend(lesson))
     });
     read.expect("a log of a world");
@@ -79,7 +80,7 @@ fn ten_times_as_many_tasks_take_about_ten_times_as_long_to_hear_and_to_learn_amo
         let learned = ratio((times(&many), times(&few)));
         // A quadratic cost would be a hundred times as high. The bound is this loose because a busy machine interrupts longer work more
         // often.
-        assert!(heard < 60.0 && learned < 60.0, "{}: {heard}, {learned}", learner.name());
+        assert!(heard < 60.0 && learned < 60.0, "{}: {heard}, {learned}", name_of(learner));
     }
 }
 

@@ -32,7 +32,7 @@
 
 use serde::Serialize;
 
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::error::{FormatError, KNOWN_VERSIONS, twice};
 use crate::json::{Node, Object, Source, insert};
 use crate::task_text::{TaskTextError, is_usable_name};
 
@@ -112,6 +112,13 @@ const FIELDS: [&[&str]; 4] = [
     &["class", "name", "x", "y", "color", "shape"],
 ];
 
+/// An environment without objects, in the newest version.
+impl Default for EnvironmentFile {
+    fn default() -> Self {
+        Self::new(vec![])
+    }
+}
+
 impl EnvironmentFile {
     /// An environment of these objects, in the newest version.
     pub fn new(objects: Vec<ObjectRecord>) -> Self {
@@ -137,7 +144,7 @@ impl EnvironmentFile {
             let object = ObjectRecord::read(&fields)?;
             let name = object.name().to_string();
             if !insert(&mut names, name.clone()) {
-                return Err(fields.required("name")?.error(Problem::DuplicateName { name }));
+                return Err(fields.required("name")?.error(twice(&name)));
             }
             objects.push(object);
         }
@@ -183,7 +190,7 @@ impl ObjectRecord {
         let cell = |name| fields.required(name)?.coordinate();
         let name = text("name")?;
         if !is_usable_name(&name) {
-            let problem = Problem::Task(TaskTextError::UnusableName { name });
+            let problem = TaskTextError::UnusableName { name }.to_string();
             return Err(fields.required("name")?.error(problem));
         }
         Ok(match class {

@@ -4,8 +4,11 @@
 //! the checked text, so its address gives its line. `serde_json`'s reader would also cost the page 8.8 KB packed; a test compares both on
 //! more than 10,000 texts.
 
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::error::{EMPTY, FormatError, KNOWN_VERSIONS, no_probability, not_json};
 use crate::quoted::excerpt;
+use crate::quoted::quoted;
+use crate::task_text::TaskTextError;
+use std::str::FromStr;
 
 mod scan;
 mod source;
@@ -35,11 +38,11 @@ pub(crate) fn insert<T: AsRef<str>>(sorted: &mut Vec<T>, text: T) -> bool {
 
 impl<'a> Node<'a> {
     /// An error at this value.
-    pub(crate) fn error(&self, problem: Problem) -> FormatError {
+    pub(crate) fn error(&self, problem: impl Into<String>) -> FormatError {
         self.error_at(self.raw, &self.path, problem)
     }
 
-    fn error_at(&self, at: &str, path: &str, problem: Problem) -> FormatError {
+    fn error_at(&self, at: &str, path: &str, problem: impl Into<String>) -> FormatError {
         let (line, column) = self.source.place(at);
         let mut error = FormatError::new(line, problem);
         error.column = Some(column);
@@ -75,7 +78,7 @@ impl<'a> Node<'a> {
     fn expect(&self, expected: &'static str) -> Result<(), FormatError> {
         match self.kind() {
             found if found == expected => Ok(()),
-            found => Err(self.error(Problem::WrongKind { expected, found })),
+            found => Err(self.error(format!("is {found}; write {expected}"))),
         }
     }
 
@@ -86,13 +89,13 @@ impl<'a> Node<'a> {
 
     pub(crate) fn object(self) -> Result<Object<'a>, FormatError> {
         self.expect("an object")?;
-        let members = scan::members(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))?;
+        let members = scan::members(self.raw).map_err(|message| self.error(not_json(message)))?;
         let members = self.limited(members)?;
         let mut seen = Vec::new();
         for member in &members {
             if !insert(&mut seen, member.name.as_str()) {
                 let path = self.field(&member.name);
-                return Err(self.error_at(member.key, &path, Problem::DuplicateField));
+                return Err(self.error_at(member.key, &path, "is given twice; keep one of the two"));
             }
         }
         Ok(Object { node: self, members })
@@ -106,19 +109,24 @@ impl<'a> Node<'a> {
     }
 
     fn limited<T>(&self, entries: Option<Vec<T>>) -> Result<Vec<T>, FormatError> {
-        entries.ok_or_else(|| self.error(Problem::TooMany { limit: scan::LIMIT }))
+        entries.ok_or_else(|| self.error(format!("has more than {} entries; write no more than that", scan::LIMIT)))
     }
 
     pub(crate) fn text(&self) -> Result<String, FormatError> {
         self.expect("a text")?;
         // Checked JSON can still have half a surrogate pair in a text.
-        scan::unescaped(self.raw).map_err(|message| self.error(Problem::Syntax(message.to_owned())))
+        scan::unescaped(self.raw).map_err(|message| self.error(not_json(message)))
+    }
+
+    /// The task, or the part of one, that the text is.
+    pub(crate) fn task<T: FromStr<Err = TaskTextError>>(&self) -> Result<T, FormatError> {
+        self.text()?.parse().map_err(|error: TaskTextError| self.error(error.to_string()))
     }
 
     pub(crate) fn filled_text(&self) -> Result<String, FormatError> {
         let text = self.text()?;
         match text.is_empty() {
-            true => Err(self.error(Problem::Empty)),
+            true => Err(self.error(EMPTY)),
             false => Ok(text),
         }
     }
@@ -126,7 +134,7 @@ impl<'a> Node<'a> {
     pub(crate) fn filled_list(&self) -> Result<Vec<Node<'a>>, FormatError> {
         let list = self.list()?;
         match list.is_empty() {
-            true => Err(self.error(Problem::Empty)),
+            true => Err(self.error(EMPTY)),
             false => Ok(list),
         }
     }
@@ -136,7 +144,13 @@ impl<'a> Node<'a> {
         let found = self.text()?;
         match known.iter().position(|word| *word == found) {
             Some(index) => Ok(index),
-            None => Err(self.error(Problem::UnknownWord { found, known })),
+            None => {
+                let known = match known {
+                    [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+                    known => known.concat(),
+                };
+                Err(self.error(format!("{} is not known; write {known}", quoted(&found))))
+            }
         }
     }
 
@@ -148,13 +162,13 @@ impl<'a> Node<'a> {
     pub(crate) fn coordinate(&self) -> Result<i32, FormatError> {
         self.expect("a number")?;
         let found = self.raw.parse();
-        found.map_err(|_| self.error(Problem::NotACoordinate { found: self.written() }))
+        found.map_err(|_| self.error(format!("{} is no cell; write a whole number from {} to {}", self.written(), i32::MIN, i32::MAX)))
     }
 
     pub(crate) fn count(&self) -> Result<u64, FormatError> {
         self.expect("a number")?;
         let found = self.raw.parse();
-        found.map_err(|_| self.error(Problem::NotACount { found: self.written() }))
+        found.map_err(|_| self.error(format!("{} is no count; write a whole number from 0", self.written())))
     }
 
     /// A number from 0 to 1 + `excess`. The nearest double is read.
@@ -162,14 +176,14 @@ impl<'a> Node<'a> {
         self.expect("a number")?;
         match self.raw.parse::<f64>() {
             Ok(value) if (0.0..=1.0 + excess).contains(&value) => Ok(value),
-            _ => Err(self.error(Problem::NotAProbability { found: self.written() })),
+            _ => Err(self.error(no_probability(&self.written()))),
         }
     }
 }
 
 impl<'a> Object<'a> {
     /// An error of the object as a whole, reported at one of its fields.
-    pub(crate) fn error(&self, name: &str, problem: Problem) -> FormatError {
+    pub(crate) fn error(&self, name: &str, problem: impl Into<String>) -> FormatError {
         let at = self.members.iter().find(|m| m.name == name);
         let at = at.map_or(self.node.raw, |m| m.key);
         self.node.error_at(at, &self.node.field(name), problem)
@@ -178,7 +192,7 @@ impl<'a> Object<'a> {
     /// Refuses fields other than these.
     pub(crate) fn only(&self, known: &'static [&'static str]) -> Result<(), FormatError> {
         match self.members.iter().find(|m| !known.contains(&m.name.as_str())) {
-            Some(unknown) => Err(self.error(&unknown.name, Problem::UnknownField { known })),
+            Some(unknown) => Err(self.error(&unknown.name, format!("is not known here; known are {}", known.join(", ")))),
             None => Ok(()),
         }
     }
@@ -189,12 +203,15 @@ impl<'a> Object<'a> {
         let found = node.raw.parse::<u32>();
         match found.ok().filter(|v| KNOWN_VERSIONS.contains(v)) {
             Some(version) => Ok(version),
-            None => Err(node.error(Problem::UnknownVersion { found: node.written() })),
+            None => {
+                let known = KNOWN_VERSIONS.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+                Err(node.error(format!("version {} is unknown; write {known}, or use a newer goodbot", node.written())))
+            }
         }
     }
 
     pub(crate) fn required(&self, name: &'static str) -> Result<Node<'a>, FormatError> {
-        self.optional(name).ok_or_else(|| self.error(name, Problem::MissingField))
+        self.optional(name).ok_or_else(|| self.error(name, "is missing; add it"))
     }
 
     pub(crate) fn optional(&self, name: &str) -> Option<Node<'a>> {

@@ -33,5 +33,5 @@ pub mod task_text;
 mod weights;
 pub mod world;
 
-pub use error::{FormatError, KNOWN_VERSIONS, Problem};
+pub use error::{FormatError, KNOWN_VERSIONS, NOT_UTF8};
 pub use quoted::quoted;

@@ -2,7 +2,7 @@
 
 use std::io::{BufRead, Read as _};
 
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, NOT_UTF8};
 
 /// The most bytes that a line of a log may have, its end not counted: 16 MiB.
 pub const MAX_LINE_BYTES: usize = 16 << 20;
@@ -30,7 +30,7 @@ impl<R: BufRead> Lines<R> {
     }
 
     /// Stops reading, with an error on the last line.
-    pub(crate) fn give_up(&mut self, problem: Problem) -> FormatError {
+    pub(crate) fn give_up(&mut self, problem: String) -> FormatError {
         self.failed = true;
         FormatError::new(self.read, problem)
     }
@@ -53,7 +53,7 @@ impl<R: BufRead> Lines<R> {
             read = read.and_then(|_| self.input.by_ref().take(MOST_PASSED_OVER).skip_until(b'\n'));
             self.failed = read.as_ref().is_ok_and(|&skipped| skipped as u64 == MOST_PASSED_OVER);
         }
-        let mut problem = read.err().map(|error| Problem::Read(error.to_string()));
+        let mut problem = read.err().map(|error| format!("could not be read ({error}); check the file and its disk"));
         self.failed |= problem.is_some();
         if bytes.last() == Some(&b'\r') {
             bytes.pop();
@@ -62,13 +62,13 @@ impl<R: BufRead> Lines<R> {
             bytes.drain(..3);
         }
         if problem.is_none() && bytes.len() > MAX_LINE_BYTES {
-            problem = Some(Problem::LineTooLong { limit: MAX_LINE_BYTES });
+            problem = Some(format!("the line has more than {MAX_LINE_BYTES} bytes; put each record on a line of its own"));
         }
-        let mut column = None;
+        let (is_fatal, mut column) = (problem.is_some(), None);
         let text = String::from_utf8(bytes).unwrap_or_else(|error| {
             let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
             if problem.is_none() {
-                problem = Some(Problem::NotUtf8);
+                problem = Some(NOT_UTF8.to_owned());
                 let valid = &text[..error.utf8_error().valid_up_to()];
                 column = Some(1 + valid.chars().count());
             }
@@ -76,7 +76,7 @@ impl<R: BufRead> Lines<R> {
         });
         let error = problem.map(|problem| {
             let mut error = FormatError::new(self.read, problem);
-            error.column = column;
+            (error.column, error.is_fatal) = (column, is_fatal);
             error
         });
         Some(Line { number: self.read, text, error })

@@ -25,7 +25,7 @@ use std::collections::BTreeSet;
 
 use serde::Serialize;
 
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, no_probability, not_json, twice};
 use crate::json::Source;
 use crate::task_text::GroundTaskText;
 use crate::weights;
@@ -72,24 +72,21 @@ impl<P: Copy + Into<f64> + Serialize> PosteriorLine<P> {
     /// The belief on one line, without a line end. It is an error if the line could not be read again: if a number is no probability, or a
     /// name occurs twice.
     pub fn to_json_line(&self) -> Result<String, FormatError> {
-        let wrong = |field: &str, problem| FormatError::new(1, problem).with_field(field);
+        let wrong = |field: &str, problem: String| FormatError::new(1, problem).with_field(field);
         let (mut tasks, mut strategies) = (BTreeSet::new(), BTreeSet::new());
         let values = self.tasks.iter().map(|(_, p)| ("tasks", *p));
         for (field, p) in values.chain(self.strategies.iter().map(|(_, p)| ("strategies", *p))) {
             let value: f64 = p.into();
             if !(0.0..=1.0 + EXCESS).contains(&value) {
-                let found = value.to_string();
-                return Err(wrong(field, Problem::NotAProbability { found }));
+                return Err(wrong(field, no_probability(&value.to_string())));
             }
         }
         if let Some((task, _)) = self.tasks.iter().find(|(task, _)| !tasks.insert(task)) {
-            let name = task.to_string();
-            return Err(wrong("tasks", Problem::DuplicateName { name }));
+            return Err(wrong("tasks", twice(&task.to_string())));
         }
         if let Some((name, _)) = (self.strategies.iter()).find(|(name, _)| !strategies.insert(name)) {
-            let name = name.clone();
-            return Err(wrong("strategies", Problem::DuplicateName { name }));
+            return Err(wrong("strategies", twice(name)));
         }
-        serde_json::to_string(self).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))
+        serde_json::to_string(self).map_err(|error| FormatError::new(1, not_json(error)))
     }
 }

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use serde::{Serialize, Serializer};
 
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, twice};
 use crate::json::Node;
-use crate::task_text::GroundTaskText;
+use crate::task_text::{GroundTaskText, TaskTextError};
 
 /// Writes pairs as an object, in their order.
 pub(crate) fn in_order<K, P, S>(pairs: &[(K, P)], serializer: S) -> Result<S::Ok, S::Error>
@@ -24,10 +24,10 @@ pub(crate) fn tasks(node: Node<'_>, excess: f64) -> Result<Vec<(GroundTaskText, 
     let mut seen = BTreeSet::new();
     let mut tasks = Vec::new();
     for (name, value) in object.entries() {
-        let task: GroundTaskText = name.parse().map_err(|error| object.error(name, Problem::Task(error)))?;
+        let task: GroundTaskText = name.parse().map_err(|error: TaskTextError| object.error(name, error.to_string()))?;
         if !seen.insert(task.clone()) {
             let name = task.to_string();
-            return Err(value.error(Problem::DuplicateName { name }));
+            return Err(value.error(twice(&name)));
         }
         tasks.push((task, value.probability(excess)?));
     }

@@ -3,14 +3,12 @@
 use crate::inspect::sessions;
 use clap::{Args, ValueHint};
 use goodbot::snapshot::Contents;
-use goodbot_console::load::input::{self, InputFile};
 use goodbot_console::load::kinds::{kept, with_kinds};
 use goodbot_console::messages::{counted, say};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output::{Kind, Output};
 use goodbot_console::restored;
 use goodbot_console::whole_file::read_model;
-use goodbot_lesson::Fault;
 use std::path::{Path, PathBuf};
 
 /// Take one session out of a model
@@ -21,18 +19,14 @@ understood with its help. A log still has the session; goodbot learn --without I
 
 Examples:
   goodbot inspect robot.goodbot --sessions
-  goodbot unlearn robot.goodbot 3 --out robot2.goodbot
-  goodbot unlearn robot.goodbot said-3 --log robot.jsonl --out robot2.goodbot")]
+  goodbot unlearn robot.goodbot 3 --out robot2.goodbot")]
 pub struct UnlearnArgs {
     /// The model
     #[arg(value_name = "MODEL", value_hint = ValueHint::FilePath)]
     model: PathBuf,
-    /// The session: its number, as in goodbot inspect --sessions; with --log, its id
+    /// The session: its number, as in goodbot inspect --sessions
     #[arg(value_name = "SESSION")]
     session: String,
-    /// The log of all sessions that the model learned from, which has their ids
-    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
-    log: Option<InputFile>,
     /// The model to write, without the session; - is standard output
     #[arg(long, short = 'o', value_name = "MODEL", value_hint = ValueHint::FilePath)]
     out: PathBuf,
@@ -46,17 +40,13 @@ pub struct UnlearnArgs {
 /// # Errors
 /// [`Failure`] names the file and its fault.
 pub fn run(args: &UnlearnArgs) -> Result<(), Failure> {
-    let inputs = [Some(args.model.as_path()), args.log.as_ref().map(AsRef::as_ref)];
-    let target = Output::new(Kind::Model, &args.out, inputs.into_iter().flatten(), args.force)?;
+    let target = Output::new(Kind::Model, &args.out, [&args.model], args.force)?;
     let mut agent = restored::model(&args.model)?;
     let file = read_model(&args.model)?;
     let kinds = kept(&args.model, &file)?;
     let vocabulary = Contents::read(&file)?.vocabulary;
     let commands = sessions::commands(&agent);
-    let at = match &args.log {
-        Some(log) => position_in_log(&args.model, log, &args.session, commands.len())?,
-        None => number(&args.model, &args.session, commands.len())?,
-    };
+    let at = number(&args.model, &args.session, commands.len())?;
     let command = commands.get(at).cloned().unwrap_or_default();
     if !u16::try_from(at).is_ok_and(|at| agent.unlearn(at)) {
         return Err(Failure::Input(format!("{}: has no session {}", args.model.display(), at + 1)));
@@ -77,34 +67,8 @@ fn number(model: &Path, text: &str, count: usize) -> Result<usize, Failure> {
     number.map(|number| number - 1).ok_or_else(|| {
         let what = match text.parse::<usize>() {
             Ok(_) => format!("has {}", counted(count, "session")),
-            Err(_) => format!("{text:?} is no number; name the log that has this id with --log"),
+            Err(_) => format!("{text:?} is no number"),
         };
         Failure::Input(format!("{}: {what}; goodbot inspect --sessions numbers them", model.display()))
     })
-}
-
-/// The position of a session with this id, in the log of all learned sessions.
-fn position_in_log(model: &Path, log: &InputFile, id: &str, count: usize) -> Result<usize, Failure> {
-    let name = input::name(log);
-    let opened = input::log(log)?;
-    let mut ids = Vec::new();
-    for session in input::sessions(opened) {
-        let session = session.map_err(|error| Fault::from_format(name, error))?;
-        if session.learn {
-            ids.push(session.header.id);
-        }
-    }
-    if ids.len() != count {
-        return Err(Failure::Input(format!(
-            "{name}: has {} that taught something, and {} knows {count}: name the session by its number in goodbot inspect --sessions",
-            counted(ids.len(), "session"),
-            model.display()
-        )));
-    }
-    let mut found = ids.iter().enumerate().filter(|(_, known)| known.as_deref() == Some(id)).map(|(at, _)| at);
-    match (found.next(), found.next()) {
-        (Some(at), None) => Ok(at),
-        (None, _) => Err(Failure::Input(format!("{name}: has no session {id:?} that taught something; check the id"))),
-        _ => Err(Failure::Input(format!("{name}: has several sessions {id:?}; name one by its number in goodbot inspect --sessions"))),
-    }
 }

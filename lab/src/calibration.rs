@@ -1,6 +1,6 @@
 //! Calibration: are answers with 80 % certainty right in 8 of 10 cases? Counts answers by certainty, and draws them.
 
-use crate::canvas::{GREEN, draw as canvas};
+use crate::canvas::{GREEN, chart, draw as canvas};
 use crate::mean::wilson;
 use plotters::prelude::*;
 use std::error::Error;
@@ -59,13 +59,7 @@ pub fn error(ranges: &[Range]) -> f64 {
 /// The plotting library's error.
 pub fn draw(ranges: &[Range], caption: &str, across: &str, up: &str) -> Result<String, Box<dyn Error>> {
     canvas((560, 560), |area| {
-        let mut chart = ChartBuilder::on(area)
-            .caption(caption, ("sans-serif", 18))
-            .margin(16)
-            .x_label_area_size(44)
-            .y_label_area_size(56)
-            .build_cartesian_2d(0.0..100.0, 0.0..108.0)?;
-        chart.configure_mesh().x_desc(across).y_desc(up).draw()?;
+        let mut chart = chart(area, caption, [(across, 100.0), (up, 108.0)])?;
         let gray = RGBColor(150, 150, 150);
         chart.draw_series(LineSeries::new([(0.0, 0.0), (100.0, 100.0)], gray.stroke_width(1)))?;
         for range in ranges.iter().filter(|range| range.count > 0) {

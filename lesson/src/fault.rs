@@ -35,7 +35,7 @@ impl Fault {
 
     /// A fault that a reader found.
     pub fn from_format(file: &str, error: FormatError) -> Self {
-        Self { file: file.to_owned(), line: Some(error.line), field: error.field, message: error.problem.to_string() }
+        Self { file: file.to_owned(), line: Some(error.line), field: error.field, message: error.problem }
     }
 }
 

@@ -256,7 +256,6 @@ fn answered<D: Domain>(agent: &mut Agent<impl AgentMemory>, walk: &Walk<D>, answ
     if let Some(words) = &answer.words {
         let _ = agent.corrected(&walk.home, words, walk.closed, answer.tasks)?;
     }
-    let _ = walk;
     Ok(())
 }
 

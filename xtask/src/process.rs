@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
+use clap::ValueEnum;
 use wait_timeout::ChildExt;
 use xshell::{Cmd, Shell};
 
@@ -52,6 +53,13 @@ pub fn once<T>(cell: &'static OnceLock<T>, make: impl FnOnce() -> Result<T>) -> 
         Some(made) => Ok(made),
         None => make().map(|made| cell.get_or_init(|| made)),
     }
+}
+
+/// What a step or a package is called, and what it is.
+pub fn described(value: impl ValueEnum) -> (String, String) {
+    let value = value.to_possible_value();
+    let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
+    (name.unwrap_or_default(), about.flatten().unwrap_or_default())
 }
 
 #[cfg(test)]

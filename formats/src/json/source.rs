@@ -2,7 +2,7 @@
 
 use super::Node;
 use super::scan::{self, JsonFault};
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, not_json};
 
 /// A JSON text and the number of its first line.
 pub(crate) struct Source<'a> {
@@ -18,12 +18,15 @@ impl<'a> Source<'a> {
     /// The text's one value, if the text is JSON.
     pub(crate) fn root(&'a self) -> Result<Node<'a>, FormatError> {
         if self.text.trim().is_empty() {
-            return Err(FormatError::new(self.first_line, Problem::NoText));
+            return Err(FormatError::new(self.first_line, "there is nothing here; give a file with a JSON text"));
         }
         match scan::whole(self.text) {
             Ok(raw) => Ok(Node { source: self, raw, path: String::new() }),
             Err(JsonFault { at, message }) => {
-                let problem = message.map_or(Problem::CutShort, |message| Problem::Syntax(message.to_owned()));
+                let problem = message.map_or_else(
+                    || "the text ends in the middle of a value; complete it, or remove what is left of it".to_owned(),
+                    not_json,
+                );
                 let (line, column) = self.place_of(at);
                 let mut error = FormatError::new(line, problem);
                 error.column = Some(column);

@@ -6,16 +6,17 @@ use std::ops::Not;
 use serde::Serialize;
 
 use crate::environment::EnvironmentFile;
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, twice};
 use crate::json::{Node, Object};
 use crate::task_text::{GroundAtomText, GroundTaskText, TaskTextError, WayText};
 use crate::weights;
 
 /// How the trainer teaches in a session.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// The robot acts, and the trainer judges each step.
+    #[default]
     Feedback,
     /// The trainer shows the task.
     Demonstration,
@@ -24,7 +25,7 @@ pub enum Kind {
 }
 
 /// A line of type `session`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct SessionHeader {
     /// The session's name.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -123,25 +124,8 @@ const MOVES: [&str; 4] = ["north", "south", "east", "west"];
 
 impl SessionHeader {
     /// A session of this kind, without optional fields.
-    pub const fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
-        Self {
-            id: None,
-            kind,
-            environment,
-            command,
-            intended: None,
-            before: None,
-            through: None,
-            avoiding: None,
-            actions: None,
-            continues: false,
-            prior: None,
-            strategies: None,
-            utterance: None,
-            after: None,
-            conversation: None,
-            closed_words: None,
-        }
+    pub fn new(kind: Kind, environment: EnvironmentFile, command: String) -> Self {
+        Self { kind, environment, command, ..Self::default() }
     }
 
     /// The names of the session's actions: its own, or the four moves. `noop`, which is always possible, is among them only if the session
@@ -188,16 +172,17 @@ impl SessionHeader {
         if header.utterance.is_some() {
             for name in ["prior", "continues"] {
                 if fields.optional(name).is_some() {
-                    return Err(fields.error(name, Problem::NotWithUtterance));
+                    return Err(fields.error(name, "does not belong where the robot listened; remove it, or remove \"utterance\""));
                 }
             }
         } else if let Some(name) = ["after", "conversation"].into_iter().find(|name| fields.optional(name).is_some()) {
-            return Err(fields.error(name, Problem::OnlyWithUtterance));
+            return Err(fields.error(name, "belongs where the robot listened; write \"utterance\" too, or remove it"));
         }
         if header.continues {
             for name in ["prior", "strategies"] {
                 if fields.optional(name).is_some() {
-                    return Err(fields.error(name, Problem::NotWithContinues));
+                    return Err(fields
+                        .error(name, "does not belong in a session that continues the one before; remove it, or remove \"continues\""));
                 }
             }
         }
@@ -206,12 +191,12 @@ impl SessionHeader {
         }
         for name in ["before", "through", "avoiding"] {
             if fields.optional(name).is_some() && header.intended.is_none() {
-                return Err(fields.error(name, Problem::OnlyWithIntended));
+                return Err(fields.error(name, "belongs to an intended task; write \"intended\" too, or remove it"));
             }
         }
         if let Some(Err(error)) = header.meant() {
             let field = if let TaskTextError::AvoidsGoal { .. } = error { "avoiding" } else { "intended" };
-            return Err(fields.error(field, Problem::Task(error)));
+            return Err(fields.error(field, error.to_string()));
         }
         Ok(header)
     }
@@ -260,16 +245,11 @@ fn lists(node: Node<'_>) -> Result<Vec<Vec<GroundAtomText>>, FormatError> {
 }
 
 fn task(node: Node<'_>) -> Result<GroundTaskText, FormatError> {
-    node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))
+    node.task()
 }
 
 fn propositions(node: Node<'_>) -> Result<Vec<GroundAtomText>, FormatError> {
-    let mut atoms = Vec::new();
-    for item in node.filled_list()? {
-        let atom = item.text()?.parse();
-        atoms.push(atom.map_err(|error| item.error(Problem::Task(error)))?);
-    }
-    Ok(atoms)
+    node.filled_list()?.iter().map(Node::task).collect()
 }
 
 fn actions(node: Node<'_>) -> Result<Vec<String>, FormatError> {
@@ -278,7 +258,7 @@ fn actions(node: Node<'_>) -> Result<Vec<String>, FormatError> {
     for item in node.filled_list()? {
         let name = item.filled_text()?;
         if !seen.insert(name.clone()) {
-            return Err(item.error(Problem::DuplicateName { name }));
+            return Err(item.error(twice(&name)));
         }
         actions.push(name);
     }
@@ -301,7 +281,7 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
         let name_node = fields.required("name")?;
         let name = name_node.filled_text()?;
         if !seen.insert(name.clone()) {
-            return Err(name_node.error(Problem::DuplicateName { name }));
+            return Err(name_node.error(twice(&name)));
         }
         strategies.push(StrategyRecord {
             name,
@@ -320,11 +300,11 @@ fn strategies(node: Node<'_>) -> Result<Vec<StrategyRecord>, FormatError> {
 fn lags(node: Node<'_>) -> Result<[f64; 3], FormatError> {
     let lags = probabilities(&node)?;
     let lags = <[f64; 3]>::try_from(lags).ok().filter(|lags| (lags.iter().sum::<f64>() - 1.0).abs() <= 1e-3);
-    lags.ok_or_else(|| node.error(Problem::Lags))
+    lags.ok_or_else(|| node.error("must be three probabilities that sum to 1"))
 }
 
 fn rests(node: Node<'_>) -> Result<[f64; 4], FormatError> {
-    <[f64; 4]>::try_from(probabilities(&node)?).map_err(|_| node.error(Problem::Rests))
+    <[f64; 4]>::try_from(probabilities(&node)?).map_err(|_| node.error("must be four probabilities"))
 }
 
 fn probabilities(node: &Node<'_>) -> Result<Vec<f64>, FormatError> {
@@ -334,6 +314,6 @@ fn probabilities(node: &Node<'_>) -> Result<Vec<f64>, FormatError> {
 fn above_zero(node: &Node<'_>, values: impl Iterator<Item = f64>) -> Result<(), FormatError> {
     match values.fold(0.0, f64::max) > 0.0 {
         true => Ok(()),
-        false => Err(node.error(Problem::AllZero)),
+        false => Err(node.error("nothing here is above 0; give at least one a probability")),
     }
 }

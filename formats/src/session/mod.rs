@@ -56,7 +56,7 @@ pub use crate::lines::MAX_LINE_BYTES;
 pub(crate) use header::write_conversation;
 pub use header::{Kind, SessionHeader, StrategyRecord};
 pub use reader::SessionReader;
-pub(crate) use reader::is_fatal;
+pub(crate) use record::is_one;
 pub use record::{AnswerRecord, EndRecord, FeedbackWord, Record, StepRecord};
 
 use crate::error::FormatError;

@@ -6,7 +6,7 @@ use super::header::SessionHeader;
 use super::record::Record;
 use super::{EndRecord, RecordedAnswer, RecordedSession};
 use crate::environment::EnvironmentFile;
-use crate::error::{FormatError, Problem};
+use crate::error::{ANSWER_OUTSIDE_SESSION, END_OUTSIDE_SESSION, FormatError, STEP_BEFORE_SESSION, no_end};
 use crate::lines::Lines;
 
 /// The most lines that are skipped to find the next session line. A file with more other lines is no log.
@@ -96,31 +96,31 @@ impl<R: BufRead> SessionReader<R> {
             let stray = |line, problem| Some(Err(FormatError::new(line, problem)));
             match self.record()? {
                 Ok((line, Record::Session(header))) => return Some(Ok((line, header))),
-                Err(failure) if failure.session || !broken || is_fatal(&failure.error) => {
+                Err(failure) if failure.session || !broken || failure.error.is_fatal => {
                     return Some(Err(failure.error));
                 }
                 _ if broken => {}
                 Ok((line, Record::Step(_))) => {
                     return match self.last {
-                        Last::Start => stray(line, Problem::StepBeforeSession),
-                        _ => stray(line, Problem::StepAfterEnd),
+                        Last::Start => stray(line, STEP_BEFORE_SESSION),
+                        _ => stray(line, "a step comes after the end of its session; move it before the end line, or begin a session"),
                     };
                 }
-                Ok((line, Record::Answer(_))) => return stray(line, Problem::AnswerOutsideSession),
-                Ok((line, Record::End(_))) => return stray(line, Problem::EndOutsideSession),
+                Ok((line, Record::Answer(_))) => return stray(line, ANSWER_OUTSIDE_SESSION),
+                Ok((line, Record::End(_))) => return stray(line, END_OUTSIDE_SESSION),
                 Err(failure) => return Some(Err(failure.error)),
             }
         }
-        Some(Err(self.lines.give_up(Problem::NoSession { lines: MOST_PASSED_OVER })))
+        Some(Err(self.lines.give_up(format!("no session begins in {MOST_PASSED_OVER} lines; check that this is a session log"))))
     }
 
     /// Checks that a session with `continues` has the session before's command and environment.
     fn check_continues(&self, line: usize, header: &SessionHeader) -> Result<(), FormatError> {
         let problem = match &self.last {
             _ if !header.continues => return Ok(()),
-            Last::Broken => Problem::ContinuesUnread,
+            Last::Broken => "the session before could not be read, so nothing can be continued; mend that one first",
             Last::Session(command, environment) if *command != header.command || *environment != header.environment => {
-                Problem::ContinuesAnother
+                "the session before has another command or environment; remove \"continues\""
             }
             _ => return Ok(()),
         };
@@ -142,8 +142,7 @@ impl<R: BufRead> SessionReader<R> {
         loop {
             let next = match self.record() {
                 None => {
-                    let problem = Problem::NoEnd { next_session: None };
-                    return Err(FormatError::new(begin, problem));
+                    return Err(FormatError::new(begin, no_end(None)));
                 }
                 Some(Ok((line, Record::Step(step)))) => {
                     header.check(&step, line)?;
@@ -165,14 +164,9 @@ impl<R: BufRead> SessionReader<R> {
             // Two sessions are affected: this one is the error now, the next one follows.
             let next_session = Some(next.as_ref().map_or_else(|e| e.line, |(line, _)| *line));
             self.pending = Some(next);
-            return Err(FormatError::new(begin, Problem::NoEnd { next_session }));
+            return Err(FormatError::new(begin, no_end(next_session)));
         }
     }
-}
-
-/// Errors that are reported even inside a broken session.
-pub(crate) fn is_fatal(error: &FormatError) -> bool {
-    matches!(error.problem, Problem::Read(_) | Problem::LineTooLong { .. })
 }
 
 impl<R: BufRead> Iterator for SessionReader<R> {

@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use super::header::{Kind, SessionHeader};
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::error::{FormatError, KNOWN_VERSIONS, not_json, twice};
 use crate::json::{Object, Source};
+use crate::quoted::quoted;
 use crate::task_text::GroundTaskText;
 
 /// The trainer's feedback to a step.
@@ -59,8 +60,8 @@ fn milliseconds(fields: &Object<'_>, name: &'static str) -> Result<Option<u64>, 
     fields.optional(name).map(|node| node.count()).transpose()
 }
 
-fn is_one(others: &u8) -> bool {
-    *others == 1
+pub(crate) fn is_one(number: &u8) -> bool {
+    *number == 1
 }
 
 /// A line of type `end`.
@@ -100,7 +101,7 @@ struct Typed<'a, T> {
 /// Writes a record, and checks that it can be read again.
 fn write<T: Serialize>(kind: &'static str, version: Option<u32>, record: &T) -> Result<String, FormatError> {
     let typed = Typed { kind, version, record };
-    let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
+    let line = serde_json::to_string(&typed).map_err(|error| FormatError::new(1, not_json(error)))?;
     Record::parse(&line, 1)?;
     Ok(line)
 }
@@ -124,15 +125,19 @@ impl SessionHeader {
 
     /// Refuses an answer in a session without feedback.
     pub(crate) fn check_answer(&self, line: usize) -> Result<(), FormatError> {
-        if self.kind == Kind::Feedback { Ok(()) } else { Err(FormatError::new(line, Problem::AnswerWithoutFeedback)) }
+        if self.kind == Kind::Feedback {
+            Ok(())
+        } else {
+            Err(FormatError::new(line, "an answer belongs in a session of feedback alone; remove it, or make the session's kind feedback"))
+        }
     }
 
     /// Refuses a step that this session cannot have.
     pub(super) fn check(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
         if step.action != "noop" && !self.action_names().any(|name| name == step.action) {
-            let found = step.action.clone();
-            let known = self.action_names().map(str::to_string).collect();
-            return Err(FormatError::new(line, Problem::UnknownAction { found, known }).with_field("action"));
+            let (found, known) = (quoted(&step.action), self.action_names().map(quoted).collect::<Vec<_>>().join(", "));
+            let problem = format!("{found} is no action of this session; write {known} or noop, or name it in the session's \"actions\"");
+            return Err(FormatError::new(line, problem).with_field("action"));
         }
         self.check_feedback(step, line)
     }
@@ -141,9 +146,14 @@ impl SessionHeader {
     pub(crate) fn check_feedback(&self, step: &StepRecord, line: usize) -> Result<(), FormatError> {
         let wrong = |field, problem| Err(FormatError::new(line, problem).with_field(field));
         match (self.kind, step.feedback) {
-            (Kind::Labelled, _) => Err(FormatError::new(line, Problem::StepInLabelled)),
-            (Kind::Feedback, None) => wrong("feedback", Problem::FeedbackMissing),
-            (Kind::Demonstration, Some(_)) => wrong("feedback", Problem::FeedbackInDemonstration),
+            (Kind::Labelled, _) => Err(FormatError::new(
+                line,
+                "a step does not belong in a labelled session; remove it, or make the session's kind demonstration",
+            )),
+            (Kind::Feedback, None) => wrong("feedback", "is missing in a feedback session; add reward, punish or neutral"),
+            (Kind::Demonstration, Some(_)) => {
+                wrong("feedback", "does not belong in a demonstration; remove it, or make the session's kind feedback")
+            }
             _ => Ok(()),
         }
     }
@@ -171,9 +181,9 @@ impl AnswerRecord {
         fields.only(&["type", "tasks", "yes", "eta", "others", "words", "said_ms"])?;
         let mut tasks = Vec::new();
         for item in fields.required("tasks")?.filled_list()? {
-            let task: GroundTaskText = item.text()?.parse().map_err(|error| item.error(Problem::Task(error)))?;
+            let task: GroundTaskText = item.task()?;
             if tasks.contains(&task) {
-                return Err(item.error(Problem::DuplicateName { name: task.to_string() }));
+                return Err(item.error(twice(&task.to_string())));
             }
             tasks.push(task);
         }
@@ -182,12 +192,15 @@ impl AnswerRecord {
             None => 1,
             Some(node) => {
                 let others = node.count()?;
-                u8::try_from(others).ok().filter(|&others| others > 0).ok_or_else(|| node.error(Problem::OtherAnswers { others }))?
+                u8::try_from(others)
+                    .ok()
+                    .filter(|&others| others > 0)
+                    .ok_or_else(|| node.error(format!("{others} is no number of other answers; write a whole number from 1 to 255")))?
             }
         };
         let probability = eta.probability(0.0)?;
         if probability >= 0.5 {
-            return Err(eta.error(Problem::AnswersMostlyWrong));
+            return Err(eta.error("must be less than 0.5: an answer that is more often wrong than right is no answer"));
         }
         let words = fields.optional("words").map(|words| words.filled_text()).transpose()?;
         let (yes, said_ms) = (fields.required("yes")?.truth()?, milliseconds(fields, "said_ms")?);

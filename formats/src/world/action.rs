@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::classes::{WorldClasses, usable};
 use super::file::{ActionOfWorld, Literal, Term};
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, not_in_world, wrong_class};
 use crate::json::Node;
-use crate::task_text::GroundAtomText;
+use crate::quoted::{excerpt, quoted};
+use crate::task_text::{GroundAtomText, TaskTextError};
 
 /// Replaces `?` while a proposition is read: a character of Unicode's private area.
 const VARIABLE: &str = "\u{e000}";
@@ -25,10 +26,10 @@ impl ActionOfWorld {
             for (variable, class) in node.object()?.entries() {
                 let text = class.text()?;
                 let Some(variable) = variable.strip_prefix('?').filter(|name| !name.is_empty()) else {
-                    return Err(class.error(Problem::NoVariable { name: variable.to_owned() }));
+                    return Err(class.error(format!("{} is no variable; begin it with ?, like \"?room\"", quoted(variable))));
                 };
                 if !known.world().classes.contains(&text) {
-                    return Err(class.error(Problem::NotInWorld { what: "class", name: text }));
+                    return Err(class.error(not_in_world("class", &text)));
                 }
                 classes.insert(variable.to_owned(), text.clone());
                 parameters.push((variable.to_owned(), text));
@@ -45,18 +46,21 @@ impl ActionOfWorld {
         for node in effects_node.list()? {
             let effect = known.literal(&node, &mut classes, false)?;
             if effect.negated && known.world().variables.contains(&effect.proposition) {
-                return Err(node.error(Problem::NegatedVariable { name: effect.proposition }));
+                return Err(node.error(format!(
+                    "{} is a variable and always has a value; write an effect that gives it another value",
+                    quoted(&effect.proposition)
+                )));
             }
             effects.push(effect);
         }
         if effects.is_empty() {
-            return Err(effects_node.error(Problem::NoEffect));
+            return Err(effects_node.error("are none: an action that changes nothing is of no use; write what holds after it"));
         }
         let cost = match fields.optional("cost") {
             None => 1,
             Some(node) => match node.count()? {
                 cost if COSTS.contains(&cost) => cost as u8,
-                cost => return Err(node.error(Problem::Cost { cost })),
+                cost => return Err(node.error(format!("{cost} is no cost of an action; write a whole number from 1 to 16"))),
             },
         };
         Ok(Self { name, parameters, conditions, effects, cost })
@@ -68,23 +72,28 @@ impl WorldClasses<'_> {
     fn literal(&self, node: &Node<'_>, classes: &mut BTreeMap<String, String>, may_be_new: bool) -> Result<Literal, FormatError> {
         let text = node.text()?;
         // A variable is read as an object whose name no file has.
-        let atom: GroundAtomText = text.replace('?', VARIABLE).parse().map_err(|error| node.error(Problem::Task(error)))?;
+        let atom: GroundAtomText = text.replace('?', VARIABLE).parse().map_err(|error: TaskTextError| node.error(error.to_string()))?;
         let parameters = self.world().parameters(node, atom.function(), atom.arguments().len())?.to_vec();
         let mut terms = Vec::new();
         for (argument, class) in atom.arguments().iter().zip(parameters) {
-            let wrong = |name: String| Err(node.error(Problem::WrongClass { name: name.into(), class: class.as_str().into() }));
+            let wrong = |name: &str| Err(node.error(wrong_class(name, &class)));
             if let Some(variable) = argument.strip_prefix(VARIABLE) {
                 match classes.get(variable) {
-                    Some(other) if *other != class => return wrong(format!("?{variable}")),
-                    None if !may_be_new => return Err(node.error(Problem::UnknownVariable { name: variable.to_owned() })),
+                    Some(other) if *other != class => return wrong(&format!("?{variable}")),
+                    None if !may_be_new => {
+                        return Err(node.error(format!(
+                            "?{} has no value: it is no parameter and in no condition; add it to one of them",
+                            excerpt(variable, 40)
+                        )));
+                    }
                     Some(_) | None => {}
                 }
                 classes.insert(variable.to_owned(), class);
                 terms.push(Term::Variable(variable.to_owned()));
             } else {
                 match self.class_of(argument) {
-                    None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
-                    Some(other) if other != class => return wrong(argument.clone()),
+                    None => return Err(node.error(not_in_world("object", argument))),
+                    Some(other) if other != class => return wrong(argument),
                     Some(_) => terms.push(Term::Object(argument.clone())),
                 }
             }

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use super::file::WorldFile;
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, not_in_world, wrong_class};
 use crate::json::Node;
+use crate::quoted::quoted;
 use crate::task_text::{GroundAtomText, TaskTextError, is_usable_name};
 
 /// A world with a table of its objects' classes.
@@ -32,16 +33,16 @@ impl<'w> WorldClasses<'w> {
     }
 
     fn atom(&self, node: &Node<'_>) -> Result<GroundAtomText, FormatError> {
-        let atom: GroundAtomText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
+        let atom: GroundAtomText = node.task()?;
         if atom.is_negated() {
-            return Err(node.error(Problem::Negated));
+            return Err(node.error("is a negated proposition; leave it out: propositions that are not listed do not hold"));
         }
         let parameters = self.world.parameters(node, atom.function(), atom.arguments().len())?;
         for (argument, class) in atom.arguments().iter().zip(parameters) {
             match self.classes.get(argument.as_str()) {
-                None => return Err(node.error(Problem::NotInWorld { what: "object", name: argument.clone() })),
+                None => return Err(node.error(not_in_world("object", argument))),
                 Some(known) if known != class => {
-                    return Err(node.error(Problem::WrongClass { name: argument.as_str().into(), class: class.as_str().into() }));
+                    return Err(node.error(wrong_class(argument, class)));
                 }
                 Some(_) => {}
             }
@@ -54,10 +55,12 @@ impl WorldFile {
     /// The classes of a proposition's arguments, if their number is right.
     pub(super) fn parameters(&self, node: &Node<'_>, function: &str, given: usize) -> Result<&[String], FormatError> {
         match self.propositions.iter().find(|(name, _)| name == function) {
-            None => Err(node.error(Problem::NotInWorld { what: "proposition", name: function.to_owned() })),
-            Some((_, parameters)) if parameters.len() != given => {
-                Err(node.error(Problem::ArgumentCount { name: function.into(), given, wanted: parameters.len() }))
-            }
+            None => Err(node.error(not_in_world("proposition", function))),
+            Some((_, parameters)) if parameters.len() != given => Err(node.error(format!(
+                "{} was given {given} arguments, and it has {} in this world; write that many",
+                quoted(function),
+                parameters.len()
+            ))),
             Some((_, parameters)) => Ok(parameters),
         }
     }
@@ -66,5 +69,5 @@ impl WorldFile {
 /// A name that a task can have.
 pub(super) fn usable(node: &Node<'_>) -> Result<String, FormatError> {
     let name = node.text()?;
-    if is_usable_name(&name) { Ok(name) } else { Err(node.error(Problem::Task(TaskTextError::UnusableName { name }))) }
+    if is_usable_name(&name) { Ok(name) } else { Err(node.error(TaskTextError::UnusableName { name }.to_string())) }
 }

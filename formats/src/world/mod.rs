@@ -38,7 +38,6 @@
 //! | `before` | the ids of earlier commands of the same sequence; may be absent |
 //! | `language`, `part` | for people; may be absent |
 //!
-//! The faults of a world are worded in [`Problem`](crate::Problem), as those of all formats.
 //!
 //! ```
 //! use goodbot_formats::world::{Line, WorldReader};

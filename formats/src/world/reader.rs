@@ -5,10 +5,11 @@ use std::io::BufRead;
 use std::sync::Arc;
 
 use super::{CommandRecord, SessionInWorld, WorldFile};
-use crate::error::{FormatError, Problem};
+use crate::error::{ANSWER_OUTSIDE_SESSION, END_OUTSIDE_SESSION, FormatError, STEP_BEFORE_SESSION, no_end};
 use crate::json::{Object, Source};
 use crate::lines::{Line as RawLine, Lines};
-use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession, is_fatal};
+use crate::quoted::quoted;
+use crate::session::{EndRecord, Record, RecordedAnswer, RecordedSession};
 
 /// An item of a log of worlds.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,9 +69,9 @@ impl<R: BufRead> WorldReader<R> {
             }
             1 => return Ok(Line::Command(CommandRecord::read(&fields, number, &*self.world(&fields)?)?)),
             2 => return self.session(&fields, number).map(|session| Line::Session(Box::new(session))),
-            3 => Problem::StepBeforeSession,
-            4 => Problem::AnswerOutsideSession,
-            _ => Problem::EndOutsideSession,
+            3 => STEP_BEFORE_SESSION,
+            4 => ANSWER_OUTSIDE_SESSION,
+            _ => END_OUTSIDE_SESSION,
         };
         Err(FormatError::new(number, problem))
     }
@@ -79,7 +80,9 @@ impl<R: BufRead> WorldReader<R> {
     fn world(&self, fields: &Object<'_>) -> Result<Arc<WorldFile>, FormatError> {
         let node = fields.required("world")?;
         let name = node.text()?;
-        self.worlds.get(&name).cloned().ok_or_else(|| node.error(Problem::NoSuchWorld { name }))
+        self.worlds.get(&name).cloned().ok_or_else(|| {
+            node.error(format!("no world {} could be read on a line before this one; put the world's line first", quoted(&name)))
+        })
     }
 
     /// A session, up to its end.
@@ -88,7 +91,7 @@ impl<R: BufRead> WorldReader<R> {
         let (mut steps, mut answers) = (Vec::new(), Vec::new());
         loop {
             let Some(line) = self.line() else {
-                return Err(FormatError::new(begin, Problem::NoEnd { next_session: None }));
+                return Err(FormatError::new(begin, no_end(None)));
             };
             let number = line.number;
             if let Some(error) = line.error {
@@ -98,7 +101,7 @@ impl<R: BufRead> WorldReader<R> {
             if source.root()?.object()?.required("type")?.word(TYPES)? <= 2 {
                 // The item that begins before the end is read next.
                 self.pending = Some(line);
-                return Err(FormatError::new(begin, Problem::NoEnd { next_session: Some(number) }));
+                return Err(FormatError::new(begin, no_end(Some(number))));
             }
             match Record::parse(&line.text, number)? {
                 Record::Step(step) => {
@@ -129,7 +132,7 @@ impl<R: BufRead> Iterator for WorldReader<R> {
             let read = line.error.map_or_else(|| self.read(&line.text, line.number), Err);
             let was_broken = std::mem::replace(&mut self.is_broken, read.is_err());
             let begins = || TYPES[..3].iter().any(|kind| line.text.contains(&format!("\"{kind}\"")));
-            if !matches!(&read, Err(error) if was_broken && !is_fatal(error) && !begins()) {
+            if !matches!(&read, Err(error) if was_broken && !error.is_fatal && !begins()) {
                 return Some(read);
             }
         }

@@ -4,8 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::classes::{WorldClasses, usable};
 use super::file::{ActionOfWorld, ObjectOfWorld, WorldFile};
-use crate::error::{FormatError, Problem};
+use crate::error::{FormatError, not_in_world, twice, wrong_class};
 use crate::json::{Node, Object, Source};
+use crate::quoted::quoted;
 use crate::task_text::{LiftedTaskText, TaskTextError, is_usable_name};
 
 const FIELDS: &[&str] = &[
@@ -56,10 +57,10 @@ impl WorldFile {
             world.read_actions(&actions)?;
         }
         for node in fields.required("task_kinds")?.filled_list()? {
-            let kind: LiftedTaskText = node.text()?.parse().map_err(|error| node.error(Problem::Task(error)))?;
+            let kind: LiftedTaskText = node.task()?;
             world.check_kind(&node, &kind)?;
             if world.task_kinds.contains(&kind) {
-                return Err(node.error(Problem::DuplicateName { name: kind.to_string() }));
+                return Err(node.error(twice(&kind.to_string())));
             }
             world.task_kinds.push(kind);
         }
@@ -71,13 +72,13 @@ impl WorldFile {
         let mut all = Vec::new();
         for (name, node) in node.object()?.entries() {
             if !is_usable_name(name) {
-                return Err(node.error(Problem::Task(TaskTextError::UnusableName { name: name.to_owned() })));
+                return Err(node.error(TaskTextError::UnusableName { name: name.to_owned() }.to_string()));
             }
             let mut classes = Vec::new();
             for item in if filled { node.filled_list()? } else { node.list()? } {
                 let class = item.text()?;
                 if !self.classes.contains(&class) {
-                    return Err(item.error(Problem::NotInWorld { what: "class", name: class }));
+                    return Err(item.error(not_in_world("class", &class)));
                 }
                 classes.push(class);
             }
@@ -94,21 +95,24 @@ impl WorldFile {
             let name_node = fields.required("name")?;
             let name = usable(&name_node)?;
             if !seen.insert(name.clone()) {
-                return Err(name_node.error(Problem::DuplicateName { name }));
+                return Err(name_node.error(twice(&name)));
             }
             let class_node = fields.required("class")?;
             let class = class_node.text()?;
             if !self.classes.contains(&class) {
-                return Err(class_node.error(Problem::NotInWorld { what: "class", name: class }));
+                return Err(class_node.error(not_in_world("class", &class)));
             }
             let mut attributes = Vec::new();
             if let Some(node) = fields.optional("attributes") {
                 for (attribute, value) in node.object()?.entries() {
                     let Some((_, carriers)) = self.attributes.iter().find(|(known, _)| known == attribute) else {
-                        return Err(value.error(Problem::NotInWorld { what: "attribute", name: attribute.to_owned() }));
+                        return Err(value.error(not_in_world("attribute", attribute)));
                     };
                     if !carriers.contains(&class) {
-                        return Err(value.error(Problem::NotCarried { class }));
+                        return Err(value.error(format!(
+                            "objects of the class {} do not carry this attribute; add the class to the attribute's list",
+                            quoted(&class)
+                        )));
                     }
                     attributes.push((attribute.to_owned(), value.filled_text()?));
                 }
@@ -122,13 +126,13 @@ impl WorldFile {
         for node in list.list()? {
             let name = node.text()?;
             let Some((_, classes)) = self.propositions.iter().find(|(known, _)| *known == name) else {
-                return Err(node.error(Problem::NotInWorld { what: "proposition", name }));
+                return Err(node.error(not_in_world("proposition", &name)));
             };
             if let Some(class) = classes.last().filter(|class| self.objects.iter().all(|object| object.class != **class)) {
-                return Err(node.error(Problem::NoValues { class: class.clone() }));
+                return Err(node.error(format!("is a variable without values: there is no object of the class {}; add one", quoted(class))));
             }
             if self.variables.contains(&name) {
-                return Err(node.error(Problem::DuplicateName { name }));
+                return Err(node.error(twice(&name)));
             }
             self.variables.push(name);
         }
@@ -142,7 +146,12 @@ impl WorldFile {
             let action = ActionOfWorld::read(&node, &known)?;
             // Entries of one name are cases of one action.
             if let Some(first) = actions.iter().find(|other| other.name == action.name && other.cost != action.cost) {
-                return Err(node.error(Problem::OtherCost { name: action.name, cost: action.cost, first: first.cost }));
+                return Err(node.error(format!(
+                    "costs {}, and an earlier case of {} costs {}; give all cases of an action the same cost",
+                    action.cost,
+                    quoted(&action.name),
+                    first.cost
+                )));
             }
             actions.push(action);
         }
@@ -154,14 +163,14 @@ impl WorldFile {
     fn check_kind(&self, node: &Node<'_>, kind: &LiftedTaskText) -> Result<(), FormatError> {
         let way = kind.way();
         if !(way.before.is_empty() && way.through.is_empty() && way.avoiding.is_empty()) {
-            return Err(node.error(Problem::KindWithWay));
+            return Err(node.error("has a way (then, through, avoiding), which worlds from files do not know; write the goal alone"));
         }
         let mut classes: BTreeMap<&str, &str> = BTreeMap::new();
         for atom in kind.atoms() {
             let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
             for (variable, class) in atom.variables().iter().zip(parameters) {
                 if *classes.entry(variable).or_insert(class) != class {
-                    return Err(node.error(Problem::WrongClass { name: format!("?{variable}").into(), class: class.as_str().into() }));
+                    return Err(node.error(wrong_class(&format!("?{variable}"), class)));
                 }
             }
         }
@@ -194,7 +203,7 @@ fn names(list: &Node<'_>) -> Result<Vec<String>, FormatError> {
     for node in list.filled_list()? {
         let name = usable(&node)?;
         if !seen.insert(name.clone()) {
-            return Err(node.error(Problem::DuplicateName { name }));
+            return Err(node.error(twice(&name)));
         }
         names.push(name);
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::WorldFile;
 use super::classes::WorldClasses;
 use crate::environment::EnvironmentFile;
-use crate::error::{FormatError, KNOWN_VERSIONS, Problem};
+use crate::error::{FormatError, KNOWN_VERSIONS, not_json};
 use crate::json::{Object, Source};
 use crate::session::{Kind, RecordedSession, SessionHeader, StrategyRecord, write_conversation};
 use crate::task_text::{GroundAtomText, GroundTaskText};
@@ -97,7 +97,7 @@ impl SessionInWorld {
         if let Some(intended) = fields.optional("intended") {
             known.atoms(&intended)?;
         }
-        let header = SessionHeader::read_in(EnvironmentFile::new(vec![]), fields)?;
+        let header = SessionHeader::read_in(EnvironmentFile::default(), fields)?;
         drop(known);
         Ok((world, facts, header))
     }
@@ -123,7 +123,7 @@ impl SessionInWorld {
             conversation: header.conversation.clone(),
             closed_words: header.closed_words.as_deref(),
         };
-        let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, Problem::Syntax(error.to_string())))?;
+        let first = serde_json::to_string(&first).map_err(|error| FormatError::new(1, not_json(error)))?;
         Self::header(&Source::new(&first, 1).root()?.object()?, Arc::clone(&self.world))?;
         self.session.to_lines_with(first, |step, line| header.check_feedback(step, line))
     }

@@ -5,7 +5,7 @@ use std::io::{self, BufRead, BufReader, Cursor, Read};
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::posterior::PosteriorLine;
 use goodbot_formats::session::{MAX_LINE_BYTES, Record, SessionReader};
-use goodbot_formats::{FormatError, Problem};
+use goodbot_formats::{FormatError, NOT_UTF8};
 
 const LOG: &str = r#"{"type":"session","version":1,"id":"é","kind":"feedback","environment":{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":8,"top":4,"color":"red"},{"class":"block","name":"block0","x":2,"y":2,"color":"yellow","shape":"chair"}]},"command":"go","intended":["blockInRoom(block0,room0)"],"actions":["north"],"prior":{"blockInRoom(block0,room0)":1e0},"strategies":[{"name":"b","mu_plus":0.7,"mu_minus":0.7,"epsilon":0.1,"prior":1}]}
 {"type":"step","action":"north","feedback":"reward"}
@@ -82,7 +82,7 @@ fn every_value_replaced_by_another_kind_is_refused_or_read() {
 fn half_a_surrogate_pair_is_refused_in_values_and_names() {
     for text in [r#"{"type":"step","action":"\ud800"}"#, r#"{"type":"step","\ud800":1}"#] {
         let error = Record::parse(text, 1).unwrap_err();
-        assert!(matches!(error.problem, Problem::Syntax(_)), "{error}");
+        assert!(error.problem.contains("is not JSON"), "{error}");
     }
 }
 
@@ -92,7 +92,7 @@ fn what_is_not_utf_8_is_told_with_its_line_and_column() {
     let place = LOG.find("reward").unwrap();
     bytes[place] = 0xC3;
     let error = first_error(&bytes[..]);
-    assert_eq!((error.line, error.problem), (2, Problem::NotUtf8));
+    assert_eq!((error.line, error.problem.as_str()), (2, NOT_UTF8));
     let column = place - LOG.find('\n').unwrap();
     assert_eq!(error.column, Some(column));
     // The rest of the log is read.
@@ -108,23 +108,23 @@ fn an_overlong_line_is_refused_and_the_next_session_is_read() {
     let results: Vec<_> = SessionReader::new(BufReader::new(input)).collect();
     let error = results[0].as_ref().unwrap_err();
     let limit = MAX_LINE_BYTES;
-    assert_eq!((error.line, &error.problem), (1, &Problem::LineTooLong { limit }));
+    assert!(error.line == 1 && error.problem.contains(&format!("more than {limit} bytes")), "{error}");
     assert_eq!(results[1].as_ref().unwrap().header_line, 2);
 }
 
 #[test]
 fn what_has_no_lines_and_no_end_is_not_read_for_ever() {
     let mut reader = SessionReader::new(BufReader::new(io::repeat(0)));
-    assert!(matches!(reader.next().unwrap().unwrap_err().problem, Problem::LineTooLong { .. }));
+    assert!(reader.next().unwrap().unwrap_err().problem.contains("bytes; put each record"));
     assert!(reader.next().is_none());
 }
 
 #[test]
 fn lines_that_are_no_sessions_are_not_passed_over_for_ever() {
     let input = "x\n".repeat(300_000);
-    let problems: Vec<Problem> = SessionReader::new(input.as_bytes()).map(|session| session.unwrap_err().problem).collect();
+    let problems: Vec<String> = SessionReader::new(input.as_bytes()).map(|session| session.unwrap_err().problem).collect();
     assert_eq!(problems.len(), 2);
-    assert!(matches!(problems[1], Problem::NoSession { lines: 100_000 }));
+    assert!(problems[1].contains("no session begins in 100000 lines"));
 }
 
 #[test]
@@ -143,10 +143,10 @@ fn the_longest_line_is_read_with_either_line_end() {
 fn too_many_entries_are_refused() {
     let many = vec!["0"; 100_000].join(",");
     let error = EnvironmentFile::parse(&format!("{{\"version\":1,\"objects\":[{many}]}}"));
-    assert!(matches!(error.unwrap_err().problem, Problem::TooMany { limit: 65536 }));
+    assert!(error.unwrap_err().problem.contains("has more than 65536 entries"));
     let many: Vec<_> = (0..100_000).map(|i| format!("\"{i}\":0")).collect();
     let error = EnvironmentFile::parse(&format!("{{{}}}", many.join(",")));
-    assert!(matches!(error.unwrap_err().problem, Problem::TooMany { .. }));
+    assert!(error.unwrap_err().problem.contains("has more than"));
 }
 
 #[test]

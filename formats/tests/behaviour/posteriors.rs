@@ -1,6 +1,5 @@
 //! Posteriors: both precisions, order, and errors.
 
-use goodbot_formats::Problem;
 use goodbot_formats::posterior::PosteriorLine;
 
 const LINE: &str = r#"{"session":"w01-3","step":2,"tasks":{"z(a)":0.4999999999999999,"b(a)":1.2345678901234568e-300},"strategies":{"R+/P-":0.36,"balanced":0.64}}"#;
@@ -31,12 +30,12 @@ fn what_is_no_probability_is_not_written() {
     for value in [f32::NAN, f32::INFINITY, -0.1, 1.1] {
         let error = belief(value).to_json_line().unwrap_err();
         assert_eq!(error.field.as_deref(), Some("tasks"));
-        assert!(matches!(error.problem, Problem::NotAProbability { .. }));
+        assert!(error.problem.contains("is no probability"));
     }
     let mut twice = belief(0.5);
     twice.strategies.push(twice.strategies[0].clone());
     let error = twice.to_json_line().unwrap_err();
-    assert!(matches!(error.problem, Problem::DuplicateName { .. }));
+    assert!(error.problem.contains("is here twice"));
 }
 
 #[test]

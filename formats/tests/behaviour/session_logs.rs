@@ -1,8 +1,8 @@
 //! Whole logs: the order of their lines, and the next session after an error.
 
+use goodbot_formats::FormatError;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldReader};
-use goodbot_formats::{FormatError, Problem};
 
 const HOME: &str = r#"{"version":1,"objects":[{"class":"agent","name":"agent0","x":4,"y":2}]}"#;
 const STEP: &str = r#"{"type":"step","action":"north","feedback":"neutral"}"#;
@@ -92,7 +92,7 @@ fn a_log_that_is_cut_in_a_line_is_told_once() {
         let sessions = read(&whole[..cut]);
         assert_eq!(sessions.len(), 2);
         let error = sessions[1].as_ref().unwrap_err();
-        assert_eq!((error.line, &error.problem), (5, &Problem::CutShort));
+        assert!(error.line == 5 && error.problem.contains("ends in the middle of a value"), "{error}");
     }
     assert_eq!(outline(&[&feedback()[..100]]), ["line 1: the text ends in the middle of a value"]);
 }
@@ -197,7 +197,7 @@ fn a_session_that_could_not_be_read_again_is_not_written() {
     let mut session = read([&feedback(), STEP, STEP, END].join("\n")).remove(0).unwrap();
     session.steps[1].1.feedback = None;
     let error = session.to_lines().unwrap_err();
-    assert_eq!((error.line, error.problem), (3, Problem::FeedbackMissing));
+    assert!(error.line == 3 && error.problem.contains("is missing in a feedback session"), "{error}");
     session.steps[0].1.action = "jump".into();
     assert_eq!(session.to_lines().unwrap_err().line, 2);
 }

@@ -19,15 +19,6 @@ pub enum Learner {
 }
 
 impl Learner {
-    /// The name in output.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Default => "default",
-            Self::Roles => "roles",
-            Self::Paper => "paper",
-        }
-    }
-
     /// The settings.
     pub const fn options(self) -> Options {
         match self {

@@ -1,5 +1,6 @@
-//! Parsers for typed numbers, with their error messages.
+//! Parsers for typed numbers, with their error messages, and the names of typed choices.
 
+use clap::ValueEnum;
 use std::fmt::Display;
 use std::str::FromStr;
 
@@ -44,6 +45,11 @@ pub fn wrong_share(text: &str) -> Result<f32, String> {
 pub fn clear(text: &str) -> Result<f32, String> {
     let number: Option<f32> = text.trim().parse().ok();
     number.filter(|number| (0.5..1.0).contains(number)).ok_or_else(|| "give a probability from 0.5 to less than 1, such as 0.9".to_owned())
+}
+
+/// The name of a choice, as it is typed.
+pub fn name_of(choice: impl ValueEnum) -> String {
+    choice.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The option for a [starter](goodbot_lesson::starter), and its sentences as lessons.
 
+use crate::numbers::name_of;
 use crate::outcome::Failure;
 use crate::training_data::Lesson;
 use crate::training_data::evidence::Witness;
@@ -30,18 +31,6 @@ pub enum Language {
     Fr,
     /// Chinese
     Zh,
-}
-
-impl Language {
-    const fn code(self) -> &'static str {
-        match self {
-            Self::De => "de",
-            Self::En => "en",
-            Self::Es => "es",
-            Self::Fr => "fr",
-            Self::Zh => "zh",
-        }
-    }
 }
 
 /// The option for the starter.
@@ -101,9 +90,9 @@ impl Starter {
     /// [`Failure::Input`] for tasks that make a sentence unreadable.
     pub fn new(language: Language, lifted: &[LiftedTask], options: Options) -> Result<Self, Failure> {
         let fault = |error: &dyn std::fmt::Display| Failure::Input(format!("the starter: {error}"));
-        let mut witness = Witness::new(lifted, options, None, false).map_err(|error| fault(&error))?;
+        let mut witness = Witness::new(lifted, options, None).map_err(|error| fault(&error))?;
         let lesson = |sentence| Ok(witness.lesson("starter", &labelled(sentence).map_err(|error| fault(&error))?)?);
-        let lessons = sentences(language.code(), lifted).into_iter().map(lesson).collect::<Result<_, Failure>>()?;
+        let lessons = sentences(&name_of(language), lifted).into_iter().map(lesson).collect::<Result<_, Failure>>()?;
         Ok(Self { lessons })
     }
 

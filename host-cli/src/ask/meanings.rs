@@ -38,13 +38,11 @@ pub struct Interpretation {
     pub best: Option<usize>,
     /// The words of the utterance, each with its explanation by that task.
     pub words: Vec<Word>,
-    /// The same for the expected task, if it is a task of the session.
-    pub for_expected: Option<(usize, Vec<Word>)>,
     /// All meanings, the most probable first.
     pub meanings: Vec<Meaning>,
 }
 
-/// The robot listens to an utterance. `read` are the words of it that are read, and `expected` tells the expected task by its name.
+/// The robot listens to an utterance. `read` are the words of it that are read.
 /// Afterwards the agent's session is about the utterance, or about its last part if it has several.
 ///
 /// # Errors
@@ -55,7 +53,6 @@ pub fn meanings(
     start: &SiteState,
     (utterance, read): (&str, &str),
     closed: ClosedWords<'_>,
-    expected: impl Fn(&str) -> bool,
 ) -> Result<Interpretation, AgentError> {
     let listened = agent.listen(site, start, utterance, closed)?;
     let tasks = of_session(agent, site);
@@ -65,8 +62,6 @@ pub fn meanings(
     };
     let best = (0..tasks.len()).filter(|&at| tasks.get(at).is_some_and(|task| !task.done)).fold(None, likelier);
     let words = why::words(agent, site, start, read, best.unwrap_or(listened.task))?;
-    let expected = tasks.iter().position(|task| expected(&task.name));
-    let for_expected = expected.map(|at| why::words(agent, site, start, read, at).map(|words| (at, words))).transpose()?;
     let steps = agent.tasks().get(listened.task).map(|task| (*task, *start)).into_iter().collect();
     let followed = match following::is_followed(listened.hypothesis) {
         true => Some(following::follow(agent, site, start, utterance, closed, listened)?),
@@ -81,7 +76,7 @@ pub fn meanings(
     };
     meanings.sort_by(|a, b| b.probability.total_cmp(&a.probability));
     let steps = followed.as_ref().map_or(steps, |followed| followed.steps.clone());
-    Ok(Interpretation { listened, followed, steps, tasks, best, words, for_expected, meanings })
+    Ok(Interpretation { listened, followed, steps, tasks, best, words, meanings })
 }
 
 /// The tasks of the agent's session.

@@ -41,17 +41,14 @@ pub fn ask(options: &AskOptions, commands: &[Told]) -> Result<(), Failure> {
             }
         };
         let meanings = meanings(&mut model, synonyms, lesson)?;
-        let Some((best, share)) = meanings.first() else { continue };
-        let verdict = if options.threshold.is_some_and(|threshold| *share >= threshold) { "sure" } else { "unsure" };
-        let meant = lesson.intended.and_then(|task| lesson.readings.get(task)).map(|reading| reading.name.to_string());
+        let Some((best, _)) = meanings.first() else { continue };
         let told = meanings.iter().take(TOLD);
         let said = &lesson.header.command;
         let unread = read(said).ok().and_then(|read| read.long()).map(|long| long.unread());
         if options.json {
             let tasks: serde_json::Map<_, _> = told.map(|(name, share)| (name.clone(), json!(share))).collect();
             let mut line = json!({
-                "type": "answer", "session": lesson.header.id, "command": said, "task": best, "tasks": tasks,
-                "of": meanings.len(), "verdict": verdict, "expected": meant,
+                "type": "answer", "command": said, "task": best, "tasks": tasks, "of": meanings.len(), "verdict": "unsure",
             });
             if let Some(unread) = unread {
                 line["unread"] = unread.into();
@@ -69,10 +66,7 @@ pub fn ask(options: &AskOptions, commands: &[Told]) -> Result<(), Failure> {
         if unread.is_some() {
             writeln!(out, "{}", unread_words())?;
         }
-        writeln!(out, "{verdict}: {best}, of {}", counted(meanings.len(), "task"))?;
-        if let Some(meant) = meant {
-            writeln!(out, "intended: {meant}")?;
-        }
+        writeln!(out, "unsure: {best}, of {}", counted(meanings.len(), "task"))?;
     }
     out.flush()?;
     end(refused, commands.len())

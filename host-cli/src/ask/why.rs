@@ -2,13 +2,13 @@
 //!
 //! All data about single words come from [`words`]. Another language model needs only another function here.
 
-use goodbot::language::{Meaning, Model};
+use goodbot::language::{LanguageRef, Meaning, Model};
 use goodbot::memory::AgentMemory;
 use goodbot::oomdp::{Domain, Schema};
 use goodbot::symbols::Symbol;
 use goodbot::task::{Role, RoleKind};
 use goodbot::{Agent, AgentError};
-use goodbot_console::training_data::{MachineCommand, evidence, training};
+use goodbot_console::training_data::{MachineCommand, evidence};
 use goodbot_lesson::first_words::heard;
 
 /// The explanation of a word.
@@ -62,13 +62,31 @@ pub fn words<D: Domain>(
     };
     let Some(best) = commands.into_iter().fold(None, likelier) else { return Ok(vec![]) };
     let said = heard(Model::Model2, command).unwrap_or_default();
-    let word = |(position, it): (usize, training::Explained)| Word {
-        word: said.get(position).cloned().unwrap_or(it.word),
-        token: if it.probability.is_some() { it.token } else { NEVER_HEARD.to_owned() },
-        share: it.share,
-        probability: it.probability,
+    Ok(words_by_tokens(language, sentence, &best, &said))
+}
+
+/// Model 2's explanation of each word by the tokens of a machine command.
+fn words_by_tokens(language: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol], said: &[String]) -> Vec<Word> {
+    let tables = language.tables();
+    let word = |(i, &word): (usize, &Option<Symbol>)| {
+        let known = word.filter(|word| word.index() < tables.words());
+        let part = |j: usize, token: Option<Symbol>| {
+            known.map_or(0.0, |word| tables.alignment(j, i, tokens.len(), sentence.len()) * tables.translation(word, token))
+        };
+        let parts: Vec<f32> =
+            std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
+        let whole: f32 = parts.iter().sum();
+        let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
+        let token = best.checked_sub(1).and_then(|j| tokens.get(j)).map_or("NULL", |&token| language.tokens().text(token));
+        let in_model = || word.map_or_else(String::new, |word| language.words().text(word).to_owned());
+        Word {
+            word: said.get(i).cloned().unwrap_or_else(in_model),
+            token: if known.is_some() { token } else { NEVER_HEARD }.to_owned(),
+            share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
+            probability: known.map(|_| whole),
+        }
     };
-    Ok(training::explained(language, sentence, &best).into_iter().enumerate().map(word).collect())
+    sentence.iter().enumerate().map(word).collect()
 }
 
 /// The role model's explanation of each word.

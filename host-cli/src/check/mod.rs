@@ -20,7 +20,7 @@ use goodbot_console::outcome::Failure;
 use goodbot_console::printed::Printed;
 use goodbot_console::training_data::worlds;
 use goodbot_console::whole_file::MOST_BYTES;
-use goodbot_formats::Problem;
+use goodbot_formats::NOT_UTF8;
 use goodbot_formats::environment::{self, EnvironmentFile};
 use goodbot_formats::map;
 use goodbot_formats::posterior::PosteriorLine;
@@ -196,7 +196,7 @@ fn check(file: &InputFile, lifted: &[LiftedTask], limit: Limit) -> Result<Findin
         Err(error) => {
             let valid = error.utf8_error().valid_up_to();
             let line = 1 + error.as_bytes().iter().take(valid).filter(|&&byte| byte == b'\n').count();
-            return Err(Fault::on_line(name, line, Problem::NotUtf8));
+            return Err(Fault::on_line(name, line, NOT_UTF8));
         }
     };
     Ok(match content {
@@ -398,7 +398,7 @@ fn check_log_of_worlds(file: &str, opened: impl BufRead, limit: Limit) -> Findin
     let (mut sessions, mut commands, mut no_task) = (0_usize, 0_usize, 0_usize);
     let mut left = limit.count();
     let progress = counting("sessions checked");
-    let read = worlds::read(file, opened, Options::DEFAULT, None, false, &mut left, |lesson| {
+    let read = worlds::read(file, opened, Options::DEFAULT, None, &mut left, |lesson| {
         progress.inc(1);
         match lesson {
             Ok(Some(lesson)) if lesson.header.kind != Kind::Labelled => {

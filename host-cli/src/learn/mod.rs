@@ -66,7 +66,7 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     let target = Output::new(Kind::Model, &options.out, &options.files, options.force)?;
     let log_options = LogOptions { believes: options.believes.clone(), keep_going: options.keep_going, limit: options.limit };
     let training_data::Lessons { mut lessons, skipped, with_way, no_task, long } =
-        training_data::read(&options.files, &lifted, options.learner.options(), false, &log_options)?;
+        training_data::read(&options.files, &lifted, options.learner.options(), &log_options)?;
     if let Some(unknown) = options.without.iter().find(|id| lessons.iter().all(|lesson| lesson.id != **id)) {
         return Err(Failure::Input(format!("no session has the id {unknown:?}; check --without")));
     }

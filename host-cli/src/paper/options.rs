@@ -89,16 +89,6 @@ pub enum Layouts {
     Random,
 }
 
-impl Layouts {
-    /// The name in output.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Fixed => "fixed",
-            Self::Random => "random",
-        }
-    }
-}
-
 /// The weights of machine commands in learning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum WeightsChoice {

@@ -3,6 +3,7 @@
 use super::lexicon::Lexicon;
 use super::options::PaperOptions;
 use super::summary::Summary;
+use goodbot_console::numbers::name_of;
 use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::canvas::{BLUE, GREEN, INK, PALE, draw, write};
 use plotters::prelude::*;
@@ -52,7 +53,7 @@ pub fn shares(summary: &Summary, options: &PaperOptions) -> Result<String, Box<d
     let bars: Vec<_> = lessons.chain(tests).chain([("all five tests", share(summary.test_all_right), GREEN)]).collect();
     let size = ((left + wide + 80) as u32, (top + bars.len() as i32 * high + 60) as u32);
     draw(size, |canvas| {
-        let title = format!("{} agents, trainer {}, {} homes", summary.runs, options.trainer.name, options.homes().name());
+        let title = format!("{} agents, trainer {}, {} homes", summary.runs, options.trainer.name, name_of(options.homes()));
         write(canvas, &title, (20, 28), 18, HPos::Left, INK)?;
         write(canvas, "blue: lessons understood before any feedback; green: tests right", (20, 54), 13, HPos::Left, INK)?;
         for (row, (command, share, color)) in (0..).zip(&bars) {

@@ -10,6 +10,7 @@ use goodbot::memory::AgentMemory;
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::action_name;
 use goodbot::planning::OptimalSet;
+use goodbot_console::numbers::name_of;
 use goodbot_console::outcome::Failure;
 use goodbot_course::{CourseTrainer, Ending, LESSONS, LessonReport, Observer, Scene, Step, TESTS, TestReport};
 use goodbot_lesson::name::in_words;
@@ -44,7 +45,7 @@ fn begin(options: &PaperOptions, out: &mut impl Write) -> io::Result<()> {
         strategy.mu_minus(),
         strategy.epsilon(),
         options.seed,
-        options.homes().name(),
+        name_of(options.homes()),
     )?;
     if !rewards {
         writeln!(out, "It never rewards: where another would, it is silent.")?;

@@ -3,6 +3,7 @@
 use super::experiment::Run;
 use super::reported::REPORTED;
 use super::settings::Setting;
+use goodbot_console::numbers::name_of;
 use goodbot_course::{FeedbackCounts, LESSONS, TESTS};
 use goodbot_lab::mean::Mean;
 use goodbot_lab::mean::wilson;
@@ -48,8 +49,8 @@ impl Summary {
             "type": "summary",
             "trainer": options.trainer.name,
             "believes": options.believed().name,
-            "layouts": options.homes().name(),
-            "learner": options.learner.name(),
+            "layouts": name_of(options.homes()),
+            "learner": name_of(options.learner),
             "runs": self.runs,
             "train_right": self.train_right.map(share),
             "train_right_intervals": self.train_right.map(interval),

@@ -8,6 +8,7 @@ use super::settings::Setting;
 use super::summary::Summary;
 use goodbot_console::csv::{self, Cell};
 use goodbot_console::messages::counted;
+use goodbot_console::numbers::name_of;
 use goodbot_course::{LESSONS, TESTS};
 use goodbot_lab::mean::wilson;
 use std::io::{self, Write};
@@ -45,7 +46,7 @@ fn share(right: usize, all: usize) -> String {
 
 /// Many runs: shares of right answers, beside the paper's results for its one agent.
 pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary) -> io::Result<()> {
-    let (homes, learner) = (options.homes().name(), options.learner.name());
+    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
     let last = options.seed.wrapping_add(u64::from(options.runs) - 1);
     writeln!(out, "{}, seeds {} to {last}, {homes} homes, learner {learner}", counted(summary.runs, "agent"), options.seed)?;
     writeln!(out, "trainer {}{}; the agent believes {}\n", options.trainer.name, options.trainer.withheld(), options.believed().name)?;
@@ -75,7 +76,7 @@ pub fn many_runs(out: &mut impl Write, options: &PaperOptions, summary: &Summary
 
 /// Sweeps: a line for each setting.
 pub fn sweep(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summary)]) -> io::Result<()> {
-    let (homes, learner) = (options.homes().name(), options.learner.name());
+    let (homes, learner) = (name_of(options.homes()), name_of(options.learner));
     writeln!(out, "{} for each setting, {homes} homes, learner {learner}\n", counted(options.runs as usize, "agent"))?;
     let names: Vec<String> = options.sweep.iter().map(|sweep| format!("{:>17}", sweep.name)).collect();
     writeln!(out, "{}  all five tests right, 95 % interval", names.join(" "))?;
@@ -102,7 +103,7 @@ pub fn csv(out: &mut impl Write, options: &PaperOptions, rows: &[(Setting, Summa
         let (low, high) = wilson(summary.test_all_right, summary.runs);
         let mut cells: Vec<Cell> = setting.values.iter().map(Cell::number).collect();
         cells.extend([&of.trainer.name, &of.believed().name].map(Cell::text));
-        cells.extend([of.homes().name(), of.learner.name()].map(Cell::text));
+        cells.extend([name_of(of.homes()), name_of(of.learner)].map(Cell::text));
         cells.extend([Cell::number(of.seed), Cell::number(summary.runs)]);
         let shares = [share(summary.test_all_right), low, high].into_iter();
         let shares = shares.chain(summary.train_right.map(share)).chain(summary.test_right.map(share));

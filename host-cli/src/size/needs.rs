@@ -69,7 +69,7 @@ impl Needs {
         let log = if options.log.is_empty() {
             vec![]
         } else {
-            training_data::read(&options.log, &lifted, learner, false, &LogOptions::default())?.lessons
+            training_data::read(&options.log, &lifted, learner, &LogOptions::default())?.lessons
         };
         let log: Vec<Lesson> = log.into_iter().filter(|lesson| lesson.learn).collect();
         if log.is_empty() && !options.log.is_empty() {

@@ -5,11 +5,12 @@ use super::kept::{Kept, Past};
 use super::lessons::{Tour, is_lesson};
 use super::next_lesson::{Next, propose};
 use super::pupil::{Meaning, Pupil, Reaction};
-use super::site::{Recorded, Site, session};
+use super::site::{Recorded, session};
+use goodbot::planning::Progress;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::words_read;
-use goodbot_lesson::live::Lesson;
+use goodbot_lesson::live::LiveError;
 
 /// The robot, its files and the tour.
 pub struct Classroom {
@@ -24,8 +25,9 @@ pub struct Classroom {
     /// The commands so far, each once.
     said: Vec<String>,
     /// The last command.
-    last: Option<String>,
-    kept: Option<Kept>,
+    pub last: Option<String>,
+    /// The robot's files.
+    pub kept: Option<Kept>,
     /// The model before each session of this visit, if the robot has no files.
     before: Vec<Vec<u8>>,
     learning: Option<(Recorded, Vec<u8>)>,
@@ -78,11 +80,6 @@ impl Classroom {
         self.tour.as_ref().and_then(Tour::home).map_or(Ok(()), |home| self.pupil.enter(&home))
     }
 
-    /// The robot's files.
-    pub fn kept(&self) -> Option<&Kept> {
-        self.kept.as_ref()
-    }
-
     /// Gives a command. In the tour, everything is first put back, and the intended task is known.
     pub fn say(&mut self, command: &str) -> Result<Reaction, Failure> {
         self.forget()?;
@@ -112,7 +109,7 @@ impl Classroom {
         let named = |meaning: &Meaning| task.is_none_or(|task| parts(&meaning.name) == parts(task) || meaning.words == task);
         let meanings = self.pupil.meanings();
         let Some(first) = meanings.first().map(|meaning| meaning.words.clone()) else {
-            return Err(Failure::Input("no session is under way; give a command first".to_owned()));
+            return Err(LiveError::NoSession.into());
         };
         let meant = meanings.into_iter().find(named).ok_or_else(|| {
             Failure::Input(format!(
@@ -129,15 +126,10 @@ impl Classroom {
         self.pupil.hear_rest(Some(format!("said-{}", self.sessions + 1)))
     }
 
-    /// Whether to ask before these words end the session under way: see [`Lesson::doubts`].
+    /// Whether to ask before these words end the session under way: see [`Lesson::doubts`](goodbot_lesson::live::Lesson::doubts).
     pub fn doubts(&mut self, words: &str) -> Result<bool, Failure> {
         let is_test = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
-        Ok(!is_test && self.pupil.lesson_mut().doubts(words)?)
-    }
-
-    /// The last command.
-    pub fn last(&self) -> Option<&str> {
-        self.last.as_deref()
+        Ok(!is_test && self.pupil.lesson.doubts(words)?)
     }
 
     /// The next lesson to teach.
@@ -165,9 +157,9 @@ impl Classroom {
     /// Ends the session and begins to learn from it. Call [`learn`](Self::learn) until it is done. Returns how many older sessions gave way
     /// because memory was full; `None` if nothing was taught, so that there is nothing to learn.
     pub fn finish(&mut self) -> Result<Option<usize>, Failure> {
-        let lesson = self.pupil.lesson();
+        let lesson = &self.pupil.lesson;
         if lesson.is_under_way() && !lesson.has_evidence() {
-            self.pupil.pass_over();
+            self.pupil.lesson.pass_over();
             return Ok(None);
         }
         let before = self.pupil.save()?;
@@ -178,7 +170,7 @@ impl Classroom {
 
     /// Continues to learn. Returns `true` when learning is done. The model is then saved, and the tour continues.
     pub fn learn(&mut self, budget: u32) -> Result<bool, Failure> {
-        if !self.pupil.learn(budget) {
+        if self.pupil.lesson.agent.learn(budget) != Progress::Done {
             return Ok(false);
         }
         let Some((record, before)) = self.learning.take() else { return Ok(true) };
@@ -204,7 +196,7 @@ impl Classroom {
 
     /// Ends the session under way without learning from it. The log still gets it. Returns whether there was one.
     pub fn forget(&mut self) -> Result<bool, Failure> {
-        let under_way = self.pupil.lesson().is_under_way();
+        let under_way = self.pupil.lesson.is_under_way();
         let testing = self.tour.as_ref().and_then(Tour::stop).is_some_and(|stop| stop.test);
         if let (Some(record), Some(kept), false) = (self.pupil.forget(), &mut self.kept, testing) {
             self.sessions += 1;
@@ -256,17 +248,16 @@ impl Classroom {
     /// Begins another conversation, or continues one by its name. A session under way ends unlearned.
     pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
         self.forget()?;
-        self.pupil.converse(id)
+        match id {
+            None => self.pupil.lesson.converse_anew(),
+            Some(id) => self.pupil.lesson.converse(id)?,
+        }
+        Ok(())
     }
 
     /// Moves the robot to another home. A session under way ends unlearned.
     pub fn enter(&mut self, home: &EnvironmentFile) -> Result<(), Failure> {
         self.forget()?;
         self.pupil.enter(home)
-    }
-
-    /// The robot, its home and the session under way.
-    pub const fn lesson(&self) -> &Lesson<Site> {
-        self.pupil.lesson()
     }
 }

@@ -164,7 +164,7 @@ fn visit(classroom: Classroom, pace: Pace, seed: u64) -> Result<(), Failure> {
     // Learning is completed, and a session under way goes to the log.
     let written = visit.classroom.leave();
     let learned = visit.classroom.pupil.lessons_learned();
-    if let Some(kept) = visit.classroom.kept().filter(|_| learned > 0) {
+    if let Some(kept) = visit.classroom.kept.as_ref().filter(|_| learned > 0) {
         // If the window was closed, nobody reads this.
         let all = counted(learned, "session");
         let told = if kept.sessions() < learned { format!("{all}, and the file has {} of them", kept.sessions()) } else { all };
@@ -237,15 +237,16 @@ fn open(options: &TeachOptions, lines: bool) -> Result<Classroom, Failure> {
     if options.starter.is_given() && world.is_some() {
         return Err(Failure::Input("--starter is for homes; leave it out in a world from a file".to_owned()));
     }
-    let starter = options.starter.read(pupil.lesson().agent.lifted(), Learner::Default.options())?;
-    let pupil = pupil.with_starter(starter)?;
-    let pupil = pupil.with_closed_words(options.closed_words.read()?).with_synonyms(options.synonyms.read()?);
+    let starter = options.starter.read(pupil.lesson.agent.lifted(), Learner::Default.options())?;
+    let mut pupil = pupil.with_starter(starter)?;
+    pupil.lesson.closed = options.closed_words.read()?;
+    pupil.synonyms = options.synonyms.read()?;
     let learned = kept.iter().flat_map(|(_, past)| past.learned.iter().map(String::as_str));
     let tour = options.tour.then(|| Tour::new(options.seed, learned));
     let in_log = kept.as_ref().map_or(0, |(_, past)| past.taught);
     let mut classroom = Classroom::new(pupil, kept, tour)?;
     let known = classroom.pupil.lessons_learned();
-    if let Some(RobotFiles { model, log }) = classroom.kept().map(Kept::files).filter(|_| known < in_log) {
+    if let Some(RobotFiles { model, log }) = classroom.kept.as_ref().map(Kept::files).filter(|_| known < in_log) {
         let (model, log) = (model.display(), log.display());
         say!(
             "{log} has {} that taught something, and {model} knows {known}: the others gave way to newer ones, or the program was stopped while it \
@@ -277,7 +278,7 @@ fn robot_files(options: &TeachOptions, lines: bool, world: Option<&Arc<WorldFile
 /// The robot, with the kinds of task that its file keeps.
 fn of_kept_kinds(options: &TeachOptions, pupil: Pupil, file: &Path, model: &[u8]) -> Result<Pupil, Failure> {
     let Some(kinds) = kinds::kept(file, model)? else { return Ok(pupil) };
-    let asked = options.routes.then(|| pupil.lesson().agent.lifted().to_vec());
+    let asked = options.routes.then(|| pupil.lesson.agent.lifted().to_vec());
     let kinds = kinds::agreed(file, kinds, asked, "--routes")?;
     pupil.with_kinds(&kinds)
 }

@@ -3,7 +3,7 @@
 use super::lessons::{course_lessons, home_named};
 use super::pupil::Pupil;
 use goodbot_console::outcome::Failure;
-use goodbot_course::next_lesson::next_lesson;
+use goodbot_course::next_lesson::{next_lesson, times_heard};
 use goodbot_formats::environment::EnvironmentFile;
 
 /// A proposed lesson.
@@ -52,13 +52,13 @@ pub fn propose(pupil: &Pupil, wanted: &[String]) -> Result<Next, Failure> {
         return Ok(Next::NothingWanted);
     }
     // The course's lessons are for homes only.
-    let is_home = pupil.lesson().home().as_floor().is_some();
+    let is_home = pupil.lesson.home().as_floor().is_some();
     let mut lessons: Vec<_> = course_lessons().map(|(home, command)| (Some(home), command)).filter(|_| is_home).collect();
     let own: Vec<_> = wanted.iter().filter(|command| lessons.iter().all(|(_, other)| other != *command)).cloned().collect();
     lessons.extend(own.into_iter().map(|command| (None, command)));
     let [commands, wanted]: [Vec<&str>; 2] =
         [lessons.iter().map(|(_, command)| command.as_str()).collect(), wanted.iter().map(String::as_str).collect()];
-    let found = next_lesson(&commands, &wanted, |word| pupil.times_heard(word))?;
+    let found = next_lesson(&commands, &wanted, |word| times_heard(&pupil.lesson.agent, word))?;
     let Some((next, (home, command))) = found.filter(|next| !next.is_known()).and_then(|next| Some((next, lessons.get(next.lesson)?)))
     else {
         return Ok(Next::LittleLeft);

@@ -12,7 +12,7 @@ fn no_command_sends_the_terminal_what_it_would_obey() {
         for command in COMMANDS {
             let run = assert_harmless(&place, command, hostile, &goodbot);
             let is_misused = run.messages.contains("For more information");
-            assert!(!is_misused || command.contains("--task") || command.contains("--expected"), "{command}: {}", run.messages);
+            assert!(!is_misused || command.contains("--task"), "{command}: {}", run.messages);
         }
         for picture in PICTURES {
             assert!(std::path::Path::new(&place.file(picture)).exists(), "{picture}");
@@ -25,9 +25,7 @@ fn lines_of_json_keep_the_words_of_a_stranger() {
     let hostile = "\u{9b}\u{202e}\u{e0041}";
     let run = Place::new(hostile).run("check --json log.jsonl", hostile, "", &goodbot);
     assert_eq!((run.code, run.output.is_ascii()), (0, true), "{}", run.output);
-    let place = Place::new(hostile);
-    assert_eq!(place.run("learn log.jsonl --out words.goodbot", hostile, "", &goodbot).code, 0);
-    let run = place.run("ask -w words.goodbot --log log.jsonl --json", hostile, "", &goodbot);
+    let run = Place::new(hostile).run("replay log.jsonl --json", hostile, "", &goodbot);
     let first: Value = serde_json::from_str(run.output.lines().next().expect("a line")).unwrap();
     assert_eq!(first["session"], format!("s0{hostile}"));
 }

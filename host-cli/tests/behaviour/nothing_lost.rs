@@ -194,7 +194,6 @@ fn what_never_ends_is_refused_in_bounded_memory_and_time() {
         "teach --lines < /dev/zero".to_owned(),
         format!("merge /dev/zero {model} --out {}", other.display()),
         format!("ask --with {model} --environment /dev/zero go"),
-        format!("ask --with {model} --log /dev/urandom"),
         format!("evaluate {log} --novel-environments 100000"),
         format!("evaluate {log} --k-fold 99999999999"),
         format!("evaluate {log} --k-fold 1"),

@@ -142,7 +142,6 @@ fn names_that_are_none_are_refused_with_those_that_are_alike() {
     refused(&["--courses", "freed"], "'free'");
     refused(&["--trainers", "punish"], "'punish-only'");
     refused(&["--agents", ""], "possible values");
-    refused(&["--plot", "a.svg", "--column", "certain"], "wrongly_certain");
 }
 
 /// A program that answers every command with these numbers: `ZEROS` is a zero for each task.
@@ -241,25 +240,6 @@ fn numbers_that_are_none_are_refused_with_what_to_give() {
     refused(&["--json", "--shard", "half"], "such as 1/4");
     refused(&["--shard", "1/2"], "--json");
     refused(&["--merge", "a", "--agents", "paper"], "cannot be used with");
-}
-
-#[test]
-fn no_picture_takes_the_place_of_what_is_read_or_of_what_is_not_ours() {
-    let folder = folder("study-plot");
-    let runs = folder.join("runs.jsonl");
-    std::fs::write(&runs, small_output(&["--json"])).unwrap();
-    let (runs, text) = (runs.to_str().unwrap(), std::fs::read_to_string(&runs).unwrap());
-    refused(&["--merge", runs, "--plot", runs, "--force"], "is read here, and would be replaced");
-    assert_eq!(std::fs::read_to_string(runs).unwrap(), text);
-    let note = folder.join("note.svg");
-    std::fs::write(&note, "mine").unwrap();
-    refused(&["--merge", runs, "--plot", note.to_str().unwrap()], "is no picture of goodbot's");
-    let picture = folder.join("tests.svg");
-    output(&["--merge", runs, "--plot", picture.to_str().unwrap(), "--column", "words"]);
-    let picture = std::fs::read_to_string(picture).unwrap();
-    for part in ["words said", "paper: balanced", "paper: population", "tamer+roles"] {
-        assert!(picture.contains(part), "no {part:?}");
-    }
 }
 
 #[test]

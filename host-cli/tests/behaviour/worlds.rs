@@ -53,8 +53,6 @@ fn what_was_said_in_a_world_from_a_file_is_learned_and_understood() {
         let answer = last_line(&goodbot(&["ask", "--with", model, "--environment", world, "--json", words], b""));
         assert_eq!((answer["task"].as_str(), answer["of"].as_u64()), (Some(meant), Some(7)), "{answer}");
     }
-    let read = goodbot(&["ask", "--with", model, "--log", log], b"");
-    assert!(read.output.contains("\"bitte bad lüfter an\"") && read.output.contains("intended: fanOn(d)"), "{}", read.output);
     let asked = last_line(&goodbot(&["evaluate", "--with", model, "--test", log, "--json"], b""));
     assert_eq!((asked["asked"].as_u64(), asked["right"].as_u64()), (Some(14), Some(14)));
     // A world with more names than the model has ever met.
@@ -214,7 +212,8 @@ fn a_model_of_homes_is_not_asked_in_other_worlds_and_logs_of_both_are_not_mixed(
     let [homes, worlds] = [("homes.jsonl", home), ("worlds.jsonl", log())].map(|(name, text)| file(folder.path(), name, &text));
     let [model, homes, worlds] = [&model, &homes, &worlds].map(|path| path.to_str().expect("UTF-8"));
     assert_eq!(goodbot(&["learn", homes, "--out", model], b"").code, 0);
-    let asked = goodbot(&["ask", "--with", model, "--log", worlds], b"");
+    let world = file(folder.path(), "world.json", WORLD);
+    let asked = goodbot(&["ask", "--with", model, "--environment", world.to_str().expect("UTF-8"), "licht an"], b"");
     assert!(asked.code == 2 && asked.messages.contains("was learned in homes"), "{}", asked.messages);
     let both = goodbot(&["learn", homes, worlds, "--out", model], b"");
     assert!(both.code == 2 && both.messages.contains("learn from each by itself"), "{}", both.messages);

@@ -2,7 +2,7 @@
 
 use super::folds::{ask, shuffled};
 use super::method::{Method, Trained};
-use crate::canvas::{GREEN, draw as canvas};
+use crate::canvas::{GREEN, chart, draw as canvas};
 use goodbot::language::Settings;
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
@@ -76,13 +76,8 @@ pub fn points(
 pub fn draw(points: &[Point], runs: usize) -> Result<String, Box<dyn Error>> {
     canvas((720, 440), |area| {
         let most = points.last().map_or(1, |point| point.sessions) as f64;
-        let mut chart = ChartBuilder::on(area)
-            .caption(format!("Commands understood, mean of {runs} orders of the sessions"), ("sans-serif", 18))
-            .margin(16)
-            .x_label_area_size(44)
-            .y_label_area_size(56)
-            .build_cartesian_2d(0.0..most, 0.0..100.0)?;
-        chart.configure_mesh().x_desc("training sessions").y_desc("% right of all others").draw()?;
+        let caption = format!("Commands understood, mean of {runs} orders of the sessions");
+        let mut chart = chart(area, &caption, [("training sessions", most), ("% right of all others", 100.0)])?;
         let edge =
             |sign: f64| move |point: &Point| (point.sessions as f64, (100.0 * (point.mean + sign * point.deviation)).clamp(0.0, 100.0));
         let band: Vec<(f64, f64)> = points.iter().map(edge(1.0)).chain(points.iter().rev().map(edge(-1.0))).collect();

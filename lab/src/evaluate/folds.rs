@@ -7,7 +7,7 @@ use goodbot::language::{Settings, Synonyms};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::starter::Starter;
-use goodbot_console::training_data::{Lesson, Reading, training};
+use goodbot_console::training_data::{Lesson, training};
 use rand_core::Rng;
 use rayon::prelude::*;
 
@@ -34,8 +34,6 @@ pub struct Answer {
     pub chance: f32,
     /// The training session that this one copies, if any.
     pub copy_of: Option<String>,
-    /// The words that most support a mistake.
-    pub telling: Vec<(String, f32)>,
 }
 
 /// The numbers up to `count` in an order that the seed draws.
@@ -73,20 +71,19 @@ impl Experiment<'_> {
     /// [`Failure::Input`] if a command does not fit, or a home has no other layout.
     pub fn run(&self, method: Method, settings: Settings) -> Result<Vec<Answer>, Failure> {
         let progress = bar(self.rounds.len(), "training");
-        let actions: Vec<Lesson> = if method == Method::Action { self.taught.iter().map(by_actions).collect() } else { vec![] };
-        let taught = if method == Method::Action { &actions[..] } else { self.taught };
         let answers: Vec<Vec<Answer>> = self
             .rounds
             .par_iter()
             .map_init(
-                || training::memory(&[taught, self.starter.lessons()].concat(), &settings),
+                || training::memory(&[self.taught, self.starter.lessons()].concat(), &settings),
                 |memory, (left_out, part)| {
                     let left: std::collections::HashSet<usize> = left_out.iter().copied().collect();
-                    let others = || taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
+                    let others =
+                        || self.taught.iter().enumerate().filter(|(position, _)| !left.contains(position)).map(|(_, lesson)| lesson);
                     let wordless = Wordless::of(others());
                     let lessons = others().chain(self.starter.beside(others().count()));
                     let mut trained = Trained::on(method, memory, lessons, settings)?;
-                    let answers = self.ask_part(&mut trained, &wordless, part, method == Method::Action);
+                    let answers = self.ask_part(&mut trained, &wordless, part);
                     progress.inc(1);
                     answers
                 },
@@ -103,18 +100,16 @@ impl Experiment<'_> {
     pub fn ask(&self, trained: &mut Trained<'_>) -> Result<Vec<Answer>, Failure> {
         let wordless = Wordless::default();
         let part: Vec<usize> = self.rounds.iter().flat_map(|(_, part)| part.iter().copied()).collect();
-        self.ask_part(trained, &wordless, &part, false)
+        self.ask_part(trained, &wordless, &part)
     }
 
-    fn ask_part(&self, trained: &mut Trained<'_>, wordless: &Wordless, part: &[usize], plans: bool) -> Result<Vec<Answer>, Failure> {
+    fn ask_part(&self, trained: &mut Trained<'_>, wordless: &Wordless, part: &[usize]) -> Result<Vec<Answer>, Failure> {
         let mut answers = Vec::new();
         for &position in part {
             let Some(lesson) = self.asked.get(position) else { continue };
             let mut each = |lesson: &Lesson| -> Result<(), Failure> {
-                let by_plans = plans.then(|| by_plans(lesson));
-                let lesson_in_known_words = trained.in_known_words(self.synonyms, by_plans.as_ref().unwrap_or(lesson))?;
-                let answer = ask(trained, &lesson_in_known_words)?;
-                let Some(answer) = answer else { return Ok(()) };
+                let lesson_in_known_words = trained.in_known_words(self.synonyms, lesson)?;
+                let Some(answer) = ask(trained, &lesson_in_known_words)? else { return Ok(()) };
                 let (best, meant) = best_and_meant(&wordless.posterior(lesson), lesson);
                 let meant_alone = wordless.posterior(lesson).get(meant).copied().unwrap_or(0.0);
                 let copy_of = self.copies.get(position).copied().flatten().map(|copy| copy.id.clone());
@@ -148,7 +143,6 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
     let posterior = trained.posterior(lesson)?;
     let (best, meant) = best_and_meant(&posterior, lesson);
     let name = |task: usize| lesson.readings.get(task).map_or_else(Default::default, |it| (it.name.to_string(), it.label.clone()));
-    let telling = if best == meant { vec![] } else { trained.telling(lesson, best, meant)? };
     Ok(Some(Answer {
         id: lesson.id.clone(),
         command: lesson.command.clone(),
@@ -157,19 +151,6 @@ pub fn ask(trained: &mut Trained<'_>, lesson: &Lesson) -> Result<Option<Answer>,
         probabilities: (posterior.get(meant).copied().unwrap_or(0.0), posterior.get(best).copied().unwrap_or(0.0)),
         right: best == meant,
         is_told_by_steps: lesson.is_told_by_steps,
-        telling,
         ..Answer::default()
     }))
-}
-
-/// The lesson with the demonstrated actions as its only machine command.
-fn by_actions(lesson: &Lesson) -> Lesson {
-    let shown: Vec<String> = lesson.shown.iter().take(goodbot::capacity::TOKENS_PER_COMMAND).cloned().collect();
-    Lesson { pairs: if shown.is_empty() { vec![] } else { vec![(shown, 1.0)] }, ..lesson.clone() }
-}
-
-/// The lesson with each task's plan as its only machine command.
-fn by_plans(lesson: &Lesson) -> Lesson {
-    let by_plan = |reading: &Reading| Reading { commands: vec![reading.plan.clone()], ..reading.clone() };
-    Lesson { readings: lesson.readings.iter().map(by_plan).collect(), ..lesson.clone() }
 }

@@ -32,8 +32,6 @@ pub enum Method {
     Paper,
     /// Each machine command has words of its own: naive Bayes, no alignment
     BagOfWords,
-    /// Words are translated into the demonstrated actions, and a task is known by its actions
-    Action,
 }
 
 impl Method {
@@ -43,7 +41,7 @@ impl Method {
             Self::Default => Learner::Default.options(),
             Self::Roles => Learner::Roles.options(),
             Self::Smoothed => Options::SMOOTHED,
-            Self::Paper | Self::BagOfWords | Self::Action => Learner::Paper.options(),
+            Self::Paper | Self::BagOfWords => Learner::Paper.options(),
         }
     }
 }
@@ -90,7 +88,7 @@ impl<'m> Trained<'m> {
     ) -> Result<Self, goodbot::AgentError> {
         Ok(match method {
             Method::BagOfWords => Self::Bags(Bags::of(lessons, settings.smoothing)?),
-            Method::Default | Method::Roles | Method::Smoothed | Method::Paper | Method::Action => {
+            Method::Default | Method::Roles | Method::Smoothed | Method::Paper => {
                 Self::Model2(Box::new(training::train(memory, lessons, settings)?))
             }
         })
@@ -130,26 +128,6 @@ impl<'m> Trained<'m> {
                 Ok(posterior)
             }
         }
-    }
-
-    /// The words that most support `predicted` against `meant`, each with the ratio of its probabilities.
-    ///
-    /// # Errors
-    /// A [`CapacityError`].
-    pub fn telling(&mut self, lesson: &Lesson, predicted: usize, meant: usize) -> Result<Vec<(String, f32)>, CapacityError> {
-        let Self::Model2(model) = self else { return Ok(vec![]) };
-        let mut sides = Vec::new();
-        for task in [predicted, meant] {
-            let Some(reading) = lesson.readings.get(task) else { return Ok(vec![]) };
-            let Some(command) = training::best_command(model, &lesson.command, &reading.commands)? else { return Ok(vec![]) };
-            sides.push(training::explain(model, &lesson.command, command)?);
-        }
-        let [predicted, meant] = sides.as_slice() else { return Ok(vec![]) };
-        let ratio = |(a, b): (&training::Explained, &training::Explained)| Some((a.word.clone(), a.probability? / b.probability?));
-        let mut words: Vec<(String, f32)> = predicted.iter().zip(meant).filter_map(ratio).collect();
-        words.sort_by(|a, b| b.1.total_cmp(&a.1));
-        words.truncate(3);
-        Ok(words)
     }
 }
 

@@ -239,7 +239,7 @@ fn with_model(
     }
     let agent = options_of_model(file)?;
     let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-    let asked = options.cleared(training_data::read(&files, lifted, agent, false, &log_options)?);
+    let asked = options.cleared(training_data::read(&files, lifted, agent, &log_options)?);
     let sessions = Sessions { taught: Lessons::default(), asked: Some(asked), starter: Starter::default() };
     let about = sessions.about()?;
     let experiment = Experiment {
@@ -276,12 +276,11 @@ struct Sessions {
 
 impl Sessions {
     fn read(options: &EvaluateOptions, lifted: &[LiftedTask], agent: Options) -> Result<Self, Failure> {
-        let plans = options.learner == Method::Action;
         let log_options = LogOptions { keep_going: options.keep_going, limit: options.limit, ..LogOptions::default() };
-        let taught = options.cleared(training_data::read(&options.files, lifted, agent, plans, &log_options)?);
+        let taught = options.cleared(training_data::read(&options.files, lifted, agent, &log_options)?);
         let asked = match options.test.as_slice() {
             [] => None,
-            files => Some(options.cleared(training_data::read(files, lifted, agent, plans, &log_options)?)),
+            files => Some(options.cleared(training_data::read(files, lifted, agent, &log_options)?)),
         };
         Ok(Self { taught, asked, starter: options.starter.read(lifted, agent)? })
     }
@@ -344,9 +343,8 @@ impl Sessions {
             }
         };
         options.refuse_idle_seed(&self.taught.lessons)?;
-        if self.are_of_worlds() && (options.novel_environments.is_some() || method == Method::Action) {
-            let message = "--novel-environments and --learner action are for homes: a world from a file has no other layout and no actions";
-            return Err(Failure::Input(message.to_owned()));
+        if self.are_of_worlds() && options.novel_environments.is_some() {
+            return Err(Failure::Input("--novel-environments is for homes: a world from a file has no other layout".to_owned()));
         }
         // Commands in other layouts are no copies.
         let copies = match options.novel_environments {

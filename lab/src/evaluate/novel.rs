@@ -45,7 +45,7 @@ impl<'l> Novel<'l> {
         let free = self.witnesses.lock().ok().and_then(|mut witnesses| witnesses.pop());
         let mut witness = match free {
             Some(witness) => witness,
-            None => Witness::new(self.lifted, self.options, None, false)?,
+            None => Witness::new(self.lifted, self.options, None)?,
         };
         let mut random = goodbot_course::generator(self.seed.wrapping_add(position as u64));
         let done = (0..self.count).try_for_each(|_| each(&elsewhere(&mut witness, lesson, &mut random)?));

@@ -161,11 +161,6 @@ pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: 
         writeln!(out, "{}: {}", answer.id.escape_debug(), quoted(&answer.command))?;
         let (expected, predicted) = answer.probabilities;
         writeln!(out, "  expected {} {expected:.3}, predicted {} {predicted:.3}", answer.expected.0, answer.predicted.0)?;
-        let words: Vec<String> =
-            answer.telling.iter().filter(|(_, ratio)| *ratio > 1.0).map(|(word, ratio)| format!("{word} {ratio:.1} times")).collect();
-        if !words.is_empty() {
-            writeln!(out, "  words for the mistake: {}", words.join(", "))?;
-        }
     }
     confusion(out, &counted_ones(answers))?;
     totals(out, summary)?;
@@ -173,11 +168,10 @@ pub fn print(out: &mut impl Write, answers: &[Answer], summary: &Summary, json: 
 }
 
 fn answer_to_json(answer: &Answer, summary: &Summary) -> Value {
-    let words: Vec<_> = answer.telling.iter().map(|(word, ratio)| json!({"word": word, "ratio": ratio})).collect();
     json!({
         "type": "answer", "session": answer.id, "command": answer.command, "expected": answer.expected.0, "predicted": answer.predicted.0,
         "right": answer.right, "probability_expected": answer.probabilities.0, "probability_predicted": answer.probabilities.1,
-        "right_without_words": summary.known(json!(answer.wordless.0)), "copy_of": answer.copy_of, "told_by_steps": answer.is_told_by_steps, "telling_words": words,
+        "right_without_words": summary.known(json!(answer.wordless.0)), "copy_of": answer.copy_of, "told_by_steps": answer.is_told_by_steps,
     })
 }
 

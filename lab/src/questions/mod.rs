@@ -9,7 +9,7 @@ use clap::Args;
 use goodbot::asking::{Asking, CHOICES};
 use goodbot::{Capacities, HeapMemory};
 use goodbot_console::messages::bar;
-use goodbot_console::numbers::between;
+use goodbot_console::numbers::{between, name_of};
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
@@ -130,14 +130,14 @@ pub fn run(options: &QuestionsOptions) -> Result<(), Failure> {
         if options.json {
             let kappa = asking.kappa.is_finite().then_some(asking.kappa);
             let line = json!({
-                "trainer": trainer.name(), "kappa": kappa, "eta": asking.eta, "sessions": row.sessions.len(), "seed": options.seed,
+                "trainer": name_of(trainer), "kappa": kappa, "eta": asking.eta, "sessions": row.sessions.len(), "seed": options.seed,
                 "choices": options.choices, "actions_that_tell_more": row.setting.telling, "cost": cost, "cost_never_asking": never,
                 "saved": [saved - wide, saved + wide], "steps": steps, "questions": questions, "words": words, "understood": understood,
             });
             writeln!(out, "{line}")?;
         } else {
             let kappa = if asking.kappa.is_finite() { format!("{:5}", asking.kappa) } else { "never".to_owned() };
-            let (name, eta, percent) = (trainer.name(), asking.eta, 100.0 * understood);
+            let (name, eta, percent) = (name_of(trainer), asking.eta, 100.0 * understood);
             writeln!(
                 out,
                 "{name:11}  {kappa}  {eta:4.2}  {cost:5.1}  {never:14.1}  {saved:8.1} ± {wide:4.1}  {steps:5.1}  {questions:9.2}  {words:5.1}  {percent:5.1} %"

@@ -25,15 +25,6 @@ pub enum Trained {
 }
 
 impl Trained {
-    /// Its name in output.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Balanced => "balanced",
-            Self::PunishOnly => "punish-only",
-            Self::Real => "real",
-        }
-    }
-
     /// The strategies that the robot expects: the trainer's own; for a real person, the whole population.
     fn expected(self) -> Vec<(Strategy, f32)> {
         match self {

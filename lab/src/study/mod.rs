@@ -59,19 +59,18 @@ use crate::study::agent::{AGENTS, Contestant, Learns};
 use crate::study::course::{COMPARED, Course};
 use crate::study::trainer::population::Population;
 use crate::study::trainer::{TRAINERS, Trainer};
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueHint};
 use goodbot_console::load::input::InputFile;
 use goodbot_console::messages::{counted, say};
 use goodbot_console::numbers::between;
 use goodbot_console::outcome::Failure;
-use goodbot_console::output::{self, Output};
+use goodbot_console::output;
 use plan::Plan;
 use runs::Run;
 use shard::Shard;
 use std::io::Write;
 use std::path::PathBuf;
-use summary::Column;
 
 const EXAMPLES: &str = "\
 An agent is an inference and a language: tamer+roles finds the intended task as TAMER does, and learns words as the role \
@@ -93,7 +92,7 @@ course, trainer and agent:
 
 Examples:
   goodbot study --runs 20
-  goodbot study --courses told --agents this+roles,tamer+roles --trainers balanced,mute --plot study.svg
+  goodbot study --courses told --agents this+roles,tamer+roles --trainers balanced,mute
   goodbot study --shard 1/2 --json > one.jsonl      on one machine, and 2/2 on another
   goodbot study --merge one.jsonl two.jsonl --json  the same lines as from one machine
   goodbot study --runs 100 --report study.md        all of it as a page with a picture
@@ -129,19 +128,19 @@ pub struct StudyOptions {
     #[arg(long, short = 's', value_name = "S", default_value = "1", value_parser = goodbot_console::numbers::seed, allow_negative_numbers = true, conflicts_with_all = ["merge"])]
     pub seed: u64,
     /// Run one part only, such as 1/4 for the first of four; needs --json, whose lines --merge joins
-    #[arg(long, value_name = "PART/OF", requires = "json", allow_hyphen_values = true, conflicts_with_all = ["merge", "fit", "plot"])]
+    #[arg(long, value_name = "PART/OF", requires = "json", allow_hyphen_values = true, conflicts_with_all = ["merge", "fit"])]
     pub shard: Option<Shard>,
     /// Join the parts of a study, or read a whole one, instead of running it
     #[arg(long, value_name = "FILE", num_args = 1.., value_hint = ValueHint::FilePath)]
     pub merge: Vec<InputFile>,
     /// Fit trainers to session logs, and compare simulated trainers with them; with --report, for the page
-    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["plot", "csv"])]
+    #[arg(long, value_name = "LOG", num_args = 1.., value_hint = ValueHint::FilePath, conflicts_with_all = ["csv"])]
     pub fit: Vec<InputFile>,
     /// Try all settings of the other inferences and of the log-linear language, and tell which are best; on seeds of their own
-    #[arg(long, conflicts_with_all = ["merge", "fit", "plot", "csv", "json", "report", "agents"])]
+    #[arg(long, conflicts_with_all = ["merge", "fit", "csv", "json", "report", "agents"])]
     pub tune: bool,
     /// Write all of it as a page, with a picture beside it
-    #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv", "plot"])]
+    #[arg(long, value_name = "FILE.md", value_hint = ValueHint::FilePath, conflicts_with_all = ["json", "csv"])]
     pub report: Option<PathBuf>,
     /// Print JSON lines
     #[arg(long)]
@@ -149,14 +148,8 @@ pub struct StudyOptions {
     /// Print a table of comma-separated values: a line for each trainer and agent
     #[arg(long, conflicts_with = "json")]
     pub csv: bool,
-    /// Write a picture of --column; - is standard output
-    #[arg(long, value_name = "FILE.svg", value_hint = ValueHint::FilePath)]
-    pub plot: Option<PathBuf>,
-    /// The column in the picture
-    #[arg(long, value_name = "NAME", default_value = "tests_right", value_parser = columns(), requires = "plot")]
-    pub column: Column,
     /// Replace files that goodbot has not written
-    #[arg(long)]
+    #[arg(long, requires = "report")]
     pub force: bool,
 }
 
@@ -170,11 +163,6 @@ fn agents() -> PossibleValuesParser {
 
 fn trainers() -> PossibleValuesParser {
     PossibleValuesParser::new(TRAINERS.map(|trainer| PossibleValue::new(trainer.name).help(trainer.does)))
-}
-
-fn columns() -> impl TypedValueParser<Value = Column> {
-    PossibleValuesParser::new(Column::ALL.map(Column::name))
-        .map(|name| Column::ALL.into_iter().find(|column| column.name() == name).unwrap_or(Column::Tests))
 }
 
 /// The named ones, in the order of the tables; all if none is named.
@@ -242,8 +230,7 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     if let Some(page) = &options.report {
         return report::write(page, options);
     }
-    let target = Output::picture(&options.plot, options.inputs(), options.force)?;
-    let mut out = output::text(&[target.as_ref()])?;
+    let mut out = output::text(&[])?;
     if !options.fit.is_empty() {
         likeness::show(&mut out, options)?;
         return Ok(out.flush()?);
@@ -254,10 +241,6 @@ pub fn run(options: &StudyOptions) -> Result<(), Failure> {
     }
     let (plan, runs) = options.runs()?;
     let rows = if plan.shard == Shard::WHOLE { summary::rows(&plan, &runs) } else { Vec::new() };
-    if let Some(target) = &target {
-        target.draw(picture::of(&plan, &rows, options.column))?;
-        say!("picture: {}", target.name());
-    }
     if options.json {
         lines(&mut out, &plan, &runs)?;
         for row in &rows {

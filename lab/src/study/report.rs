@@ -37,7 +37,7 @@ pub fn write(page: &Path, options: &StudyOptions) -> Result<(), Failure> {
     let (plan, runs) = options.runs()?;
     let rows = summary::rows(&plan, &runs);
     let drawn: Vec<Row> = rows.iter().filter(|row| DRAWN.contains(&row.trainer)).cloned().collect();
-    target.draw(picture::of(&plan, &drawn, Column::Tests))?;
+    target.draw(picture::of(&plan, &drawn))?;
     let picture = beside.file_name().unwrap_or_default().to_string_lossy().into_owned();
     text.write(markdown(&plan, &runs, &rows, &picture, checks.as_deref()).as_bytes())?;
     say!("page: {}", text.name());

@@ -1,20 +1,16 @@
 //! The shares of commands that robots understood, against the number of lessons.
 
 use super::{Robots, Test, WaysOptions};
-use crate::canvas::{BLUE, GREEN, INK, draw as canvas};
+use crate::canvas::{BLUE, GREEN, INK, chart, draw as canvas};
 use plotters::prelude::*;
 use std::error::Error;
 
 /// One line for robots that never ask, and one for those that do. Vertical strokes are 95 % intervals over robots.
 pub fn draw(robots: &[Robots; 2], options: &WaysOptions) -> Result<String, Box<dyn Error>> {
     canvas((720, 440), |area| {
-        let mut chart = ChartBuilder::on(area)
-            .caption(format!("Commands that say how, understood by {} robots after lessons", options.runs), ("sans-serif", 18))
-            .margin(16)
-            .x_label_area_size(44)
-            .y_label_area_size(56)
-            .build_cartesian_2d(0.0..options.lessons.max(1) as f64, 0.0..100.0)?;
-        chart.configure_mesh().x_desc("lessons").y_desc(format!("% right of {} commands", options.tests)).draw()?;
+        let caption = format!("Commands that say how, understood by {} robots after lessons", options.runs);
+        let right = format!("% right of {} commands", options.tests);
+        let mut chart = chart(area, &caption, [("lessons", options.lessons.max(1) as f64), (&right, 100.0)])?;
         for (robots, color, name) in [(&robots[0], BLUE, "never asks"), (&robots[1], GREEN, "asks")] {
             let at =
                 |test: &Test, shift: f64| (test.lessons as f64, (100.0 * (test.share.mean + shift * test.share.half)).clamp(0.0, 100.0));

@@ -291,9 +291,7 @@ impl<D: Place> Lesson<D> {
         self.agent.resume(goodbot::talk::Conversation::NEW);
         self.agent.hear(&self.walk.home, &self.state, command)?;
         let strategies = self.agent.belief().strategies().to_vec();
-        {
-            self.walk.listening = None;
-        }
+        self.walk.listening = None;
         self.begin(command.to_owned(), Session::new(environment, strategies));
         Ok(())
     }
@@ -301,9 +299,7 @@ impl<D: Place> Lesson<D> {
     /// Begins a session whose command the agent has heard.
     fn begin(&mut self, command: String, session: Session<D::Record>) {
         (self.walk.command, self.walk.start) = (command, self.state);
-        {
-            self.walk.closed = self.closed;
-        }
+        self.walk.closed = self.closed;
         self.walk.steps.clear();
         self.walk.answers.clear();
         self.restraint.begin();
@@ -515,10 +511,8 @@ impl<D: Place> Lesson<D> {
         if self.is_under_way() {
             self.take_end()?;
         }
-        {
-            self.restraint.end();
-            self.remember_session();
-        }
+        self.restraint.end();
+        self.remember_session();
         self.session.take().ok_or(LiveError::NoSession)?;
         self.acted = None;
         self.end_part();
@@ -544,10 +538,8 @@ impl<D: Place> Lesson<D> {
     /// Ends the session, and learns nothing from it. The rest of the utterance is dropped.
     pub fn forget(&mut self) {
         self.acted = None;
-        {
-            self.remember_if_done();
-            self.ahead = None;
-        }
+        self.remember_if_done();
+        self.ahead = None;
         if self.session.take().is_some() {
             self.agent.forget();
         }

@@ -137,7 +137,7 @@ pub fn assert_well_formed(svg: &str) {
 }
 
 /// Every command that reads files of strangers. `~` stands for the hostile text.
-pub const COMMANDS: [&str; 42] = [
+pub const COMMANDS: [&str; 37] = [
     "check home.json",
     "check log.jsonl world.json fault.json",
     "check --json log.jsonl world.json fault.json home.json",
@@ -146,10 +146,6 @@ pub const COMMANDS: [&str; 42] = [
     "ask -w words.goodbot -e home.json to the blue room",
     "ask -w words.goodbot -e home.json --why go~ to the bl~ue room",
     "ask -w words.goodbot -e home.json --json go~ to the ba~g",
-    "ask -w words.goodbot --log log.jsonl --why",
-    "ask -w words.goodbot --log log.jsonl --json",
-    "ask -w words.goodbot --log log.jsonl --session ~",
-    "ask -w words.goodbot -e home.json --expected x~(agent0,room1) to the blue room",
     "ask -w words.goodbot -e world.json to the ga~rage",
     "inspect words.goodbot",
     "inspect words.goodbot --json",
@@ -158,7 +154,6 @@ pub const COMMANDS: [&str; 42] = [
     "diff words.goodbot roles.goodbot",
     "diff words.goodbot roles.goodbot --json",
     "unlearn words.goodbot 1 --out less.goodbot",
-    "unlearn words.goodbot s1~ --log log.jsonl --out less.goodbot",
     "merge words.goodbot less.goodbot --out both.goodbot",
     "parameters roles.goodbot --out parameters.h --c",
     "size home.json",

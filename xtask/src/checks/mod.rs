@@ -11,6 +11,7 @@ use std::time::Instant;
 use anyhow::{Result, ensure};
 use clap::{Args, ValueEnum};
 
+use crate::process::described;
 use crate::programs::Missing;
 use crate::{capi, footprint, guide};
 use parallel::ParallelSteps;
@@ -130,7 +131,7 @@ pub fn run(options: &Options) -> Result<()> {
 
     println!("\n== summary, after {:.1} s", start.elapsed().as_secs_f64());
     for step in chosen {
-        let (name, about) = step.described();
+        let (name, about) = described(step);
         let end = ends.iter().find(|(ended, ..)| *ended == step);
         println!("{:18}  {name:12} {about}", end.map_or("not reached".to_owned(), shown));
     }
@@ -144,7 +145,7 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 fn work(step: Step, run: &mut Run) -> End {
-    let ((name, about), start) = (step.described(), Instant::now());
+    let ((name, about), start) = (described(step), Instant::now());
     println!("\n== {name}: {about}");
     let outcome = match (step.work().0)(run).map_err(anyhow::Error::downcast::<Missing>) {
         Ok(()) => Outcome::Passed,

@@ -3,9 +3,12 @@
 use std::time::Duration;
 
 use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+use crate::process::described;
 
 /// One check. They run in this order: those that fail soonest come first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 pub enum Step {
     /// files are as rustfmt writes them
     Format,
@@ -59,14 +62,7 @@ impl Step {
 
     /// Its name.
     pub fn name(self) -> String {
-        self.described().0
-    }
-
-    /// Its name, and a description of its check.
-    pub fn described(self) -> (String, String) {
-        let value = self.to_possible_value();
-        let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
-        (name.unwrap_or_default(), about.flatten().unwrap_or_default())
+        described(self).0
     }
 
     /// Whether it is quick enough for `--fast`.
@@ -76,7 +72,7 @@ impl Step {
 }
 
 /// The outcome of a step.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outcome {
     Passed,
     Failed,

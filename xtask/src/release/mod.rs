@@ -16,7 +16,7 @@ use clap::{Args, ValueEnum};
 use xshell::{Shell, cmd};
 
 use crate::capi::{ALL_FEATURES, FEATURES, headers_beside, library};
-use crate::process::{folder_named_by, root, shell, target_dir};
+use crate::process::{described, folder_named_by, root, shell, target_dir};
 use crate::programs::{installed_by_cargo, on_path, python_with};
 use crate::toolchain::{TARGETS, WASM};
 use archive::{files, pack, unpack};
@@ -88,7 +88,7 @@ pub fn run(options: &Options) -> Result<()> {
     // The day of what was released, not of the build.
     sh.set_var("SOURCE_DATE_EPOCH", cmd!(sh, "git log -1 --format=%ct").quiet().read()?);
     for package in options.packages() {
-        let (name, about) = package.described();
+        let (name, about) = described(package);
         println!("\n== {name}: {about}");
         package.make(&sh, &texts, &to, options.target.as_deref())?;
     }
@@ -97,13 +97,6 @@ pub fn run(options: &Options) -> Result<()> {
 }
 
 impl Package {
-    /// What it is called, and what it is.
-    fn described(self) -> (String, String) {
-        let value = self.to_possible_value();
-        let (name, about) = value.map(|value| (value.get_name().to_owned(), value.get_help().map(ToString::to_string))).unzip();
-        (name.unwrap_or_default(), about.flatten().unwrap_or_default())
-    }
-
     fn make(self, sh: &Shell, texts: &Texts, to: &Path, target: Option<&str>) -> Result<()> {
         match self {
             Self::Crates => crates(sh, texts, to),

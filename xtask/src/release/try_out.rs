@@ -10,7 +10,7 @@ use zip::ZipArchive;
 use super::archive::{self, files};
 use super::{FOLDER, Package, check, npm, this_machine};
 use crate::checks::tally::Run;
-use crate::process::{root, target_dir};
+use crate::process::{described, root, target_dir};
 use crate::programs::{CHROMIUM, NODE, VENV, npm_packages, on_path, python3};
 
 /// Tries the chosen kinds of package that have a tool to install them.
@@ -32,7 +32,7 @@ pub fn run(sh: &Shell, from: &Path, packages: impl Iterator<Item = Package>) -> 
             // The page and the micro:bit's file are tried by the steps of their names of `cargo xtask test`.
             Package::Page | Package::Microbit | Package::Materials => continue,
         };
-        let name = package.described().0;
+        let name = described(package).0;
         tried.with_context(|| format!("the package {name}, as its users have it"))?;
         println!("installed and used: {name}");
     }

@@ -5,7 +5,7 @@ use crate::messages;
 use crate::output::is_standard;
 use crate::whole_file::MOST_BYTES;
 use goodbot_formats::FormatError;
-use goodbot_formats::Problem;
+use goodbot_formats::NOT_UTF8;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{RecordedSession, SessionReader};
 use goodbot_formats::world::{Line, WorldFile, WorldReader, field_line};
@@ -129,7 +129,7 @@ fn home_of(file: &InputFile, bytes: Vec<u8>) -> Result<EnvironmentFile, Fault> {
     if !matches!(content, Content::Environment | Content::Map) {
         return Err(Fault::new(name, format!("this is {}, not a home; name a home (goodbot example home prints one)", content.name())));
     }
-    let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+    let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, NOT_UTF8))?;
     home::parse(name, &text)
 }
 
@@ -148,7 +148,7 @@ impl WorldInFile {
     /// # Errors
     /// The fault of the world.
     pub fn parse(name: &str, bytes: Vec<u8>) -> Result<Self, Fault> {
-        let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, Problem::NotUtf8))?;
+        let text = String::from_utf8(bytes).map_err(|_| Fault::new(name, NOT_UTF8))?;
         let world = WorldFile::parse(&text).map_err(|error| Fault::from_format(name, error))?;
         Ok(Self { world, name: name.to_owned(), text })
     }
@@ -186,7 +186,7 @@ pub fn bytes(file: &InputFile) -> Result<Vec<u8>, Fault> {
 /// # Errors
 /// A fault if it cannot be read, or is not UTF-8.
 pub fn text(file: &InputFile) -> Result<String, Fault> {
-    String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), Problem::NotUtf8))
+    String::from_utf8(bytes(file)?).map_err(|_| Fault::new(name(file), NOT_UTF8))
 }
 
 /// The rest of an opened file, with its name for messages.

@@ -2,11 +2,10 @@
 
 use super::lesson::{Lesson, MachineCommand, Reading, place, told_pairs};
 use crate::believes::Believes;
-use goodbot::capacity::TOKENS_PER_COMMAND;
 use goodbot::feedback::{Ending, Strategy};
 use goodbot::language::{LanguageRef, Model};
 use goodbot::memory::AgentHeap;
-use goodbot::oomdp::{Domain, ObjectId, apply};
+use goodbot::oomdp::{Domain, ObjectId};
 use goodbot::probability::total;
 use goodbot::session::Evidence;
 use goodbot::symbols::{Symbol, Symbols, SymbolsRef};
@@ -27,14 +26,12 @@ pub struct Witness {
     agent: Agent<AgentHeap>,
     lifted: Vec<LiftedTask>,
     believes: Option<Believes>,
-    plans: bool,
 }
 
 impl Witness {
-    /// A witness without words. `believes` replaces the trainer strategies that the sessions name. `plans` says whether each task's plan is
-    /// wanted.
-    pub fn new(lifted: &[LiftedTask], options: Options, believes: Option<Believes>, plans: bool) -> Result<Self, goodbot::AgentError> {
-        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), believes, plans })
+    /// A witness without words. `believes` replaces the trainer strategies that the sessions name.
+    pub fn new(lifted: &[LiftedTask], options: Options, believes: Option<Believes>) -> Result<Self, goodbot::AgentError> {
+        Ok(Self { agent: Agent::new(AgentHeap::new(&Capacities::STANDARD), lifted, options)?, lifted: lifted.to_vec(), believes })
     }
 
     /// Replays a session. The trainer strategies that it names count. A recorded prior does not count, because it comes from words.
@@ -58,7 +55,7 @@ impl Witness {
         self.seen_in(file, recorded, &session)
     }
 
-    /// The lesson of a command in another world. `intended`, if given, is its meaning; `None` if no task there has this meaning.
+    /// The lesson of a command in another world. `intended` is its meaning; `None` if no task there has this meaning.
     ///
     /// # Errors
     /// The faults of the command.
@@ -67,20 +64,18 @@ impl Witness {
         file: &str,
         recorded: &SessionInWorld,
         robot: Robot<'_>,
-        intended: Option<&[GroundAtomText]>,
+        intended: &[GroundAtomText],
     ) -> Result<Option<Lesson>, Vec<Fault>> {
         let mut session = world::checked::check(file, recorded, robot, &self.lifted)?;
-        if let Some(intended) = intended {
-            let sorted = |atoms: &[GroundAtomText]| {
-                let mut atoms = atoms.to_vec();
-                atoms.sort();
-                atoms
-            };
-            let wanted = sorted(intended);
-            session.intended = session.tasks.iter().position(|(_, name)| sorted(name.atoms()) == wanted);
-            if session.intended.is_none() {
-                return Ok(None);
-            }
+        let sorted = |atoms: &[GroundAtomText]| {
+            let mut atoms = atoms.to_vec();
+            atoms.sort();
+            atoms
+        };
+        let wanted = sorted(intended);
+        session.intended = session.tasks.iter().position(|(_, name)| sorted(name.atoms()) == wanted);
+        if session.intended.is_none() {
+            return Ok(None);
         }
         self.seen_in(file, recorded, &session).map(Some)
     }
@@ -109,10 +104,6 @@ impl Witness {
             _ => (0..session.tasks.len()).map(|task| self.agent.belief().probability(task)).collect(),
         };
         self.agent.weigh(&session.walk.home).map_err(at(recorded.end_line))?;
-        let shown = match header.kind {
-            Kind::Demonstration => recorded.steps.iter().map(|(_, step)| step.action.clone()).collect(),
-            Kind::Feedback | Kind::Labelled => vec![],
-        };
         let pairs = self.pairs();
         let readings = self.readings(session).map_err(at(recorded.header_line))?;
         let lesson = Lesson {
@@ -120,19 +111,15 @@ impl Witness {
             command: session.walk.command.clone(),
             header: header.clone(),
             intended,
-            is_told_by_steps: false,
             pairs: intended.filter(|_| header.kind == Kind::Labelled).and_then(|told| readings.get(told)).map_or(pairs, told_pairs),
             readings: readings.into(),
-            numbers: std::sync::Arc::default(),
             beliefs,
-            world: None,
             acts: true,
-            group: None,
-            shown,
             walk: walked(recorded),
             learn: recorded.learn,
             remarks,
             long: session.long.map(|long| Fault::on_line(file, recorded.header_line, long).in_field("command")),
+            ..Lesson::default()
         };
         self.agent.forget();
         Ok(lesson)
@@ -188,7 +175,7 @@ impl Witness {
         pairs
     }
 
-    fn readings<D: Domain>(&mut self, session: &CheckedSession<D>) -> Result<Vec<Reading>, AgentError> {
+    fn readings<D: Domain>(&self, session: &CheckedSession<D>) -> Result<Vec<Reading>, AgentError> {
         let mut readings = Vec::new();
         for (position, (task, name)) in session.tasks.iter().enumerate() {
             let Some(lifted) = self.lifted.get(usize::from(task.lifted)) else { continue };
@@ -199,29 +186,9 @@ impl Witness {
                 label: label(&session.walk.home, lifted, &task.bindings),
                 prior,
                 commands: commands(&session.walk.home, &self.lifted, task, &session.walk.start, self.agent.options())?,
-                plan: if self.plans { self.plan(session, position)? } else { vec![] },
             });
         }
         Ok(readings)
-    }
-
-    /// The shortest plan of a task whose actions come first in order.
-    fn plan<D: Domain>(&mut self, session: &CheckedSession<D>, task: usize) -> Result<MachineCommand, AgentError> {
-        let (mut state, mut plan) = (session.walk.start, vec![]);
-        self.agent.hear_again(&session.walk.home, &session.walk.start)?;
-        while plan.len() < TOKENS_PER_COMMAND {
-            self.agent.plan_fully(&session.walk.home, &state)?;
-            let actions = self.agent.planned().optimal(task).onward();
-            let Some((action, next)) = actions
-                .and_then(|actions| actions.iter().next())
-                .and_then(|action| Some((action, apply(&session.walk.home, &state, action)?)))
-            else {
-                break;
-            };
-            plan.push(session.walk.home.actions().get(action.index()).map_or_else(String::new, |action| action.name.to_owned()));
-            state = next;
-        }
-        Ok(plan)
     }
 }
 

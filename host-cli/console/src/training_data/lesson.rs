@@ -22,12 +22,10 @@ pub struct Reading {
     pub prior: f32,
     /// Its machine commands, equally probable.
     pub commands: Vec<MachineCommand>,
-    /// The actions of one of its shortest plans; empty if no plans were wanted.
-    pub plan: MachineCommand,
 }
 
 /// The training data of one session.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Lesson {
     /// The session's name.
     pub id: String,
@@ -53,8 +51,6 @@ pub struct Lesson {
     pub beliefs: Vec<f32>,
     /// The machine commands of the possible tasks, with their probabilities.
     pub pairs: Vec<(MachineCommand, f32)>,
-    /// The demonstrated actions in order; empty for feedback.
-    pub shown: Vec<String>,
     /// The actions and their feedback, as a text.
     pub walk: String,
     /// Whether the language model is to learn from it.
@@ -73,19 +69,9 @@ impl Lesson {
             command: command.words.to_owned(),
             header,
             world: Some(world),
-            acts: false,
-            group: None,
-            intended: None,
-            is_told_by_steps: false,
             beliefs: readings.iter().map(|reading| reading.prior).collect(),
             readings,
-            numbers: Arc::default(),
-            pairs: vec![],
-            shown: vec![],
-            walk: String::new(),
-            learn: false,
-            remarks: vec![],
-            long: None,
+            ..Self::default()
         }
     }
 

@@ -60,13 +60,7 @@ pub struct LogOptions {
 }
 
 /// Reads the sessions of all files and replays them.
-pub fn read(
-    files: &[InputFile],
-    lifted: &[LiftedTask],
-    options: Options,
-    plans: bool,
-    log_options: &LogOptions,
-) -> Result<Lessons, Failure> {
+pub fn read(files: &[InputFile], lifted: &[LiftedTask], options: Options, log_options: &LogOptions) -> Result<Lessons, Failure> {
     let keep_going = log_options.keep_going;
     let mut sessions: Vec<(String, RecordedSession)> = Vec::new();
     let (mut skipped, mut with_way, mut no_task) = (0, 0, 0);
@@ -83,7 +77,7 @@ pub fn read(
             return Err(Fault::new(name, message).into());
         }
         if !is_of_homes {
-            worlds::read(name, opened, options, log_options.believes.as_ref(), plans, &mut left, |lesson| {
+            worlds::read(name, opened, options, log_options.believes.as_ref(), &mut left, |lesson| {
                 progress.inc(1);
                 match lesson {
                     Ok(Some(_)) if lessons.len() >= MOST_SESSIONS => return Err(too_many(name)),
@@ -114,7 +108,7 @@ pub fn read(
     let walked: Vec<Result<Lesson, Vec<Fault>>> = sessions
         .par_iter()
         .map_init(
-            || Witness::new(lifted, options, log_options.believes.clone(), plans),
+            || Witness::new(lifted, options, log_options.believes.clone()),
             |witness, (file, session)| {
                 let lesson = match witness {
                     Ok(witness) => witness.lesson(file, session),

@@ -267,93 +267,6 @@ fn weigh_parts(model: LanguageRef<'_>, descriptions: &[Vec<Symbol>], sentence: &
     model.weigh_parts(sentence, same, description, scores);
 }
 
-/// The explanation of a word.
-#[derive(Clone, Debug)]
-pub struct Explained {
-    /// The word in the model's form.
-    pub word: String,
-    /// The machine token that explains it best, `NULL` for none.
-    pub token: String,
-    /// That token's share of the word's probability.
-    pub share: f32,
-    /// The word's probability given the whole machine command; `None` for a word never heard in training.
-    pub probability: Option<f32>,
-}
-
-/// Explains the words of a command by a machine command.
-///
-/// # Errors
-/// A [`CapacityError`] if the command does not fit.
-pub fn explain(
-    model: &mut LanguageModel<impl AgentMemory>,
-    english: &str,
-    command: &MachineCommand,
-) -> Result<Vec<Explained>, CapacityError> {
-    let sentence = model.hear(english)?;
-    let tokens = symbols(model, command)?;
-    let mut explained = explained(model.read(), &sentence, &tokens);
-    if model.read().settings().model == Model::Roles {
-        let known = model.read().tables().words();
-        for (word, it) in sentence.iter().zip(&mut explained) {
-            (it.share, it.probability) = (0.0, word.filter(|word| word.index() < known).map(|_| 0.0));
-        }
-        model.read().word_by_word(&sentence, &tokens, |position, probability| {
-            if let Some(slot) = explained.get_mut(position).and_then(|it| it.probability.as_mut()) {
-                *slot = probability;
-            }
-        });
-    }
-    model.forget_unlearned();
-    Ok(explained)
-}
-
-/// As [`explain`], for interned words and tokens.
-pub fn explained(model: LanguageRef<'_>, sentence: &[Option<Symbol>], tokens: &[Symbol]) -> Vec<Explained> {
-    let tables = model.tables();
-    let mut explained = Vec::new();
-    for (i, &word) in sentence.iter().enumerate() {
-        let text = word.map_or_else(String::new, |word| model.words().text(word).to_owned());
-        let known = word.filter(|word| word.index() < tables.words());
-        let part = |j: usize, token: Option<Symbol>| {
-            known.map_or(0.0, |word| tables.alignment(j, i, tokens.len(), sentence.len()) * tables.translation(word, token))
-        };
-        let parts: Vec<f32> =
-            std::iter::once(None).chain(tokens.iter().copied().map(Some)).enumerate().map(|(j, token)| part(j, token)).collect();
-        let whole: f32 = parts.iter().sum();
-        let best = parts.iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1)).map_or(0, |(j, _)| j);
-        let token = best.checked_sub(1).and_then(|j| tokens.get(j));
-        explained.push(Explained {
-            word: text,
-            token: token.map_or("NULL", |&token| model.tokens().text(token)).to_owned(),
-            share: if whole > 0.0 { parts.get(best).copied().unwrap_or(0.0) / whole } else { 0.0 },
-            probability: known.map(|_| whole),
-        });
-    }
-    explained
-}
-
-/// The machine command of a task that explains a command best.
-///
-/// # Errors
-/// A [`CapacityError`] if the command does not fit.
-pub fn best_command<'r>(
-    model: &mut LanguageModel<impl AgentMemory>,
-    english: &str,
-    commands: &'r [MachineCommand],
-) -> Result<Option<&'r MachineCommand>, CapacityError> {
-    let sentence = model.hear(english)?;
-    let (mut best, mut most) = (None, Scaled::ZERO);
-    for command in commands {
-        let tokens = symbols(model, command)?;
-        let likelihood = model.likelihood(&sentence, &tokens);
-        if best.is_none() || likelihood.exceeds(most) {
-            (best, most) = (Some(command), likelihood);
-        }
-    }
-    model.forget_unlearned();
-    Ok(best)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -372,7 +285,7 @@ mod tests {
         let (mut lessons, mut left) = (vec![], usize::MAX);
         let options = Learner::Default.options();
         let log = [WORLD, &said[0], &said[1]].join("\n");
-        worlds::read("log", log.as_bytes(), options, None, false, &mut left, |lesson| {
+        worlds::read("log", log.as_bytes(), options, None, &mut left, |lesson| {
             lessons.extend(lesson?);
             Ok::<(), goodbot_lesson::Fault>(())
         })

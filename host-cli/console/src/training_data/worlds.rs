@@ -6,7 +6,6 @@ use crate::believes::Believes;
 use goodbot::Options;
 use goodbot::language::Model;
 use goodbot::task::Marker;
-use goodbot_formats::environment::EnvironmentFile;
 use goodbot_formats::session::{Kind, RecordedSession, SessionHeader};
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{CommandRecord, Line, SessionInWorld, WorldFile, WorldReader};
@@ -40,14 +39,13 @@ enum LoggedWorld {
 struct Worlds<'b> {
     options: Options,
     believes: Option<&'b Believes>,
-    plans: bool,
     worlds: HashMap<String, LoggedWorld>,
     /// For each named command: the steps of its conversation up to it.
     conversations: HashMap<String, Vec<Arc<Step>>>,
 }
 
 /// Reads a log of worlds, and passes each lesson or fault to `take`; `None` is a command whose meaning is no task. `believes` replaces the
-/// trainer strategies that the sessions name. `plans` says whether each task's plan is wanted. At most `left` commands and sessions are
+/// trainer strategies that the sessions name. At most `left` commands and sessions are
 /// read.
 ///
 /// # Errors
@@ -57,11 +55,10 @@ pub fn read<E>(
     log: impl BufRead,
     options: Options,
     believes: Option<&Believes>,
-    plans: bool,
     left: &mut usize,
     mut take: impl FnMut(Result<Option<Lesson>, Fault>) -> Result<(), E>,
 ) -> Result<(), E> {
-    let mut known = Worlds { options, believes, plans, worlds: HashMap::new(), conversations: HashMap::new() };
+    let mut known = Worlds { options, believes, worlds: HashMap::new(), conversations: HashMap::new() };
     let mut lines = WorldReader::new(log);
     while let Some(line) = lines.next() {
         if *left == 0 {
@@ -117,7 +114,7 @@ impl Worlds<'_> {
             let fault = |flaw: WorldFlaw| Fault::new(file, format!("world {}: {}", quoted(&world.name), flaw.message)).in_field(flaw.field);
             let robot = Tables::of(Arc::clone(world)).map_err(fault)?.keep();
             let lifted = robot::tasks(world, &robot).map_err(fault)?;
-            let witness = Witness::new(&lifted, self.options, self.believes.cloned(), self.plans);
+            let witness = Witness::new(&lifted, self.options, self.believes.cloned());
             LoggedWorld::Acted(Arc::clone(world), robot, Box::new(witness.map_err(|error| Fault::new(file, error))?))
         };
         self.worlds.insert(world.name.clone(), known);
@@ -144,7 +141,7 @@ impl Worlds<'_> {
             return Err(at("command", &goodbot::AgentError::EmptyCommand));
         }
         // A command that also ends a proposition has no task.
-        if command.ended.is_empty() { self.told(file, command, &before, Some(&command.intended)) } else { Ok(None) }
+        if command.ended.is_empty() { self.told(file, command, &before) } else { Ok(None) }
     }
 
     /// The steps before a command, in order.
@@ -169,14 +166,8 @@ impl Worlds<'_> {
         self.conversations.insert(id.clone(), steps);
     }
 
-    /// The lesson of a command with a known or a wanted meaning.
-    fn told(
-        &mut self,
-        file: &str,
-        command: &CommandRecord,
-        before: &[Arc<Step>],
-        intended: Option<&[GroundAtomText]>,
-    ) -> Result<Option<Lesson>, Fault> {
+    /// The lesson of a command with its meaning.
+    fn told(&mut self, file: &str, command: &CommandRecord, before: &[Arc<Step>]) -> Result<Option<Lesson>, Fault> {
         let at = |field: &str, message: &dyn std::fmt::Display| Fault::on_line(file, command.line, message).in_field(field);
         let id = command.id.clone().unwrap_or_else(|| format!("{file}:{}", command.line));
         let model = self.options.language.model;
@@ -194,7 +185,7 @@ impl Worlds<'_> {
                     end_line: command.line,
                 };
                 let recorded = SessionInWorld { world: Arc::clone(world), facts, session };
-                let told = witness.told_in(file, &recorded, *robot, intended);
+                let told = witness.told_in(file, &recorded, *robot, &command.intended);
                 let told = told.map_err(|faults| faults.into_iter().next().unwrap_or_else(|| Fault::new(file, "cannot be used")))?;
                 return Ok(told.map(|lesson| Lesson { id, header: header(command), group: command.group.clone(), ..lesson }));
             }
@@ -232,8 +223,13 @@ impl Worlds<'_> {
 
 /// The header of a labelled session without a home.
 fn header(command: &CommandRecord) -> SessionHeader {
-    let header = SessionHeader::new(Kind::Labelled, EnvironmentFile::new(vec![]), command.command.clone());
-    SessionHeader { id: command.id.clone(), intended: Some(command.intended.clone()), ..header }
+    SessionHeader {
+        kind: Kind::Labelled,
+        command: command.command.clone(),
+        id: command.id.clone(),
+        intended: Some(command.intended.clone()),
+        ..SessionHeader::default()
+    }
 }
 
 /// The tasks of a world without a robot in which `facts` hold. Model 2 knows no roles, so it reads the values alone.
@@ -247,7 +243,6 @@ fn readings(world: &WorldFile, facts: &[GroundAtomText], before: &[Arc<Step>], m
         label: meaning.label,
         prior: meaning.prior,
         commands: vec![meaning.description.into_iter().filter(is_read).collect()],
-        plan: vec![],
     };
     Ok(meanings(world, facts, before)?.into_iter().map(reading).collect())
 }

@@ -49,6 +49,14 @@ impl Misunderstood {
 
 type Answers = Result<Vec<Value>, Misunderstood>;
 
+fn refused(message: &str, instead: &'static str) -> Answers {
+    Err(Misunderstood { message: message.to_owned(), instead })
+}
+
+const NO_SESSION: &str = "no session is under way";
+const ASK_FIRST: &str = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
+const COMMAND_FIRST: &str = "send a command first, such as: command go to the red room";
+
 const REQUESTS: &[(&str, &str)] = &[
     ("command WORDS", "say a command; in the tour, without words, the lesson's own command"),
     ("say WORDS", "say anything: praise, blame, stop, undo, again, an answer, a correction, or a command"),
@@ -181,9 +189,9 @@ impl Speaker<'_> {
     fn farewell(&mut self) -> Value {
         // A session under way goes to the log, and a write error is reported.
         let failure = self.classroom.leave().err();
-        let files = self.classroom.kept().map(|kept| kept.files());
+        let files = self.classroom.kept.as_ref().map(|kept| kept.files());
         let mut bye = json!({
-            "type": "bye", "sessions": self.classroom.pupil.lessons_learned(), "kept": self.classroom.kept().map(Kept::sessions),
+            "type": "bye", "sessions": self.classroom.pupil.lessons_learned(), "kept": self.classroom.kept.as_ref().map(Kept::sessions),
             "model": files.map(|files| files.model.display().to_string()),
             "log": files.map(|files| files.log.display().to_string()),
         });
@@ -200,10 +208,7 @@ impl Speaker<'_> {
             _ => words,
         };
         if said.is_empty() {
-            return Err(Misunderstood {
-                message: "the command has no word".to_owned(),
-                instead: "send what the robot shall do, such as: command go to the red room",
-            });
+            return refused("the command has no word", "send what the robot shall do, such as: command go to the red room");
         }
         let heard = self.classroom.say(said)?;
         let told = self.heard(said, &heard)?;
@@ -233,14 +238,14 @@ impl Speaker<'_> {
             );
         }
         let words: Vec<Value> = self.support()?;
-        let command = self.classroom.lesson().command().unwrap_or(said);
-        let conversation = &self.classroom.lesson().conversation().id;
+        let command = self.classroom.pupil.lesson.command().unwrap_or(said);
+        let conversation = &self.classroom.pupil.lesson.conversation().id;
         let mut heard = json!({"type": "heard", "command": command, "verdict": "try", "certainty": certainty, "taken_for": meant, "words": words, "conversation": conversation});
-        if let Some(rest) = self.classroom.lesson().rest() {
+        if let Some(rest) = self.classroom.pupil.lesson.rest() {
             heard["rest"] = rest.into();
         }
-        if pupil.unread() > 0 {
-            heard["unread"] = pupil.unread().into();
+        if pupil.unread > 0 {
+            heard["unread"] = pupil.unread.into();
         }
         self.add_tasks(&mut heard);
         Ok(heard)
@@ -249,15 +254,12 @@ impl Speaker<'_> {
     /// Handles any utterance.
     fn say(&mut self, words: &str) -> Answers {
         if words.is_empty() {
-            return Err(Misunderstood {
-                message: "nothing was said".to_owned(),
-                instead: "send say and some words, such as: say good robot",
-            });
+            return refused("nothing was said", "send say and some words, such as: say good robot");
         }
         let nothing = |taken_for: &str| Ok(vec![json!({"type": "said", "words": words, "taken_for": taken_for})]);
         let said = self.classroom.pupil.said(words)?;
         if matches!(said, Said::Command | Said::Again) && self.classroom.doubts(words)? {
-            let under_way = self.classroom.lesson().command().unwrap_or_default();
+            let under_way = self.classroom.pupil.lesson.command().unwrap_or_default();
             let asks = format!("Shall I leave \"{under_way}\" unlearned, and begin \"{words}\"?");
             return Ok(vec![
                 json!({"type": "said", "words": words, "taken_for": "a command", "asks": asks, "do": "say the same once more for yes; or go on: step, good, bad, finish"}),
@@ -277,10 +279,10 @@ impl Speaker<'_> {
                 self.add_tasks(&mut told);
                 Ok(vec![told])
             }
-            Said::Stop if self.classroom.lesson().is_under_way() => self.forget(),
-            Said::Undo if self.classroom.lesson().steps() > 0 || self.classroom.lesson().acted().is_some() => self.back(),
-            Said::Undo if !self.classroom.lesson().is_under_way() && self.classroom.has_taught() => self.undo(),
-            Said::Again => match self.classroom.last().map(str::to_owned) {
+            Said::Stop if self.classroom.pupil.lesson.is_under_way() => self.forget(),
+            Said::Undo if self.classroom.pupil.lesson.steps() > 0 || self.classroom.pupil.lesson.acted().is_some() => self.back(),
+            Said::Undo if !self.classroom.pupil.lesson.is_under_way() && self.classroom.has_taught() => self.undo(),
+            Said::Again => match self.classroom.last.clone() {
                 Some(command) => self.command(&command),
                 None => nothing(Class::Again.name()),
             },
@@ -294,30 +296,30 @@ impl Speaker<'_> {
     /// Judges the last step, and learns the words said along with the feedback.
     fn judge_saying(&mut self, feedback: Feedback, words: &str) -> Answers {
         let judged = self.judge(feedback)?;
-        self.classroom.pupil.learn_word(words, feedback)?;
+        self.classroom.pupil.lesson.learn_voice(words, feedback)?;
         Ok(judged)
     }
 
     fn support(&self) -> Result<Vec<Value>, Failure> {
-        let meanings = self.classroom.pupil.meanings();
-        let of = |position: usize| meanings.iter().find(|meaning| meaning.position == position).map(|meaning| meaning.name.clone());
+        let lesson = &self.classroom.pupil.lesson;
         let word = |word: crate::teach::pupil::WordSupport| {
-            let shares: Map<String, Value> =
-                word.shares.iter().enumerate().filter_map(|(position, &share)| Some((of(position)?, number(share)))).collect();
+            let shares: Map<String, Value> = word
+                .shares
+                .iter()
+                .enumerate()
+                .filter_map(|(position, &share)| Some((lesson.name_of(position)?.to_string(), number(share))))
+                .collect();
             json!({"word": word.word, "known": word.known, "speaks_for": shares})
         };
         Ok(self.classroom.pupil.word_support()?.into_iter().map(word).collect())
     }
 
     fn step(&mut self) -> Answers {
-        if !self.classroom.lesson().is_under_way() {
-            return Err(Misunderstood {
-                message: "no session is under way".to_owned(),
-                instead: "send a command first, such as: command go to the red room",
-            });
+        if !self.classroom.pupil.lesson.is_under_way() {
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         let pupil = &mut self.classroom.pupil;
-        pupil.lesson_mut().go_on()?;
+        pupil.lesson.go_on()?;
         pupil.plan_fully()?;
         let meanings = pupil.meanings();
         let acted = pupil.act()?.clone();
@@ -338,53 +340,46 @@ impl Speaker<'_> {
 
     fn judge(&mut self, feedback: Feedback) -> Answers {
         let pupil = &mut self.classroom.pupil;
-        let Some(action) = pupil.lesson().acted().map(|acted| acted.action.clone()) else {
-            return Err(Misunderstood { message: "there is no step to judge yet".to_owned(), instead: "send step first" });
+        let Some(action) = pupil.lesson.acted().map(|acted| acted.action.clone()) else {
+            return refused("there is no step to judge yet", "send step first");
         };
-        let judged = pupil.lesson_mut().judge(feedback)?;
+        let judged = pupil.lesson.judge(feedback)?;
         let mut answer = json!({"type": "judged", "action": action, "feedback": feedback.name(), "counted": judged == Evidence::Used});
         self.add_tasks(&mut answer);
         Ok(vec![answer])
     }
 
     fn ask(&mut self) -> Answers {
-        if !self.classroom.lesson().is_under_way() {
-            return Err(Misunderstood {
-                message: "no session is under way".to_owned(),
-                instead: "send a command first, such as: command go to the red room",
-            });
+        if !self.classroom.pupil.lesson.is_under_way() {
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         let pupil = &mut self.classroom.pupil;
         pupil.plan_fully()?;
         let asks = pupil.ask(&Asking::DEFAULT)?;
-        let meanings = pupil.meanings();
-        let of = |position: &usize| meanings.iter().find(|meaning| meaning.position == *position).map(|meaning| meaning.name.clone());
         Ok(vec![match asks {
             None => json!({"type": "question", "text": null}),
             Some(asks) => {
-                let tasks: Vec<String> = asks.tasks.iter().filter_map(of).collect();
+                let tasks: Vec<String> = asks.tasks.iter().filter_map(|&task| Some(pupil.lesson.name_of(task)?.to_string())).collect();
                 json!({"type": "question", "text": asks.text, "choices": asks.choices, "tasks": tasks})
             }
         }])
     }
 
     fn reply(&mut self, answer: &str) -> Answers {
-        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let given = match answer {
             "yes" => Answer::Yes,
             "no" => Answer::No,
             number => match number.parse::<u8>().ok().and_then(|number| number.checked_sub(1)) {
                 Some(chosen) => Answer::This(chosen),
-                None => return Err(Misunderstood { message: format!("{number:?} is no answer"), instead }),
+                None => return refused(&format!("{number:?} is no answer"), ASK_FIRST),
             },
         };
         self.reply_as(answer, given)
     }
 
     fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
-        let instead = "send ask first, and then answer yes, answer no, or answer and the number of a choice, such as: answer 1";
         let pupil = &mut self.classroom.pupil;
-        let evidence = pupil.lesson_mut().answer(given).map_err(|refused| Misunderstood::told(refused, instead))?;
+        let evidence = pupil.lesson.answer(given).map_err(|refused| Misunderstood::told(refused, ASK_FIRST))?;
         let mut told = json!({"type": "answered", "answer": answer, "counted": evidence == Evidence::Used});
         self.add_tasks(&mut told);
         Ok(vec![told])
@@ -420,10 +415,10 @@ impl Speaker<'_> {
 
     fn back(&mut self) -> Answers {
         let pupil = &mut self.classroom.pupil;
-        if !pupil.lesson_mut().take_back()? {
-            return Err(Misunderstood { message: "no step was taken yet".to_owned(), instead: "send step" });
+        if !pupil.lesson.take_back()? {
+            return refused("no step was taken yet", "send step");
         }
-        pupil.lesson_mut().walk_on()?;
+        pupil.lesson.walk_on()?;
         let mut answer = json!({"type": "back"});
         self.add_cells(&mut answer);
         self.add_tasks(&mut answer);
@@ -431,12 +426,12 @@ impl Speaker<'_> {
     }
 
     fn finish(&mut self) -> Answers {
-        let steps = self.classroom.lesson().steps();
-        let teaches = self.classroom.lesson().teaches();
+        let steps = self.classroom.pupil.lesson.steps();
+        let teaches = self.classroom.pupil.lesson.teaches();
         let gave_way = self.classroom.finish()?;
         while !self.classroom.learn(u32::MAX)? {}
         let mut answers = self.over(teaches && gave_way.is_some(), steps, gave_way.unwrap_or(0));
-        let rest = self.classroom.lesson().rest().map(str::to_owned);
+        let rest = self.classroom.pupil.lesson.rest().map(str::to_owned);
         if let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) {
             answers.push(self.heard(&rest, &heard)?);
         }
@@ -444,9 +439,9 @@ impl Speaker<'_> {
     }
 
     fn forget(&mut self) -> Answers {
-        let steps = self.classroom.lesson().steps();
+        let steps = self.classroom.pupil.lesson.steps();
         if !self.classroom.forget()? {
-            return Err(Misunderstood { message: "no session is under way".to_owned(), instead: "send a command first" });
+            return refused(NO_SESSION, COMMAND_FIRST);
         }
         Ok(self.over(false, steps, 0))
     }
@@ -459,10 +454,7 @@ impl Speaker<'_> {
 
     fn undo(&mut self) -> Answers {
         if !self.classroom.unlearn()? {
-            return Err(Misunderstood {
-                message: "nothing was learned since the start".to_owned(),
-                instead: "send a command, step, good and finish first",
-            });
+            return refused("nothing was learned since the start", "send a command, step, good and finish first");
         }
         let undone = json!({"type": "undone", "sessions": self.classroom.pupil.lessons_learned()});
         Ok(std::iter::once(undone).chain(self.lesson()).collect())
@@ -486,14 +478,14 @@ impl Speaker<'_> {
         let instead = "send conversation and an id that heard gave, or conversation alone for a new one";
         let id = Some(id).filter(|id| !id.is_empty());
         self.classroom.converse(id).map_err(|refused| Misunderstood::told(refused, instead))?;
-        let lesson = self.classroom.lesson();
+        let lesson = &self.classroom.pupil.lesson;
         let known: Vec<&str> = lesson.conversations().collect();
         Ok(vec![json!({"type": "conversation", "id": lesson.conversation().id, "known": known})])
     }
 
     fn state(&self) -> Value {
         let mut state = json!({
-            "type": "state", "command": self.classroom.lesson().command(),
+            "type": "state", "command": self.classroom.pupil.lesson.command(),
             "sessions": self.classroom.pupil.lessons_learned(),
         });
         self.add_place(&mut state);

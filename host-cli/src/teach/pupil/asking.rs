@@ -1,6 +1,6 @@
 //! The robot's questions in words.
 
-use super::{Pupil, no_session};
+use super::Pupil;
 use crate::teach::plain_names::{in_plain_words, object_words, task_words};
 use crate::teach::site::Site;
 use goodbot::asking::{Asking, Question, Subject};
@@ -23,9 +23,6 @@ pub struct Asks {
 impl Pupil {
     /// The question to ask here, if it teaches the robot more than acting does. The plan must be done.
     pub fn ask(&mut self, asking: &Asking) -> Result<Option<Asks>, Failure> {
-        if !self.lesson.is_under_way() {
-            return Err(no_session());
-        }
         let question = self.lesson.ask(asking)?;
         Ok(question.and_then(|question| self.in_words(&question)))
     }

@@ -23,10 +23,10 @@ use crate::teach::table::{Table, table};
 use goodbot::feedback::{Feedback, SimulatedTrainer, Strategy};
 use goodbot::language::Synonyms;
 use goodbot::memory::AgentHeap;
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::planning::OptimalSet;
 use goodbot::session::{Evidence, Finished};
 use goodbot::snapshot::Contents;
-use goodbot::talk::{ClosedWords, Hypothesis, Listened, Said, Verdict};
+use goodbot::talk::{Hypothesis, Listened, Said, Verdict};
 use goodbot::task::LiftedTask;
 use goodbot::{Agent, Capacities};
 use goodbot_console::believes::Believes;
@@ -38,18 +38,13 @@ use goodbot_console::restored::{self, learn_fully, room_for, room_for_tasks};
 use goodbot_console::starter::Starter;
 use goodbot_course::exercise::Intention;
 use goodbot_course::generator;
-use goodbot_course::next_lesson::times_heard;
 use goodbot_formats::environment::EnvironmentFile;
 use goodbot_lesson::first_words::{read, words_read};
-use goodbot_lesson::live::Lesson;
+use goodbot_lesson::live::{Lesson, LiveError};
 use mind::{build, expect, kinds_of_task, new_mind};
 use rand_pcg::Pcg32;
 use starter_sessions::StarterSessions;
 use std::borrow::Cow;
-
-fn no_session() -> Failure {
-    Failure::Input("no session is under way; give a command first".to_owned())
-}
 
 /// The effect of words to the robot.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,7 +59,8 @@ pub enum Reaction {
 
 /// One robot, one home or other world, and the session under way.
 pub struct Pupil {
-    lesson: Lesson<Site>,
+    /// The robot, its home and the session under way.
+    pub lesson: Lesson<Site>,
     /// The initial state.
     start: SiteState,
     /// The id of the session under way, and the position of its intended task, if they are known.
@@ -77,10 +73,10 @@ pub struct Pupil {
     starter_sessions: StarterSessions,
     /// The result of listening to the last command; `None` if its intended task was given with it.
     listened: Option<Listened>,
-    /// How many words of the last command were not read.
-    unread: usize,
+    /// How many words of the last command were not read, because it was too long.
+    pub unread: usize,
     /// The synonyms that replace unknown words.
-    synonyms: Synonyms<'static>,
+    pub synonyms: Synonyms<'static>,
 }
 
 impl Pupil {
@@ -118,18 +114,6 @@ impl Pupil {
         self.starter_sessions = StarterSessions::new(starter);
         self.start_anew()?;
         Ok(self)
-    }
-
-    /// The same robot with these closed words.
-    pub const fn with_closed_words(mut self, closed: ClosedWords<'static>) -> Self {
-        self.lesson.closed = closed;
-        self
-    }
-
-    /// The same robot with these synonyms: it replaces unknown words by known ones.
-    pub const fn with_synonyms(mut self, synonyms: Synonyms<'static>) -> Self {
-        self.synonyms = synonyms;
-        self
     }
 
     /// The words, with unknown words replaced by known synonyms.
@@ -220,16 +204,6 @@ impl Pupil {
         }
     }
 
-    /// The robot, its home and the session under way.
-    pub const fn lesson(&self) -> &Lesson<Site> {
-        &self.lesson
-    }
-
-    /// The same, to plan, to judge and to continue.
-    pub const fn lesson_mut(&mut self) -> &mut Lesson<Site> {
-        &mut self.lesson
-    }
-
     /// The position of the intended task, if it is known.
     pub fn intended(&self) -> Option<usize> {
         self.intended.filter(|_| self.lesson.is_under_way())
@@ -243,11 +217,6 @@ impl Pupil {
     /// How many sessions the robot has learned from.
     pub fn lessons_learned(&self) -> usize {
         self.lesson.agent.language().bitext().sessions() - self.starter_sessions.count()
-    }
-
-    /// How many of the robot's training sessions had a word.
-    pub fn times_heard(&self, word: &str) -> u32 {
-        times_heard(&self.lesson.agent, word)
     }
 
     /// Hears a command in the present state. A session under way ends unlearned. `intention` is the intended task, if it is known: it goes
@@ -299,11 +268,6 @@ impl Pupil {
         }
     }
 
-    /// How many words of the last command were not read, because it was too long.
-    pub const fn unread(&self) -> usize {
-        self.unread
-    }
-
     /// The verdict on the last command: `sure`, `unsure`, `done` or `none`, as in `goodbot ask`.
     pub fn certainty(&self) -> &'static str {
         match self.listened.map(|listened| listened.verdict) {
@@ -332,20 +296,6 @@ impl Pupil {
         Ok(self.lesson.correct(words)?)
     }
 
-    /// Counts the words said along with a feedback button.
-    pub fn learn_word(&mut self, words: &str, feedback: Feedback) -> Result<(), Failure> {
-        Ok(self.lesson.learn_voice(words, feedback)?)
-    }
-
-    /// Begins another conversation, or continues one by its name.
-    pub fn converse(&mut self, id: Option<&str>) -> Result<(), Failure> {
-        match id {
-            None => self.lesson.converse_anew(),
-            Some(id) => self.lesson.converse(id)?,
-        }
-        Ok(())
-    }
-
     /// Plans to the end.
     pub fn plan_fully(&mut self) -> Result<(), Failure> {
         while !self.lesson.plan(u32::MAX)? {}
@@ -372,20 +322,10 @@ impl Pupil {
     /// last step without feedback is left out.
     pub fn finish(&mut self) -> Result<(Recorded, Finished), Failure> {
         self.lesson.walk_on()?;
-        let record = self.record(true).ok_or_else(no_session)?;
+        let record = self.record(true).ok_or(LiveError::NoSession)?;
         let finished = self.lesson.finish()?;
         self.starter_sessions.fade(&mut self.lesson.agent, &finished)?;
         Ok((record, finished))
-    }
-
-    /// Ends the session without learning from it, because nothing was taught. The rest of the utterance is still to come.
-    pub fn pass_over(&mut self) {
-        self.lesson.pass_over();
-    }
-
-    /// Continues to learn, with a budget of about `budget` table cells. Returns `true` when it is done.
-    pub fn learn(&mut self, budget: u32) -> bool {
-        self.lesson.agent.learn(budget) == Progress::Done
     }
 
     /// Ends the session, if one is under way, without learning from it. Returns its record if it has any step or answer.

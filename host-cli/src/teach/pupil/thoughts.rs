@@ -1,6 +1,7 @@
 //! The robot's beliefs and words: the tasks, the support of each word for each task, and the words for each machine token.
 
-use super::{Pupil, no_session};
+use super::Pupil;
+use crate::paper::lexicon::Lexicon;
 use crate::teach::plain_names::{task_words, token_words};
 use goodbot::language::Model;
 use goodbot::probability::{Scaled, total};
@@ -9,6 +10,7 @@ use goodbot::task::GroundedTask;
 use goodbot_console::outcome::Failure;
 use goodbot_console::training_data::evidence;
 use goodbot_lesson::first_words::heard;
+use goodbot_lesson::live::LiveError;
 
 /// A task that the command may mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,12 +76,12 @@ impl Pupil {
 
     /// The support of each word for each task: the probability of the word alone under the task, averaged over the task's machine commands.
     pub fn word_support(&self) -> Result<Vec<WordSupport>, Failure> {
-        let command = self.lesson.command().ok_or_else(no_session)?;
+        let command = self.lesson.command().ok_or(LiveError::NoSession)?;
         let (agent, home) = (&self.lesson.agent, self.lesson.home());
         let (language, sentence) = (agent.language(), agent.sentence());
         let learned = |word: &Option<Symbol>| word.filter(|word| word.index() < language.tables().words());
         let mut rows = vec![Vec::new(); sentence.len()];
-        let Some(start) = agent.started_from(home) else { return Err(no_session()) };
+        let start = agent.started_from(home).ok_or(LiveError::NoSession)?;
         for task in agent.tasks() {
             let commands = evidence::commands(home, agent.lifted(), task, &start, agent.options())?;
             if agent.options().language.model == Model::Roles {
@@ -115,16 +117,12 @@ impl Pupil {
     /// The words that the robot expects for each machine token, after its last training. Only the beginnings of words may be known: see
     /// [`word_letters`](Self::word_letters).
     pub fn ideas(&self) -> Vec<Idea> {
-        let language = self.lesson.agent.language();
-        let tables = language.tables();
-        let idea = |(token, text): (Symbol, &str)| {
-            let words = language.words().iter().take(tables.words());
-            let mut called: Vec<(String, f32)> =
-                words.map(|(word, text)| (text.to_owned(), tables.translation(word, Some(token)))).collect();
-            called.sort_by(|a, b| b.1.total_cmp(&a.1));
-            Idea { token: text.to_owned(), words: token_words(text), called }
+        let lexicon = Lexicon::of(self.lesson.agent.language());
+        let idea = |(token, row): &(String, Vec<f32>)| {
+            let called = lexicon.best(row, row.len()).into_iter().map(|(word, share)| (word.to_owned(), share)).collect();
+            Idea { token: token.clone(), words: token_words(token), called }
         };
-        language.tokens().iter().take(tables.tokens()).map(idea).collect()
+        lexicon.rows.iter().map(idea).collect()
     }
 
     /// How many letters of a word the robot keeps; 0 for all.

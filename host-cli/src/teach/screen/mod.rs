@@ -143,7 +143,7 @@ fn framed(heading: &str, palette: Palette) -> Block<'_> {
 
 fn draw_prompt(frame: &mut Frame<'_>, area: Rect, visit: &Visit, palette: Palette) {
     let writing = visit.focus() == Focus::Command;
-    let command = visit.classroom.lesson().command().filter(|_| !writing);
+    let command = visit.classroom.pupil.lesson.command().filter(|_| !writing);
     let text = match command {
         Some(command) => command.to_owned(),
         None => visit.prompt.text(),

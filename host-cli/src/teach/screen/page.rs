@@ -69,7 +69,7 @@ fn explanation<'a>(visit: &Visit, palette: Palette) -> Vec<Line<'a>> {
     for (key, what) in KEYS {
         lines.push(Line::from(vec![Span::styled(format!("{key:>11}  "), Style::new().add_modifier(Modifier::BOLD)), Span::raw(what)]));
     }
-    if let Some(kept) = visit.classroom.kept() {
+    if let Some(kept) = &visit.classroom.kept {
         lines.push(Line::styled(
             format!("Kept in {}, sessions in {}.", kept.files().model.display(), kept.files().log.display()),
             palette.quiet(),

@@ -96,7 +96,7 @@ fn tab_proposes_a_lesson_goes_where_it_can_be_taught_and_says_why() {
     assert!(visit.classroom.pupil.meanings().iter().any(|meaning| meaning.words == proposed), "{proposed} can be meant here");
     visit.take(Intent::NextLesson, Duration::ZERO);
     assert!(visit.message.starts_with("First end this session"));
-    assert_eq!(visit.classroom.lesson().command(), Some(proposed.as_str()));
+    assert_eq!(visit.classroom.pupil.lesson.command(), Some(proposed.as_str()));
 }
 
 #[test]
@@ -226,11 +226,11 @@ fn a_stray_word_in_a_lesson_is_asked_about_and_said_twice_it_is_a_command() {
     "keep going?".chars().for_each(|letter| visit.take(Intent::Write(letter), Duration::ZERO));
     visit.take(Intent::Say, Duration::ZERO);
     assert!(visit.message.starts_with("It asks: leave \"go to the red room\" unlearned"), "{}", visit.message);
-    assert_eq!(visit.classroom.lesson().command(), Some("go to the red room"));
+    assert_eq!(visit.classroom.pupil.lesson.command(), Some("go to the red room"));
     assert_eq!(visit.prompt.text(), "keep going?");
     assert!(text(&drawn(&visit, 80, 24, Palette::None)).contains("F1 explain"), "a question mark is a letter there");
     visit.take(Intent::Say, Duration::ZERO);
-    assert_eq!(visit.classroom.lesson().command(), Some("keep going?"));
+    assert_eq!(visit.classroom.pupil.lesson.command(), Some("keep going?"));
     visit.take(Intent::Finish, Duration::ZERO);
     assert!(visit.message.starts_with("Nothing to learn from"), "{}", visit.message);
 }

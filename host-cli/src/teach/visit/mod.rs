@@ -139,12 +139,12 @@ impl Visit {
 
     /// The robot's last step.
     pub fn acted(&self) -> Option<&Acted> {
-        self.classroom.lesson().acted()
+        self.classroom.pupil.lesson.acted()
     }
 
     /// The judged steps of the session.
     pub fn done(&self) -> impl ExactSizeIterator<Item = (Feedback, &[Judgement])> {
-        self.classroom.lesson().done()
+        self.classroom.pupil.lesson.done()
     }
 
     /// The time of the next event; zero if there is work to do.
@@ -183,7 +183,7 @@ impl Visit {
     }
 
     fn obey(&mut self, intent: Intent, now: Duration) -> Result<(), Failure> {
-        let in_session = self.classroom.lesson().is_under_way();
+        let in_session = self.classroom.pupil.lesson.is_under_way();
         match intent {
             Intent::Leave => self.left = true,
             Intent::Explain => self.page = Some((Page::Explanation, 0)),
@@ -309,7 +309,7 @@ impl Visit {
         }
         self.prompt.said();
         self.begin()?;
-        if self.classroom.pupil.unread() > 0 {
+        if self.classroom.pupil.unread > 0 {
             self.message = format!("It reads the first {WORDS_PER_COMMAND} words of that. Say it in parts.");
         }
         self.tested = self.classroom.tested();
@@ -356,7 +356,7 @@ impl Visit {
             return Ok(());
         };
         let waits = self.wait(acted).is_none();
-        match self.classroom.pupil.lesson_mut().judge(feedback)? {
+        match self.classroom.pupil.lesson.judge(feedback)? {
             Evidence::Impossible => self.message = "Your word is impossible under every task, so it was not counted.".to_owned(),
             Evidence::Uninformative => self.message = "Its plan here is not exact, so your word tells it nothing.".to_owned(),
             Evidence::Used => self.message.clear(),
@@ -373,7 +373,7 @@ impl Visit {
             self.message = "It has asked nothing. It asks where an answer would tell it more than its next steps.".to_owned();
             return Ok(());
         }
-        let _ = self.classroom.pupil.lesson_mut().answer(answer)?;
+        let _ = self.classroom.pupil.lesson.answer(answer)?;
         self.message = "It takes your answer into account.".to_owned();
         Ok(())
     }
@@ -416,9 +416,9 @@ impl Visit {
     fn undo(&mut self) -> Result<(), Failure> {
         if self.phase == Phase::Learning || self.tested.is_some() {
             self.message = "Wait until this is over.".to_owned();
-        } else if self.classroom.lesson().is_under_way() {
+        } else if self.classroom.pupil.lesson.is_under_way() {
             (self.paused, self.auto, self.word_at) = (true, false, None);
-            let taken = self.classroom.pupil.lesson_mut().take_back()?;
+            let taken = self.classroom.pupil.lesson.take_back()?;
             self.message =
                 if taken { "One step back. o takes the next step, p goes on." } else { "There is no step to take back." }.to_owned();
             if taken {
@@ -436,7 +436,7 @@ impl Visit {
 
     fn go_on(&mut self) -> Result<(), Failure> {
         let rested = self.acted().map(|acted| acted.action == "noop");
-        self.classroom.pupil.lesson_mut().go_on()?;
+        self.classroom.pupil.lesson.go_on()?;
         match rested {
             Some(true) => self.rests = self.rests.saturating_add(1),
             Some(false) => self.rests = 0,

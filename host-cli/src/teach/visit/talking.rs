@@ -13,7 +13,7 @@ impl Visit {
     /// Says the written text.
     pub(super) fn say(&mut self, now: Duration) -> Result<(), Failure> {
         let words = self.prompt.text().trim().to_owned();
-        let in_session = self.classroom.lesson().is_under_way();
+        let in_session = self.classroom.pupil.lesson.is_under_way();
         if words.is_empty() {
             (self.message, self.typing) =
                 if in_session { (String::new(), false) } else { ("Write what it shall do, such as: go to the red room".to_owned(), true) };
@@ -22,7 +22,7 @@ impl Visit {
         let said = self.classroom.pupil.said(&words)?;
         if matches!(said, Said::Command | Said::Again) && self.classroom.doubts(&words)? {
             // The words stay written, and the robot waits.
-            let under_way = self.classroom.lesson().command().unwrap_or_default();
+            let under_way = self.classroom.pupil.lesson.command().unwrap_or_default();
             self.message = format!("It asks: leave \"{under_way}\" unlearned, for these words? Enter once more: yes. Esc: go on with it.");
             return Ok(());
         }
@@ -42,7 +42,7 @@ impl Visit {
             Said::Correction => self.correct(&words),
             Said::Stop => self.stop_it(),
             Said::Undo => self.undo(),
-            Said::Again => match self.classroom.last().map(str::to_owned) {
+            Said::Again => match self.classroom.last.clone() {
                 Some(command) => self.command(&command),
                 None => {
                     self.message = "Nothing was said yet that it could do again.".to_owned();
@@ -82,7 +82,7 @@ impl Visit {
 
     /// "Stop" pauses the robot. If it is paused already, it ends the session.
     fn stop_it(&mut self) -> Result<(), Failure> {
-        if !self.classroom.lesson().is_under_way() {
+        if !self.classroom.pupil.lesson.is_under_way() {
             self.message = "It is doing nothing.".to_owned();
         } else if self.paused {
             self.classroom.forget()?;
@@ -96,11 +96,11 @@ impl Visit {
 
     /// Begins the next part of the utterance, and tells this result of the part before. Returns `false` if there is none.
     pub(super) fn go_on_with_the_rest(&mut self, result: &str) -> Result<bool, Failure> {
-        let rest = self.classroom.lesson().rest().map(str::to_owned);
+        let rest = self.classroom.pupil.lesson.rest().map(str::to_owned);
         let (Some(rest), Some(heard)) = (rest, self.classroom.hear_rest()?) else { return Ok(false) };
         if heard == Reaction::Command {
             self.begin()?;
-            self.message = format!("{result} Now: \"{}\".", self.classroom.lesson().command().unwrap_or(&rest));
+            self.message = format!("{result} Now: \"{}\".", self.classroom.pupil.lesson.command().unwrap_or(&rest));
         } else {
             self.idle(format!("{result} {}", telling::declined(&heard)));
         }

@@ -21,7 +21,7 @@ impl Visit {
 
     fn advance(&mut self, now: Duration) -> Result<(), Failure> {
         match self.phase {
-            Phase::Planning if self.classroom.pupil.lesson_mut().plan(PLAN_BUDGET)? => self.act(now),
+            Phase::Planning if self.classroom.pupil.lesson.plan(PLAN_BUDGET)? => self.act(now),
             Phase::Learning if self.classroom.learn(LEARN_BUDGET)? => {
                 if self.go_on_with_the_rest("Learned.")? {
                     return Ok(());
@@ -59,7 +59,7 @@ impl Visit {
         if self.word_at.is_some_and(|at| at <= now) {
             self.word_at = None;
             if let Some(word) = self.classroom.pupil.simulated_word() {
-                let _ = self.classroom.pupil.lesson_mut().judge(word)?;
+                let _ = self.classroom.pupil.lesson.judge(word)?;
             }
             return Ok(());
         }
