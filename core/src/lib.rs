@@ -61,7 +61,6 @@
 //! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, 256 tasks, and 255 actions |
 //! | `layer` | with `alloc`: a discriminative layer above the role model |
 //! | `talk` | what people say besides commands |
-//! | `defmt` | errors and results in the format of defmt |
 //!
 //! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any
 //! features.

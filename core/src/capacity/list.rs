@@ -134,7 +134,6 @@ macro_rules! constants {
     ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
         /// A capacity that was exceeded: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         #[repr(u8)]
         pub enum Capacity {
@@ -354,7 +353,6 @@ impl fmt::Display for Capacity {
 
 /// There is no capacity of this name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnknownCapacity;
 
 impl fmt::Display for UnknownCapacity {

@@ -324,7 +324,6 @@ impl Belief<'_> {
 
 /// The reason why a belief refused its strategies.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BeliefError {
     /// The probability of a strategy is outside [0, 1] or not a number.

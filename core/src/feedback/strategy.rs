@@ -7,7 +7,6 @@ use core::str::FromStr;
 
 /// The trainer's word after an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Feedback {
     /// "Good bot."
     Reward,
@@ -50,7 +49,6 @@ impl FromStr for Feedback {
 
 /// There is no feedback of this name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct UnknownFeedback;
 
 impl fmt::Display for UnknownFeedback {
@@ -99,7 +97,6 @@ pub struct Strategy {
 
 /// The parameter of a strategy that is not a probability.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum StrategyError {
     /// mu+ is outside [0, 1] or not a number.

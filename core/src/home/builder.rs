@@ -14,7 +14,6 @@ const MOST_OBJECTS: usize = if cfg!(feature = "alloc") { 96 } else { 32 };
 
 /// A problem with a home.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Problem {
     /// There is no agent.
@@ -45,7 +44,6 @@ pub enum Problem {
 
 /// A problem with a home, and the object that has it, if it is a single one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HomeError {
     /// The problem.
     pub problem: Problem,

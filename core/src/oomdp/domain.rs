@@ -7,7 +7,6 @@ use super::{ActionSet, GroundProposition, Objects, PushGrid, Schema, SearchKind,
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Action(pub(crate) u8);
 
 impl Action {

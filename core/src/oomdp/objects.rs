@@ -8,7 +8,6 @@ use core::fmt;
 
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ObjectId(pub(crate) u8);
 
 impl ObjectId {
@@ -64,7 +63,6 @@ impl Object {
 
 /// Why an object could not be added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ObjectError {
     /// Another object has this name.

@@ -13,7 +13,6 @@ use core::fmt;
 
 /// A broken rule of a domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum DomainFlaw {
     /// There are more actions than [`Action::MOST`].

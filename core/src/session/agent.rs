@@ -39,7 +39,6 @@ const LIKELY: f32 = 0.01;
 
 /// The agent's next action, and its task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Decision {
     /// The action.
@@ -53,7 +52,6 @@ pub struct Decision {
 
 /// What happened to a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Evidence {
     /// It changed the belief.

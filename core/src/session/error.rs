@@ -10,7 +10,6 @@ use core::fmt;
 
 /// Why the agent refused a call.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum AgentError {
     /// The command has no word.

@@ -24,7 +24,6 @@ fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[
 
 /// The result of ending a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use = "other sessions may have given way"]
 #[non_exhaustive]
 pub struct Finished {

@@ -14,7 +14,6 @@ use core::fmt;
 ///                              +----------------------- hear_again -------------------+
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Phase {
     /// Waiting for a command: [`Agent::hear`](crate::Agent::hear).

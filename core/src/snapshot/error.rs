@@ -5,7 +5,6 @@ use core::fmt;
 
 /// Why a model could not be saved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SaveError {
     /// The buffer is too small.
@@ -42,7 +41,6 @@ impl core::error::Error for SaveError {}
 
 /// Why a model could not be restored. The robot is unchanged, except for [`Interrupted`](Self::Interrupted).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RestoreError {
     /// The bytes do not begin as a model file does.
@@ -80,7 +78,6 @@ pub enum RestoreError {
 
 /// A part of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
     /// The digest of the domain's vocabulary, or the sizes.

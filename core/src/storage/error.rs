@@ -5,7 +5,6 @@ use core::fmt;
 
 /// Why a model could not be stored or loaded; `E` is the flash's own error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum StorageError<E> {
     /// The flash refused to read, write or erase.

@@ -30,7 +30,6 @@ impl Default for Conversation {
 
 /// A reference of words that need the earlier sentences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Fact {
     /// The thing that the last task was about: "it".

@@ -32,7 +32,6 @@ const AGAIN: f32 = 1.0;
 
 /// A hypothesis about an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Hypothesis {
     /// A command for one task.

@@ -80,7 +80,6 @@ pub struct Reading<'r> {
 
 /// The verdict on an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Verdict {
     /// The most likely task is meant.
     Sure,

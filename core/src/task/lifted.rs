@@ -58,7 +58,6 @@ impl Parts {
 
 /// A fault in the text of a lifted task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum TaskTextError {
     /// It is not of the form `name(?a, ?b) & name(?c)`.

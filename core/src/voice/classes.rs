@@ -7,7 +7,6 @@ use core::fmt;
 
 /// A closed class of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(u8)]
 pub enum Class {
     /// "not", "never", "except".

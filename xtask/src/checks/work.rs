@@ -98,7 +98,6 @@ const CLIPPY_SETS: [&str; 4] = ["", "learning", "snapshot", "asking"];
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
-    cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
     for features in CLIPPY_SETS {
         cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
     }
