@@ -352,16 +352,9 @@ impl fmt::Display for Capacity {
 }
 
 /// There is no capacity of this name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no capacity of this name; the fields of Capacities are the names")]
 pub struct UnknownCapacity;
-
-impl fmt::Display for UnknownCapacity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("there is no capacity of this name; the fields of Capacities are the names")
-    }
-}
-
-impl core::error::Error for UnknownCapacity {}
 
 impl FromStr for Capacity {
     type Err = UnknownCapacity;
