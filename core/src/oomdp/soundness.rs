@@ -129,7 +129,7 @@ impl fmt::Display for Origin {
 }
 
 /// Checks the actions against the rules of [`Domain::actions`], except for their names. Called at each command.
-pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+pub(crate) fn check_actions<D: Domain>(domain: &D) -> Result<(), DomainFlaw> {
     let actions = domain.actions();
     if actions.len() > Action::MOST {
         return Err(DomainFlaw::Actions { given: actions.len() });
@@ -177,7 +177,7 @@ const MOST_GROUNDINGS: usize = 4_096;
 /// # Errors
 /// The first [`DomainFlaw`] found.
 #[cfg(feature = "alloc")]
-pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
+pub fn check<D: Domain>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
     check_description(domain)?;
     let mut seen = BTreeSet::from([check_number(domain, &start, None)?]);
     let mut open = VecDeque::from([start]);
@@ -230,7 +230,7 @@ fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
 
 /// Checks the number of a state, and returns it.
 #[cfg(feature = "alloc")]
-fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
+fn check_number<D: Domain>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
     let (number, count) = (domain.number(state), domain.state_count());
     // Without a bound, there is nothing to exceed.
     if number >= count && count != u64::MAX {
@@ -240,7 +240,7 @@ fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(
 }
 
 #[cfg(feature = "alloc")]
-fn check_description<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+fn check_description<D: Domain>(domain: &D) -> Result<(), DomainFlaw> {
     check_actions(domain)?;
     let actions = domain.actions();
     let mut names = actions.iter().map(|kind| kind.name);

@@ -106,7 +106,7 @@ impl Found {
     };
 
     /// The results for `state` that need no search. The tasks in `with_ways` have unfinished ways.
-    pub(super) fn at<D: Domain + ?Sized>(
+    pub(super) fn at<D: Domain>(
         domain: &D,
         goals: &Goals<'_>,
         state: &D::State,

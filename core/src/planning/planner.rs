@@ -194,7 +194,7 @@ impl Planner {
     /// # Errors
     /// A [`CapacityError`] if the tasks' distinct ground propositions do not fit, or if the domain's states do not fit and can
     /// neither be hashed nor planned for approximately. The planner then has no tasks.
-    pub fn set_tasks<D: Domain + ?Sized>(
+    pub fn set_tasks<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -220,7 +220,7 @@ impl Planner {
     /// # Errors
     /// A [`CapacityError`] if the propositions do not fit into `goals`, or if the states cannot be counted and the domain cannot
     /// be planned for approximately.
-    pub(crate) fn needs<D: Domain + ?Sized>(
+    pub(crate) fn needs<D: Domain>(
         goals: &mut GoalMemory<'_>,
         domain: &D,
         lifted: &[LiftedTask],
@@ -262,7 +262,7 @@ impl Planner {
 
     /// Continues, with at most about `budget` expansions (at least one). `state` is the planned state, the same in all calls.
     #[inline(never)]
-    pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
+    pub fn advance<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
         let mut left = budget.max(1);
         // The expansions that a look at every cell of a floor costs.
         let of_floor = D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32);
@@ -314,7 +314,7 @@ impl Planner {
 
     /// Finds the results that need no search.
     #[inline(never)]
-    fn look<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
+    fn look<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
         tables.optimal.fill(ActionSet::EMPTY);
         tables.distances.fill(u32::MAX);
         let ways = tables.ways;
@@ -327,7 +327,7 @@ impl Planner {
 
     /// Continues the table of goals, if there is one to fill. Returns its work, in expansions.
     #[inline(never)]
-    fn tabulate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
+    fn tabulate<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
         let entries = tables.goal_entries.len();
         let Some(grid) = D::Search::grid(domain).filter(|grid| self.goals.is_to_tabulate(entries, *grid)) else {
             self.stage = Stage::RuleOut(None);
@@ -340,7 +340,7 @@ impl Planner {
 
     /// Continues to find the deadlocks. All remaining tasks wait for an exact search.
     #[inline(never)]
-    fn rule_out<D: Domain + ?Sized>(
+    fn rule_out<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -381,7 +381,7 @@ impl Planner {
     /// Continues the bounds of distances. Tasks that stay open wait for an exact search.
     #[cfg(feature = "bounds")]
     #[inline(never)]
-    fn bound<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn bound<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let (Stage::Bound { with_ways }, Marked::Bounds(bounds)) = (self.stage, &mut self.marked) else { return };
         let before = *left;
         let (goals, marks, _, mut results) = tables.split(&self.goals, &mut self.found);
@@ -393,7 +393,7 @@ impl Planner {
     }
 
     /// Continues the current search. It ends once it seeks no task.
-    fn search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn search<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let ways = tables.ways;
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
@@ -442,7 +442,7 @@ impl Planner {
 
     /// Begins the next search after the current one has ended, if one is left.
     #[inline(never)]
-    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn next_search<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         if let Stage::Exact { waiting, with_ways } = self.stage {
             let searched = match &self.marked {
                 Marked::Rows(_, way) => Some(*way),
@@ -473,7 +473,7 @@ impl Planner {
     /// Continues to the next approximate search; planning is done if none is left.
     #[cfg(feature = "approximate")]
     #[inline(never)]
-    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, left: &mut u32) {
+    fn next_approximate<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, left: &mut u32) {
         let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
         let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
             self.stage = Stage::Done;
@@ -496,7 +496,7 @@ impl Planner {
 
     /// Begins the exact search for the tasks without a way, or else for those that share the way of the first; `None` if none is left.
     #[inline(never)]
-    fn next_exact<D: Domain + ?Sized>(
+    fn next_exact<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -543,7 +543,7 @@ impl Planner {
     }
 
     /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are finished.
-    pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
+    pub(crate) fn satisfied<D: Domain>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
         Goals { table: &self.goals, parts: goals.goal_parts, entries: goals.goal_entries }.satisfied(domain, state, asked)
     }
 

@@ -105,7 +105,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::Capacity`] if the session does not fit even alone: it is then
     /// forgotten, and all that was learned before is kept. If none of its words found room when they were heard, other sessions give way,
     /// so that the same command is heard whole when it is said again.
-    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
+    pub fn finish<D: Domain>(&mut self, domain: &D) -> Result<Finished, AgentError> {
         self.begin_finishing(domain)?;
         loop {
             if let Some(finished) = self.finish_on(domain, u32::MAX)? {
@@ -120,7 +120,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`finish`](Self::finish); but no other session gives way: if there is no room, the result is [`AgentError::Capacity`], the
     /// session goes on, and [`finish`](Self::finish) makes room for it.
-    pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn finish_for_later<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
         if self.is_negated() {
             self.forget();
@@ -174,7 +174,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
-    pub fn begin_finishing<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn begin_finishing<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
         self.gave_way = GaveWay::NONE;
         self.begin_weighing(self.options.weights);
@@ -186,7 +186,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
-    pub fn finish_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
+    pub fn finish_on<D: Domain>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
         if self.phase() != Phase::Finishing {
             return Err(AgentError::NotNow(self.phase()));
         }
@@ -204,7 +204,7 @@ impl<M: AgentMemory> Agent<M> {
         result
     }
 
-    fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
+    fn finish_part<D: Domain>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
             match self.progressed {
                 // The command "again" has no words for its task.
@@ -299,7 +299,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::Capacity`].
-    pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn weigh<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         let progressed = self.progressed;
         self.begin_weighing(self.options.weights);
         let result = loop {
@@ -327,7 +327,7 @@ impl<M: AgentMemory> Agent<M> {
         self.progressed = Progressed::Weighing(Position::of_task(0), weights);
     }
 
-    fn weigh_on<D: Domain + ?Sized>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
+    fn weigh_on<D: Domain>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
         let mut scene = self.scene(domain);
         while let Progressed::Weighing(mut position, weights) = self.progressed {
             if position.task >= self.task_count {

@@ -15,12 +15,7 @@ use crate::task::machine_command::Tokens;
 
 impl<M: AgentMemory> Agent<M> {
     /// Continues the likelihood of the command for a task. Adds its machine commands to the candidates.
-    pub(super) fn read_constraints<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        position: &mut Position,
-        left: &mut u32,
-    ) -> Result<bool, AgentError> {
+    pub(super) fn read_constraints<D: Domain>(&mut self, domain: &D, position: &mut Position, left: &mut u32) -> Result<bool, AgentError> {
         let task = position.task;
         self.for_each_constraint(domain, position, left, &mut |candidates, language, sentence, tokens, _| {
             let found = match candidates.read().find(tokens) {
@@ -32,7 +27,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     #[inline(never)]
-    pub(super) fn for_each_constraint<D: Domain + ?Sized>(
+    pub(super) fn for_each_constraint<D: Domain>(
         &mut self,
         domain: &D,
         position: &mut Position,
@@ -62,7 +57,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// A task's machine commands do not depend on the state. Other worlds have other machine commands.
-    pub(super) fn most_constraints<D: Domain + ?Sized>(
+    pub(super) fn most_constraints<D: Domain>(
         &mut self,
         domain: &D,
         lessons: &Lessons,
