@@ -236,13 +236,11 @@ impl<'t> BitextRef<'t> {
     }
 
     /// Whether a session is being removed, and some pairs or machine commands are not at their place.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn is_removing(self) -> bool {
         self.used.removal.from > 0 || self.used.removal.until > 0
     }
 
     /// A number that changes whenever sessions are added or removed.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn changes(self) -> u32 {
         self.used.changes
     }

@@ -15,7 +15,6 @@ use super::tokenizer::{Sentence, word_form};
 use super::training::Training;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
-#[cfg(feature = "snapshot")]
 use crate::memory::AgentTables;
 use crate::memory::{AgentMemory, LanguageTables, LanguageTablesRef};
 use crate::planning::Progress;
@@ -38,7 +37,6 @@ pub(crate) struct LanguageState {
 }
 
 /// The extent of data in the tables that are not learned yet.
-#[cfg(feature = "snapshot")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unlearned {
     words: usize,
@@ -46,7 +44,6 @@ pub(crate) struct Unlearned {
     data: Extent,
 }
 
-#[cfg(feature = "snapshot")]
 impl Unlearned {
     /// No data.
     pub(crate) const NONE: Self = Self { words: 0, tokens: 0, data: Extent::NONE };
@@ -79,7 +76,6 @@ impl LanguageState {
     }
 
     /// Exchanges the extents of used data. Data written into the tables meanwhile do not count as learned.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn exchange(&mut self, used: &mut Unlearned) {
         core::mem::swap(&mut self.words, &mut used.words);
         core::mem::swap(&mut self.tokens, &mut used.tokens);
@@ -282,13 +278,11 @@ impl<'t> LanguageRef<'t> {
     }
 
     /// The number of English words in the learned sessions.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_words(self) -> usize {
         self.learned_words
     }
 
     /// The number of machine tokens in the learned sessions.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_tokens(self) -> usize {
         self.learned_tokens
     }
@@ -466,7 +460,7 @@ impl<'t> LanguageMut<'t> {
         while !self.bitext.remove_on() {}
     }
 
-    #[cfg(all(feature = "layer", feature = "snapshot"))]
+    #[cfg(feature = "layer")]
     pub(crate) fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
         self.layer.room.as_mut().map(|room| &mut room.possible)
     }
@@ -485,7 +479,6 @@ impl<'t> LanguageMut<'t> {
 
     /// Replaces everything by a role model from another robot: its words, its machine tokens and its parameters. There are no training data
     /// with them.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn take_over<'a>(
         &mut self,
         settings: Settings,
@@ -702,7 +695,6 @@ impl<M: AgentMemory> LanguageModel<M> {
     }
 
     /// The model and its tables.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn parts(&mut self) -> (&mut LanguageState, AgentTables<'_>) {
         (&mut self.state, self.memory.lend())
     }

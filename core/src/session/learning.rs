@@ -59,7 +59,6 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Whether no complete model can be saved: the last session is in the training data, but its words and tokens do not count as learned
     /// yet, one that gives way is partly removed, or a model is being restored.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_)) || self.language().bitext().is_removing()
     }

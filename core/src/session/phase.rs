@@ -70,7 +70,6 @@ pub(crate) enum Progressed {
     Tidying(Step),
     Ended,
     /// A model is being restored. The number identifies the model and its progress.
-    #[cfg(feature = "snapshot")]
     Restoring(u32),
 }
 
@@ -82,7 +81,6 @@ impl Progressed {
             Self::Weighing(..) | Self::Keeping(_) | Self::Tidying(_) => Phase::Finishing,
             Self::Idle | Self::Ready | Self::Ended if is_training => Phase::Learning,
             Self::Idle => Phase::Idle,
-            #[cfg(feature = "snapshot")]
             Self::Restoring(_) => Phase::Restoring,
             Self::Ready => Phase::Ready,
             Self::Ended => Phase::Ended,

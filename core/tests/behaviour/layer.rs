@@ -253,7 +253,6 @@ fn no_session_makes_a_belief_that_is_no_number() {
     }
 }
 
-#[cfg(feature = "snapshot")]
 mod saved {
     use super::{LESSONS, bits, capacities, memory, taught, train, with_lessons};
     use goodbot::language::{LanguageModel, Settings};
