@@ -3,9 +3,9 @@
 use super::bitext::{Bitext, BitextRef, Extent};
 use super::forgetting::Unheard;
 use super::hearing::Heard;
-use super::layer::Layer;
 #[cfg(feature = "layer")]
-use super::layer::{CommandIndex, LayerRef};
+use super::layer::CommandIndex;
+use super::layer::{Layer, LayerRef};
 use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{Layout, Meaning};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -112,7 +112,6 @@ impl LanguageState {
             words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
-            #[cfg(feature = "layer")]
             layer: LayerRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
@@ -129,7 +128,6 @@ pub struct LanguageRef<'t> {
     words: SymbolsRef<'t>,
     tokens: SymbolsRef<'t>,
     bitext: BitextRef<'t>,
-    #[cfg(feature = "layer")]
     layer: Option<LayerRef<'t>>,
     tables: TablesRef<'t>,
     training: Training,
@@ -230,9 +228,8 @@ impl<'t> LanguageRef<'t> {
     }
 
     /// The tasks of each session, for the [layer](super::layer), if there is memory for it: each pair's weight is the prior of the task.
-    #[cfg(feature = "layer")]
     pub fn possible(self) -> Option<BitextRef<'t>> {
-        self.layer.map(|layer| layer.possible)
+        self.layer.map(LayerRef::possible)
     }
 
     /// As [`TablesRef::unknown_share`].
@@ -318,7 +315,6 @@ impl<'t> LanguageMut<'t> {
             words: self.words.read(),
             tokens: self.tokens.read(),
             bitext: self.bitext.read(),
-            #[cfg(feature = "layer")]
             layer: self.layer.read(),
             tables: self.tables.read(),
             training: *self.training,
@@ -433,11 +429,8 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Forgets the tasks of all sessions: another model may have used the layer's memory before.
-    #[cfg(feature = "layer")]
     pub(crate) fn forget_tasks(&mut self) {
-        if let Some(layer) = &mut self.layer.room {
-            layer.clear();
-        }
+        self.layer.clear();
     }
 
     /// Forgets a session and its pairs. Later ones move up by one.
@@ -449,9 +442,8 @@ impl<'t> LanguageMut<'t> {
     /// Begins to forget a session and its pairs; the training data are forgotten in parts.
     pub(super) fn begin_removal(&mut self, session: u16) {
         self.bitext.begin_removal(session);
-        #[cfg(feature = "layer")]
-        if let Some(layer) = &mut self.layer.room {
-            layer.possible.remove_session(session);
+        if let Some(possible) = self.layer.possible_mut() {
+            possible.remove_session(session);
         }
     }
 
@@ -460,9 +452,8 @@ impl<'t> LanguageMut<'t> {
         while !self.bitext.remove_on() {}
     }
 
-    #[cfg(feature = "layer")]
     pub(crate) fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
-        self.layer.room.as_mut().map(|room| &mut room.possible)
+        self.layer.possible_mut()
     }
 
     /// Forgets everything, and takes other settings.
@@ -471,8 +462,7 @@ impl<'t> LanguageMut<'t> {
         self.words.truncate(0);
         self.tokens.truncate(0);
         self.bitext.clear();
-        #[cfg(feature = "layer")]
-        self.forget_tasks();
+        self.layer.clear();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
     }
@@ -678,13 +668,8 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// A [`SettingError`] if a setting is out of range.
     pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
         settings.check()?;
-        let model = Self { memory, state: LanguageState::new(settings) };
-        #[cfg(feature = "layer")]
-        let model = {
-            let mut model = model;
-            model.lend().forget_tasks();
-            model
-        };
+        let mut model = Self { memory, state: LanguageState::new(settings) };
+        model.lend().forget_tasks();
         Ok(model)
     }
 

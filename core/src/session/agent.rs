@@ -225,7 +225,6 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
         self.lifted = Vec::from_slice(lifted).map_err(|_| too_many)?;
         (self.options, self.language) = (options, LanguageState::new(options.language));
-        #[cfg(feature = "layer")]
         self.language_mut().forget_tasks();
         Ok(())
     }
