@@ -16,7 +16,7 @@ use super::approximate::Approximation;
 #[cfg(feature = "bounds")]
 use super::bounds::Bounds;
 use super::deadlock::Deadlocks;
-use super::goals::{GoalPart, GoalTable, Goals};
+use super::goals::{GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
 use super::rows::{RowSearch, View};
@@ -30,35 +30,21 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct PlanTables<'t> {
-    /// One entry per distinct ground proposition.
-    pub goal_parts: &'t mut [GoalPart],
-    /// One entry per cell and piece; if there are too few, propositions are tested one by one.
-    pub goal_entries: &'t mut [TaskSet],
+    /// The goals' tables; if there are too few entries, propositions are tested one by one.
+    goals: GoalMemory<'t>,
+    /// The results' tables, and the state numbers of a hashed search.
+    pub plan: PlanMemory<'t>,
     /// First actions and the frontier.
-    pub marks: &'t mut [u64],
-    /// State numbers of a hashed search; may be empty.
-    pub hashed: &'t mut [u64],
-    /// The optimal set of each task.
-    pub optimal: &'t mut [ActionSet],
-    /// The distance of each task.
-    pub distances: &'t mut [u32],
+    marks: &'t mut [u64],
     /// The tasks, if some have ways; see [`with_ways`](Self::with_ways).
-    pub ways: Ways<'t>,
+    ways: Ways<'t>,
 }
 
 impl<'t> PlanTables<'t> {
     /// The tables in these memories, with the marks at the front of the workspace.
     pub fn new(goals: GoalMemory<'t>, plan: PlanMemory<'t>, workspace: &'t mut [u64]) -> Self {
         let words = plan.search_words.len().min(workspace.len());
-        Self {
-            goal_parts: goals.goal_parts,
-            goal_entries: goals.goal_entries,
-            marks: workspace.get_mut(..words).unwrap_or(&mut []),
-            hashed: plan.hashed,
-            optimal: plan.optimal,
-            distances: plan.distances,
-            ways: Ways::default(),
-        }
+        Self { goals, plan, marks: workspace.get_mut(..words).unwrap_or(&mut []), ways: Ways::default() }
     }
 
     /// The same tables, with the planned tasks and the progress of their ways. Without this, a task with a way is unknown.
@@ -69,8 +55,8 @@ impl<'t> PlanTables<'t> {
 
     /// Splits the tables into the goals, the marks, the hash table, and the results.
     fn split<'s>(&'s mut self, table: &'s GoalTable, found: &'s mut Found) -> (Goals<'s>, &'s mut [u64], &'s mut [u64], Results<'s>) {
-        let goals = Goals { table, parts: self.goal_parts, entries: self.goal_entries };
-        (goals, self.marks, self.hashed, Results { found, optimal: self.optimal, distances: self.distances })
+        let goals = Goals { table, parts: self.goals.goal_parts, entries: self.goals.goal_entries };
+        (goals, self.marks, self.plan.hashed, Results { found, optimal: self.plan.optimal, distances: self.plan.distances })
     }
 }
 
@@ -202,9 +188,8 @@ impl Planner {
         tasks: &[GroundedTask],
     ) -> Result<(), CapacityError> {
         (self.goals, self.found, self.stage) = (GoalTable::EMPTY, Found::NOTHING, Stage::Done);
-        one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
-        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
-        self.goals = GoalTable::list(&mut memory, domain, lifted, tasks)?;
+        one_by_one::check(domain, tables.marks.len(), tables.plan.hashed.len())?;
+        self.goals = GoalTable::list(&mut tables.goals, domain, lifted, tasks)?;
         self.with_ways = Ways { lifted, tasks }.all();
         Ok(())
     }
@@ -315,12 +300,12 @@ impl Planner {
     /// Finds the results that need no search.
     #[inline(never)]
     fn look<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        tables.optimal.fill(ActionSet::EMPTY);
-        tables.distances.fill(u32::MAX);
+        tables.plan.optimal.fill(ActionSet::EMPTY);
+        tables.plan.distances.fill(u32::MAX);
         let ways = tables.ways;
         // A task whose way is not given must not be planned as one without a way.
         let wanted = wanted.without(self.with_ways.without(ways.all()));
-        let goals = Goals { table: &self.goals, parts: tables.goal_parts, entries: tables.goal_entries };
+        let goals = Goals { table: &self.goals, parts: tables.goals.goal_parts, entries: tables.goals.goal_entries };
         self.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), ways.open(wanted));
         self.stage = if self.found.unknown.is_empty() { Stage::Done } else { Stage::Tabulate };
     }
@@ -328,13 +313,12 @@ impl Planner {
     /// Continues the table of goals, if there is one to fill. Returns its work, in expansions.
     #[inline(never)]
     fn tabulate<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
-        let entries = tables.goal_entries.len();
+        let entries = tables.goals.goal_entries.len();
         let Some(grid) = D::Search::grid(domain).filter(|grid| self.goals.is_to_tabulate(entries, *grid)) else {
             self.stage = Stage::RuleOut(None);
             return 0;
         };
-        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
-        let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_TABULATED_AN_EXPANSION));
+        let cells = self.goals.tabulate(&mut tables.goals, grid, state, (left as usize).saturating_mul(CELLS_TABULATED_AN_EXPANSION));
         cells.div_ceil(CELLS_TABULATED_AN_EXPANSION) as u32
     }
 

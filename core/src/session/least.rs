@@ -189,23 +189,17 @@ impl<M: AgentMemory> Agent<M> {
             tasks,
             strategies,
             beliefs: tasks.saturating_mul(strategies),
-            candidates: commands.candidates,
-            candidate_tokens: commands.candidate_tokens,
             ground_propositions,
             states,
             words: with_free_part(lessons.different_words),
             word_bytes: with_free_part(lessons.word_bytes),
             tokens: with_free_part(tokens),
             token_bytes: with_free_part(token_bytes),
-            commands: commands.commands,
-            command_tokens: commands.command_tokens,
             sessions: lessons.sessions,
             sentence_words: lessons.sessions.saturating_mul(lessons.heard_words()),
             pairs: lessons.sessions.saturating_mul(commands.candidates),
             translations: tokens.saturating_add(1).saturating_mul(lessons.different_words),
-            alignments: commands.alignments,
-            length_pairs: commands.length_pairs,
-            ..Capacities::NONE
+            ..commands
         };
         domain.world().objects.usage(&mut least);
         survey.least = before.at_least(least);

@@ -1,7 +1,7 @@
 //! A task as the paper's machine commands: one for each constraint that its objects satisfy (paper, section 3).
 
-use super::{Each, MachineCommands};
-use crate::capacity::TOKENS_PER_COMMAND;
+use super::Each;
+use crate::capacity::{Capacities, TOKENS_PER_COMMAND};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
@@ -57,12 +57,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// A task's machine commands do not depend on the state. Other worlds have other machine commands.
-    pub(super) fn most_constraints<D: Domain>(
-        &mut self,
-        domain: &D,
-        lessons: &Lessons,
-        survey: &Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    pub(super) fn most_constraints<D: Domain>(&mut self, domain: &D, lessons: &Lessons, survey: &Survey) -> Result<Capacities, AgentError> {
         let (sessions, words, before) = (lessons.sessions, lessons.heard_words(), survey.least);
         self.candidates = CandidateCount::NONE;
         for task in 0..self.task_count {
@@ -86,13 +81,14 @@ impl<M: AgentMemory> Agent<M> {
         }
         let (count, tokens) = (candidates.entries().len(), candidates.all_tokens().len());
         let (commands, command_tokens) = if sessions == 0 { (0, 0) } else { (count, tokens) };
-        Ok(MachineCommands {
+        Ok(Capacities {
             candidates: count,
             candidate_tokens: tokens,
             commands: commands.saturating_add(before.commands),
             command_tokens: command_tokens.saturating_add(before.command_tokens),
             alignments,
             length_pairs,
+            ..Capacities::NONE
         })
     }
 }

@@ -1,7 +1,6 @@
 //! A task as one description, with all facts about it in the session's start state, for the role model.
 
-use super::MachineCommands;
-use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
+use crate::capacity::{Capacities, CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::feedback::Belief;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
@@ -336,7 +335,7 @@ impl<M: AgentMemory> Agent<M> {
         lessons: &Lessons,
         known: usize,
         survey: &mut Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    ) -> Result<Capacities, AgentError> {
         let (tasks, mut longest) = (self.task_count, 0);
         for task in 0..tasks {
             longest = longest.max(self.longest_description(domain, task, &mut survey.layout)?);
@@ -344,13 +343,13 @@ impl<M: AgentMemory> Agent<M> {
         survey.layout.see_length(lessons.heard_words());
         let tokens = self.language().tokens().len().saturating_sub(known);
         let descriptions = lessons.sessions.saturating_mul(tasks);
-        Ok(MachineCommands {
+        Ok(Capacities {
             candidates: tasks,
             candidate_tokens: tasks.saturating_mul(longest),
             commands: descriptions,
             command_tokens: descriptions.saturating_mul(longest),
             alignments: survey.layout.with(lessons.different_words, tokens).cells(),
-            length_pairs: 0,
+            ..Capacities::NONE
         })
     }
 

@@ -11,7 +11,7 @@ use super::candidates::Candidates;
 use super::error::AgentError;
 use super::least::{Lessons, Survey};
 use super::phase::Position;
-use crate::capacity::CapacityError;
+use crate::capacity::{Capacities, CapacityError};
 use crate::language::{LanguageRef, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
@@ -24,19 +24,6 @@ use crate::task::machine_command::head;
 /// The callback for each machine command, with its share; a trait object, so that the loop is compiled once.
 pub(super) type Each<'e> =
     dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
-
-/// The capacities that the machine commands of all tasks take.
-#[derive(Clone, Copy, Default)]
-pub(super) struct MachineCommands {
-    /// The most of one session, and their tokens together.
-    pub candidates: usize,
-    pub candidate_tokens: usize,
-    /// The most of the training data, and their tokens together.
-    pub commands: usize,
-    pub command_tokens: usize,
-    pub alignments: usize,
-    pub length_pairs: usize,
-}
 
 impl<M: AgentMemory> Agent<M> {
     const fn model(&self) -> Model {
@@ -114,15 +101,15 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// The largest capacities that the machine commands of the grounded tasks take, together with those of earlier worlds. Interns their
-    /// tokens, besides the `known` ones.
+    /// The largest capacities that the machine commands of the grounded tasks take, together with those of earlier worlds: candidates for
+    /// one session, commands for the training data. Interns their tokens, besides the `known` ones.
     pub(super) fn most_machine_commands<D: Domain>(
         &mut self,
         domain: &D,
         lessons: &Lessons,
         known: usize,
         survey: &mut Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    ) -> Result<Capacities, AgentError> {
         match self.model() {
             Model::Model2 => self.most_constraints(domain, lessons, survey),
             Model::Roles => self.most_descriptions(domain, lessons, known, survey),
