@@ -1,7 +1,13 @@
-//! The checksum of model files, slots in flash and vocabularies: CRC-32, as in Ethernet, zip and PNG.
+//! The checksum of model files, slots in flash and vocabularies: CRC-32, as in Ethernet, zip and PNG. Beside it, a hash for tables of words.
 
 /// Bytes of the CRC-32.
 pub const CHECK_BYTES: usize = 4;
+
+/// The FNV-1a hash of these values, one step for each.
+#[cfg(any(feature = "layer", feature = "talk"))]
+pub(crate) fn fnv(values: impl Iterator<Item = u32>) -> u32 {
+    values.fold(0x811c_9dc5, |hash, value| (hash ^ value).wrapping_mul(0x0100_0193))
+}
 
 #[cfg(target_os = "none")]
 pub(crate) use half_bytes::{CHECK, Check};
