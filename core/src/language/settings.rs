@@ -96,12 +96,6 @@ impl Settings {
     pub const LAYERED: Self = Self { layer: true, ..Self::DEFAULT };
 }
 
-impl Default for Settings {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
 impl Settings {
     /// Whether there is a [`layer`](super::layer) above the role model.
     #[cfg(feature = "layer")]

@@ -11,7 +11,7 @@ use crate::task::{GroundedTask, LiftedTask};
 /// outlives sessions, and is about one home: in another it is empty.
 ///
 /// It is a value: a shell that undoes a task restores an earlier copy.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Conversation {
     /// The digest of its domain.
     domain: u32,
@@ -20,12 +20,6 @@ pub struct Conversation {
     place: Option<ObjectId>,
     thing_was: Option<ObjectId>,
     robot_was: Option<ObjectId>,
-}
-
-impl Default for Conversation {
-    fn default() -> Self {
-        Self::NEW
-    }
 }
 
 /// A reference of words that need the earlier sentences.
