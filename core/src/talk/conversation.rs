@@ -246,7 +246,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::home::{Area, Cell, HomeBuilder, Moves, paper_tasks};

@@ -287,7 +287,7 @@ fn act_of(class: Class, words: &Summary, stage: Stage, question: Option<&Questio
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::{Capacities, HeapMemory, Options, home};
