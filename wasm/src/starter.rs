@@ -55,11 +55,11 @@ fn model(language: &str, lifted: &[LiftedTask], own: usize) -> Option<Vec<u8>> {
         let count = ground(&home, lifted, &start, &mut tasks).ok()?;
         let named = with_names(&home, lifted, &tasks[..count]);
         let (task, _) = named.iter().find(|(_, name)| name == sentence.intended)?;
-        let words = model.hear(&sentence.command).ok()?;
+        let words = model.lend().hear(&sentence.command).ok()?;
         let symbol =
-            |tokens: SymbolsRef<'_>, token| if is_marker(token) { Ok(token) } else { model.tokens_mut().intern(tokens.text(token)) };
+            |tokens: SymbolsRef<'_>, token| if is_marker(token) { Ok(token) } else { model.lend().tokens_mut().intern(tokens.text(token)) };
         let command = description(&home, lifted, task, &start, symbol).ok()?;
-        model.add_session(&words, std::iter::once((&command[..], 1.0))).ok()?;
+        model.lend().add_session(&words, std::iter::once((&command[..], 1.0))).ok()?;
     }
     model.saved().ok()
 }
