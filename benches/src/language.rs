@@ -44,18 +44,18 @@ pub fn sessions(count: usize) -> Vec<(Vec<String>, Vec<Vec<String>>)> {
 pub fn model<M: AgentMemory>(memory: M, data: &[(Vec<String>, Vec<Vec<String>>)], settings: Settings, weight: f32) -> LanguageModel<M> {
     let mut model = LanguageModel::new(memory, settings).expect("settings to train with");
     for (english, machine) in data {
-        let sentence = model.hear(&english.join(" ")).expect("a command");
+        let sentence = model.lend().hear(&english.join(" ")).expect("a command");
         let commands: Vec<Vec<_>> = machine
             .iter()
-            .map(|tokens| tokens.iter().map(|token| model.tokens_mut().intern(token).expect("room for the token")).collect())
+            .map(|tokens| tokens.iter().map(|token| model.lend().tokens_mut().intern(token).expect("room for the token")).collect())
             .collect();
-        model.add_session(&sentence, commands.iter().map(|command| (&command[..], weight))).expect("room for the session");
+        model.lend().add_session(&sentence, commands.iter().map(|command| (&command[..], weight))).expect("room for the session");
     }
     model
 }
 
 /// Trains completely, from uniform tables.
 pub fn train(model: &mut LanguageModel<impl AgentMemory>) {
-    model.begin_training();
-    while model.train(u32::MAX) == Progress::Working {}
+    model.lend().begin_training();
+    while model.lend().train(u32::MAX) == Progress::Working {}
 }

@@ -1,7 +1,7 @@
 //! Questions to the trainer.
 
 use crate::beliefs::{Writer, put_object, put_task};
-use crate::robot::{Goodbot, give, look, with};
+use crate::robot::{Goodbot, give, given, look, with};
 use crate::status::GoodbotStatus;
 use crate::training::write;
 use crate::world::{World, in_world};
@@ -47,9 +47,8 @@ pub unsafe extern "C" fn goodbot_question(
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if kind.is_null() || choices.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(kind)?;
+            given(choices)?;
             let asking = Asking { kappa, eta, ..Asking::DEFAULT };
             let considered = in_world!(&robot.world, |domain, state| robot.agent.consider(domain, state, &asking, budget)?);
             let subject = match considered {
@@ -127,9 +126,7 @@ pub unsafe extern "C" fn goodbot_answer(robot: *mut Goodbot, answer: i32, eviden
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if evidence.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(evidence)?;
             let to_choose = robot.agent.open_question().is_some_and(|question| question.subject.choices() > 0);
             let answer = match answer {
                 GOODBOT_NO => Answer::No,

@@ -1,7 +1,7 @@
 //! The home environment: rooms, doors, blocks, an agent.
 
 use crate::capacities::GoodbotCapacities;
-use crate::robot::{Goodbot, Robot, give, look, plot, settle, text, with};
+use crate::robot::{Goodbot, Robot, give, given, look, plot, settle, text, with};
 use crate::status::{Failure, GoodbotStatus};
 use crate::tasks::kinds_of_tasks;
 use crate::world::World;
@@ -110,12 +110,7 @@ pub unsafe extern "C" fn goodbot_home_room(
     color: *const c_char,
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            plan(robot)?.room(text(name)?, Area::new(left, bottom, right, top), text(color)?)?;
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, |robot| Ok(plan(robot)?.room(text(name)?, Area::new(left, bottom, right, top), text(color)?).map(drop)?)) }
 }
 
 /// Adds a door: a box of cells without walls.
@@ -132,12 +127,7 @@ pub unsafe extern "C" fn goodbot_home_door(
     top: i32,
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            plan(robot)?.door(text(name)?, Area::new(left, bottom, right, top))?;
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, |robot| Ok(plan(robot)?.door(text(name)?, Area::new(left, bottom, right, top)).map(drop)?)) }
 }
 
 /// Adds a block.
@@ -154,12 +144,7 @@ pub unsafe extern "C" fn goodbot_home_block(
     shape: *const c_char,
 ) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            plan(robot)?.block(text(name)?, Cell::new(x, y), text(color)?, text(shape)?)?;
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, |robot| Ok(plan(robot)?.block(text(name)?, Cell::new(x, y), text(color)?, text(shape)?).map(drop)?)) }
 }
 
 /// Adds the robot itself.
@@ -169,12 +154,7 @@ pub unsafe extern "C" fn goodbot_home_block(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_home_agent(robot: *mut Goodbot, name: *const c_char, x: i32, y: i32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            plan(robot)?.agent(text(name)?, Cell::new(x, y))?;
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, |robot| Ok(plan(robot)?.agent(text(name)?, Cell::new(x, y)).map(drop)?)) }
 }
 
 /// Finds the free cells of the home, at most `budget` in a call, so that a control loop goes on while a large home is built. `WORKING` means: call
@@ -289,9 +269,7 @@ pub unsafe extern "C" fn goodbot_home_sense(robot: *mut Goodbot, sensed: *const 
             let World::Here(Either::Floor(home), Either::Floor(state)) = &mut robot.world else {
                 return Err(GoodbotStatus::NoWorld.into());
             };
-            if sensed.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(sensed)?;
             let mut things: Vec<(ObjectId, Cell), { BLOCKS + 1 }> = Vec::new();
             for &GoodbotSensed { name, x, y } in core::slice::from_raw_parts(sensed, count as usize) {
                 let object = home.objects().find(text(name)?).filter(|&object| home.piece(object).is_some());

@@ -1,6 +1,6 @@
 //! Saving and restoring a model.
 
-use crate::robot::{Goodbot, Robot, give, look, with};
+use crate::robot::{Goodbot, Robot, give, given, look, with};
 use crate::status::{Failure, GoodbotStatus};
 #[cfg(feature = "table")]
 use crate::world::World;
@@ -29,9 +29,8 @@ pub unsafe extern "C" fn goodbot_save(robot: *mut Goodbot, buffer: *mut u8, byte
     // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         with(robot, |robot| {
-            if buffer.is_null() || written.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(buffer)?;
+            given(written)?;
             buffer.write_bytes(0, bytes);
             let length = robot.agent.save(core::slice::from_raw_parts_mut(buffer, bytes))?;
             give(written, length)
@@ -50,9 +49,7 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if model.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(model)?;
             robot.restore(core::slice::from_raw_parts(model, bytes))
         })
     }
@@ -60,12 +57,12 @@ pub unsafe extern "C" fn goodbot_restore(robot: *mut Goodbot, model: *const u8, 
 
 impl Robot {
     /// Restores a model, also one that an earlier version of the caller's program learned.
-    pub(crate) fn restore(&mut self, model: &[u8]) -> Result<GoodbotStatus, Failure> {
+    pub(crate) fn restore(&mut self, model: &[u8]) -> Result<(), Failure> {
         let mut restoring = Restoring::of(model);
         self.continue_vocabulary(&mut restoring);
         while self.agent.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}
         self.forget_starter();
-        Ok(GoodbotStatus::Ok)
+        Ok(())
     }
 
     /// Homes have one vocabulary.
@@ -138,9 +135,7 @@ const _: () =
 /// # Safety
 /// `at` is null, or points to room that holds zeros or begun work, which nothing else uses now.
 unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
-    if at.is_null() {
-        return Err(GoodbotStatus::Null.into());
-    }
+    given(at)?;
     // SAFETY: the caller's promise; the mark is a plain number.
     if at.align_offset(align_of::<usize>()) != 0 || unsafe { (&raw const (*at).mark).read() } != mark_at(at) {
         return Err(GoodbotStatus::BadHandle.into());
@@ -228,7 +223,7 @@ pub unsafe extern "C" fn goodbot_restore_on(robot: *mut Goodbot, restoring: *mut
             if matches!(robot.agent.phase(), Phase::Restoring) || progress == Progress::Done {
                 robot.forget_starter();
             }
-            Ok(if progress == Progress::Done { GoodbotStatus::Ok } else { GoodbotStatus::Working })
+            Ok(progress)
         })
     }
 }

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "learning")]
 use crate::robot::give;
-use crate::robot::{Goodbot, with};
+use crate::robot::{Goodbot, given, with};
 use crate::status::GoodbotStatus;
 
 /// Saves the parameters for a robot that only obeys, which reads them by `goodbot_restore_parameters`. `written` receives the length, also
@@ -16,9 +16,8 @@ pub unsafe extern "C" fn goodbot_save_parameters(robot: *mut Goodbot, buffer: *m
     // SAFETY: the caller's promise. The buffer is filled first: a slice of uninitialized bytes is undefined behaviour.
     unsafe {
         with(robot, |robot| {
-            if buffer.is_null() || written.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(buffer)?;
+            given(written)?;
             buffer.write_bytes(0, bytes);
             let saved = robot.agent.save_parameters(core::slice::from_raw_parts_mut(buffer, bytes));
             if let Err(goodbot::snapshot::SaveError::Buffer { needed, .. }) = saved {
@@ -40,9 +39,7 @@ pub unsafe extern "C" fn goodbot_restore_parameters(robot: *mut Goodbot, paramet
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if parameters.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(parameters)?;
             robot.agent.restore_parameters(core::slice::from_raw_parts(parameters, bytes))?;
             #[cfg(feature = "learning")]
             robot.forget_starter();

@@ -93,9 +93,7 @@ pub(crate) struct Plot {
 pub(crate) unsafe fn plot(at: *mut u8, bytes: usize, capacities: *const GoodbotCapacities) -> Result<Plot, GoodbotStatus> {
     // SAFETY: the caller's promise.
     let Some(capacities) = (unsafe { capacities.as_ref() }) else { return Err(GoodbotStatus::Null) };
-    if at.is_null() {
-        return Err(GoodbotStatus::Null);
-    }
+    given(at)?;
     if at.align_offset(8) != 0 {
         return Err(GoodbotStatus::Alignment);
     }
@@ -169,14 +167,17 @@ fn set_tasks(agent: &mut Agent<AgentTables<'static>>, tasks: &[LiftedTask]) -> R
 ///
 /// # Safety
 /// `handle` is null or a handle that an init function gave.
-pub(crate) unsafe fn with(handle: *mut Goodbot, run: impl FnOnce(&mut Robot) -> Result<GoodbotStatus, Failure>) -> GoodbotStatus {
+pub(crate) unsafe fn with<S: Into<GoodbotStatus>>(
+    handle: *mut Goodbot,
+    run: impl FnOnce(&mut Robot) -> Result<S, Failure>,
+) -> GoodbotStatus {
     // SAFETY: the caller's promise. The mark keeps every other call from the robot until this one has ended.
     unsafe {
         let robot = match entered(handle) {
             Ok(robot) => &mut *robot,
             Err(status) => return status,
         };
-        let result = run(robot);
+        let result = run(robot).map(S::into);
         ended(handle, result)
     }
 }
@@ -209,9 +210,7 @@ fn marked(mark: u32, handle: *const Goodbot) -> u32 {
 /// As [`with`].
 #[inline(never)]
 unsafe fn entered(handle: *const Goodbot) -> Result<*mut Robot, GoodbotStatus> {
-    if handle.is_null() {
-        return Err(GoodbotStatus::Null);
-    }
+    given(handle)?;
     if handle.align_offset(align_of::<Goodbot>()) != 0 {
         return Err(GoodbotStatus::BadHandle);
     }
@@ -274,9 +273,7 @@ pub(crate) unsafe fn list<T>(items: *const T, count: u32, most: usize, place: Pl
 /// # Safety
 /// `text` is null or a C string that stays as long as `'a`.
 pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotStatus> {
-    if text.is_null() {
-        return Err(GoodbotStatus::Null);
-    }
+    given(text)?;
     // SAFETY: the caller's promise.
     unsafe { CStr::from_ptr(text) }.to_str().map_err(|_| GoodbotStatus::Text)
 }
@@ -286,9 +283,7 @@ pub(crate) unsafe fn text<'a>(text: *const c_char) -> Result<&'a str, GoodbotSta
 /// # Safety
 /// As [`text`].
 pub(crate) unsafe fn short_text<'a>(text: *const c_char, most: usize) -> Result<&'a str, GoodbotStatus> {
-    if text.is_null() {
-        return Err(GoodbotStatus::Null);
-    }
+    given(text)?;
     // SAFETY: the caller's promise; no byte after the text's end is looked at.
     let is_end = |at: usize| unsafe { *text.add(at) } == 0;
     let mut length = 0_usize;
@@ -315,12 +310,15 @@ pub(crate) unsafe fn short_text<'a>(text: *const c_char, most: usize) -> Result<
 /// # Safety
 /// `to` is null or room for the value.
 pub(crate) unsafe fn give<T>(to: *mut T, value: T) -> Result<GoodbotStatus, Failure> {
-    if to.is_null() {
-        return Err(GoodbotStatus::Null.into());
-    }
+    given(to)?;
     // SAFETY: the caller's promise.
     unsafe { to.write(value) };
     Ok(GoodbotStatus::Ok)
+}
+
+/// Refuses a pointer that is null.
+pub(crate) const fn given<T>(at: *const T) -> Result<(), GoodbotStatus> {
+    if at.is_null() { Err(GoodbotStatus::Null) } else { Ok(()) }
 }
 
 /// Begins the robot's own random choices anew: the same seed, the same choices.

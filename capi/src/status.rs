@@ -4,6 +4,7 @@ use goodbot::AgentError;
 use goodbot::capacity::CapacityError;
 use goodbot::home::{HomeError, Problem};
 use goodbot::oomdp::ObjectError;
+use goodbot::planning::Progress;
 use goodbot::session::Phase;
 use goodbot::snapshot::{RestoreError, SaveError};
 use goodbot::task::TaskTextError;
@@ -172,6 +173,18 @@ impl<E: Into<Failure>> From<E> for Fault {
             #[cfg(feature = "explain")]
             place: None,
         }
+    }
+}
+
+impl From<()> for GoodbotStatus {
+    fn from((): ()) -> Self {
+        Self::Ok
+    }
+}
+
+impl From<Progress> for GoodbotStatus {
+    fn from(progress: Progress) -> Self {
+        if progress == Progress::Done { Self::Ok } else { Self::Working }
     }
 }
 

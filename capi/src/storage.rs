@@ -1,6 +1,6 @@
 //! A model in the caller's flash. A power cut at any moment leaves a whole model.
 
-use crate::robot::{Goodbot, give, with};
+use crate::robot::{Goodbot, give, given, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_void;
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
@@ -132,9 +132,7 @@ pub unsafe extern "C" fn goodbot_load(robot: *mut Goodbot, flash: *const Goodbot
     unsafe {
         with(robot, |robot| {
             let mut slots = slots(flash)?;
-            if buffer.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(buffer)?;
             buffer.write_bytes(0, bytes);
             let buffer = core::slice::from_raw_parts_mut(buffer, bytes);
             let length = slots.load(buffer)?.ok_or(GoodbotStatus::NothingStored)?;

@@ -1,6 +1,6 @@
 //! Utterances other than commands.
 
-use crate::robot::{Goodbot, give, text, with};
+use crate::robot::{Goodbot, give, given, text, with};
 use crate::status::GoodbotStatus;
 use crate::voice::closed;
 use crate::world::{World, in_world};
@@ -123,9 +123,7 @@ unsafe fn listen(
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if listened.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(listened)?;
             let (utterance, closed) = (text(utterance)?, closed(table)?);
             let go_on = || pause.is_none_or(|pause| pause(context));
             let agent = &mut robot.agent;

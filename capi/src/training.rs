@@ -2,8 +2,10 @@
 
 #[cfg(feature = "learning")]
 use crate::robot::look;
-use crate::robot::{Goodbot, Robot, give, short_text, text, with};
-use crate::status::{Failure, GoodbotStatus};
+use crate::robot::{Goodbot, Robot, give, given, short_text, text, with};
+#[cfg(feature = "learning")]
+use crate::status::Failure;
+use crate::status::GoodbotStatus;
 use crate::world::{World, in_world};
 use core::ffi::c_char;
 #[cfg(feature = "learning")]
@@ -14,7 +16,7 @@ use goodbot::feedback::{LAGS, RESTS, Strategy};
 use goodbot::oomdp::Action;
 #[cfg(feature = "learning")]
 use goodbot::oomdp::apply;
-use goodbot::planning::{OptimalSet, Progress};
+use goodbot::planning::OptimalSet;
 use goodbot::session::Hypothesis;
 #[cfg(feature = "learning")]
 use goodbot::session::{Evidence, Finished};
@@ -63,10 +65,6 @@ pub const GOODBOT_EVIDENCE_NOTHING: u32 = 1;
 /// It is impossible whatever the task and the trainer, and was ignored.
 pub const GOODBOT_EVIDENCE_IMPOSSIBLE: u32 = 2;
 
-fn of(progress: Progress) -> Result<GoodbotStatus, Failure> {
-    Ok(if progress == Progress::Done { GoodbotStatus::Ok } else { GoodbotStatus::Working })
-}
-
 /// Sets how the trainer rewards and punishes: the probability of silence after a right action and after a wrong one, and of taking one
 /// for the other. Without this the robot expects a trainer who uses both words (0.7, 0.7 and 0.1), praise alone (0.05, 0.7 and 0.1) or blame
 /// alone (0.7, 0.05 and 0.1), and finds out which; with fewer than 3 `STRATEGIES`, or fewer `BELIEFS` than 3 times `TASKS`, as in the tiny
@@ -80,8 +78,7 @@ pub unsafe extern "C" fn goodbot_trainer(robot: *mut Goodbot, mu_plus: f32, mu_m
     unsafe {
         with(robot, |robot| {
             let strategy = Strategy::new(mu_plus, mu_minus, epsilon).map_err(|_| GoodbotStatus::Number)?;
-            robot.agent.set_strategies(&[(strategy, 1.0)])?;
-            Ok(GoodbotStatus::Ok)
+            Ok(robot.agent.set_strategies(&[(strategy, 1.0)])?)
         })
     }
 }
@@ -128,9 +125,7 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if strategies.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(strategies)?;
             let mut given: Vec<(Strategy, f32), GOODBOT_MOST_STRATEGIES> = Vec::new();
             for &GoodbotStrategy { mu_plus, mu_minus, epsilon, lags, rests, prior } in
                 core::slice::from_raw_parts(strategies, count as usize)
@@ -138,8 +133,7 @@ pub unsafe extern "C" fn goodbot_trainers(robot: *mut Goodbot, strategies: *cons
                 let strategy = Strategy::new(mu_plus, mu_minus, epsilon).and_then(|strategy| strategy.with_lags(lags)?.with_rests(rests));
                 given.push((strategy.map_err(|_| GoodbotStatus::Number)?, prior)).map_err(|_| GoodbotStatus::Number)?;
             }
-            robot.agent.set_strategies(&given)?;
-            Ok(GoodbotStatus::Ok)
+            Ok(robot.agent.set_strategies(&given)?)
         })
     }
 }
@@ -154,8 +148,7 @@ pub unsafe extern "C" fn goodbot_hear(robot: *mut Goodbot, command: *const c_cha
     unsafe {
         with(robot, |robot| {
             let command = text(command)?;
-            in_world!(&robot.world, |domain, state| robot.agent.hear(domain, state, command)?);
-            Ok(GoodbotStatus::Ok)
+            in_world!(&robot.world, |domain, state| Ok(robot.agent.hear(domain, state, command)?))
         })
     }
 }
@@ -189,9 +182,8 @@ pub unsafe extern "C" fn goodbot_hear_one_of(
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if hypotheses.is_null() || chosen.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(hypotheses)?;
+            given(chosen)?;
             let mut given: Vec<Hypothesis<'_>, GOODBOT_MOST_HYPOTHESES> = Vec::new();
             for &GoodbotHypothesis { command, weight } in core::slice::from_raw_parts(hypotheses, count as usize) {
                 given.push(Hypothesis { command: text(command)?, weight }).map_err(|_| GoodbotStatus::Number)?;
@@ -217,8 +209,7 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
     unsafe {
         with(robot, |robot| {
             let command = short_text(command, GOODBOT_MOST_COMMAND_BYTES)?;
-            in_world!(&robot.world, |domain, state| robot.agent.begin_hearing(domain, state, command)?);
-            Ok(GoodbotStatus::Ok)
+            in_world!(&robot.world, |domain, state| Ok(robot.agent.begin_hearing(domain, state, command)?))
         })
     }
 }
@@ -231,12 +222,7 @@ pub unsafe extern "C" fn goodbot_begin_hearing(robot: *mut Goodbot, command: *co
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_hear_again(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            in_world!(&robot.world, |domain, state| robot.agent.hear_again(domain, state)?);
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, |robot| in_world!(&robot.world, |domain, state| Ok(robot.agent.hear_again(domain, state)?))) }
 }
 
 /// Goes on hearing the command, at most about `budget` table cells of work. `WORKING` means: call again.
@@ -246,7 +232,7 @@ pub unsafe extern "C" fn goodbot_hear_again(robot: *mut Goodbot) -> GoodbotStatu
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_hear_on(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, _state| robot.agent.hear_on(domain, budget)?))) }
+    unsafe { with(robot, |robot| Ok(in_world!(&robot.world, |domain, _state| robot.agent.hear_on(domain, budget)?))) }
 }
 
 /// Plans for the current state, with at most about `budget` node expansions. `WORKING` means: call again.
@@ -256,7 +242,7 @@ pub unsafe extern "C" fn goodbot_hear_on(robot: *mut Goodbot, budget: u32) -> Go
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_plan(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| of(in_world!(&robot.world, |domain, state| robot.agent.plan(domain, state, budget)?))) }
+    unsafe { with(robot, |robot| Ok(in_world!(&robot.world, |domain, state| robot.agent.plan(domain, state, budget)?))) }
 }
 
 /// Decides on an action in the current state, for which the plan must be done. `plan` may be null; it receives `GOODBOT_PLAN_GOAL` and so
@@ -313,9 +299,7 @@ pub unsafe extern "C" fn goodbot_feedback(robot: *mut Goodbot, feedback: i32, ev
                 GOODBOT_NEUTRAL => Feedback::Neutral,
                 _ => return Err(GoodbotStatus::Number.into()),
             };
-            if evidence.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(evidence)?;
             let came = robot.agent.feedback(feedback)?;
             robot.told.waits = false;
             *(if feedback == Feedback::Neutral { &mut robot.told.silence } else { &mut robot.told.words }) = true;
@@ -359,9 +343,7 @@ pub unsafe extern "C" fn goodbot_trainer_ended(robot: *mut Goodbot, evidence: *m
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if evidence.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(evidence)?;
             let ended = in_world!(&robot.world, |domain, state| robot.agent.trainer_ended(domain, state)?);
             give(evidence, write(ended))
         })
@@ -379,9 +361,7 @@ pub unsafe extern "C" fn goodbot_demonstration(robot: *mut Goodbot, action: u8, 
     // SAFETY: the caller's promise.
     unsafe {
         with(robot, |robot| {
-            if evidence.is_null() {
-                return Err(GoodbotStatus::Null.into());
-            }
+            given(evidence)?;
             let agent = &mut robot.agent;
             let came = in_world!(&mut robot.world, |domain, state| {
                 let came = agent.demonstrated(domain, state, action_of(action))?;
@@ -444,12 +424,7 @@ pub unsafe extern "C" fn goodbot_finish(robot: *mut Goodbot, gave_way: *mut u32)
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_begin_finishing(robot: *mut Goodbot) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe {
-        with(robot, |robot| {
-            begin_finishing(robot)?;
-            Ok(GoodbotStatus::Ok)
-        })
-    }
+    unsafe { with(robot, begin_finishing) }
 }
 
 #[cfg(feature = "learning")]
@@ -502,7 +477,7 @@ pub unsafe extern "C" fn goodbot_forget(robot: *mut Goodbot) -> GoodbotStatus {
     unsafe {
         with(robot, |robot| {
             robot.agent.forget();
-            Ok(GoodbotStatus::Ok)
+            Ok(())
         })
     }
 }
@@ -515,5 +490,5 @@ pub unsafe extern "C" fn goodbot_forget(robot: *mut Goodbot) -> GoodbotStatus {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn goodbot_learn(robot: *mut Goodbot, budget: u32) -> GoodbotStatus {
     // SAFETY: the caller's promise.
-    unsafe { with(robot, |robot| of(robot.agent.learn(budget))) }
+    unsafe { with(robot, |robot| Ok(robot.agent.learn(budget))) }
 }

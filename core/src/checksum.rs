@@ -1,8 +1,13 @@
-//! The checksum of model files, slots in flash and vocabularies: CRC-32, as in Ethernet, zip and PNG.
+//! The checksum of model files, slots in flash and vocabularies: CRC-32, as in Ethernet, zip and PNG. Beside it, a hash for tables of words.
 
 /// Bytes of the CRC-32.
-#[cfg(feature = "snapshot")]
 pub const CHECK_BYTES: usize = 4;
+
+/// The FNV-1a hash of these values, one step for each.
+#[cfg(any(feature = "layer", feature = "talk"))]
+pub(crate) fn fnv(values: impl Iterator<Item = u32>) -> u32 {
+    values.fold(0x811c_9dc5, |hash, value| (hash ^ value).wrapping_mul(0x0100_0193))
+}
 
 #[cfg(target_os = "none")]
 pub(crate) use half_bytes::{CHECK, Check};
@@ -10,11 +15,9 @@ pub(crate) use half_bytes::{CHECK, Check};
 pub(crate) use library::{CHECK, Check};
 
 /// A checksum under way, kept between calls.
-#[cfg(feature = "snapshot")]
 #[derive(Clone)]
 pub(crate) struct Running(Check);
 
-#[cfg(feature = "snapshot")]
 impl Running {
     /// The checksum of no bytes.
     pub(crate) fn new() -> Self {
@@ -31,7 +34,6 @@ impl Running {
     }
 }
 
-#[cfg(feature = "snapshot")]
 impl core::fmt::Debug for Running {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.debug_tuple("Running").field(&self.value()).finish()
@@ -80,7 +82,6 @@ mod half_bytes {
             Check(u32::MAX)
         }
 
-        #[cfg(any(test, feature = "snapshot"))]
         pub(crate) fn checksum(&self, bytes: &[u8]) -> u32 {
             let mut check = self.digest();
             check.update(bytes);

@@ -45,23 +45,22 @@
 //! | [`asking`] | questions: when asking teaches more than acting (feature `asking`) |
 //! | `voice` | praise, blame, "stop", "yes" in words (feature `asking`) |
 //! | `talk` | what people say besides commands, and what words such as "it" refer to (feature `talk`) |
-//! | [`snapshot`] | the learned parameters and training data as bytes (feature `snapshot`) |
-//! | [`storage`] | those bytes in flash, safe from power cuts (feature `snapshot`) |
+//! | [`snapshot`] | the learned parameters and training data as bytes |
+//! | [`storage`] | those bytes in flash, safe from power cuts |
 //!
 //! Beside them: [`capacity`] and [`mod@memory`] (the size of every table, and who owns it), [`symbols`] (names), [`probability`] (products
 //! that never underflow) and [`random`] (draws).
 //!
 //! # Features
 //! On by default: `learning` (without it a robot uses parameters that another robot learned), `asking` (questions, and praise, blame, "stop"
-//! and "yes" in words), `snapshot` (model files, also in flash), `model2` (the paper's language model), `ways` (through, avoiding, then; and
-//! derived facts such as leftmost) and `unicode` (letters beyond ASCII). A controller enables only those that it needs. The others:
+//! and "yes" in words), `model2` (the paper's language model), `ways` (through, avoiding, then; and derived facts such as leftmost) and
+//! `unicode` (letters beyond ASCII). A controller enables only those that it needs. The others:
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, with `snapshot` `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, 256 tasks, and 255 actions |
+//! | `alloc` | for hosts: `HeapMemory`, `oomdp::check`, `Lessons::of`, `Synonyms::in_known_words`, `Agent::saved`, with `unicode` one form for a letter that can be written in several ways; homes of 24 blocks and 96 objects, 256 tasks, and 255 actions |
 //! | `layer` | with `alloc`: a discriminative layer above the role model |
 //! | `talk` | what people say besides commands |
-//! | `defmt` | errors and results in the format of defmt |
 //!
 //! Every error is a [`core::error::Error`], the same trait as the standard library's: `?` turns it into a `Box<dyn Error>` with any
 //! features.
@@ -76,10 +75,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
-#![cfg_attr(
-    not(all(feature = "learning", feature = "snapshot")),
-    allow(dead_code, unused_imports, reason = "lessons and model files alone need some of it")
-)]
+#![cfg_attr(not(feature = "learning"), allow(dead_code, unused_imports, reason = "lessons alone need some of it"))]
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::unreachable)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing))]
 
@@ -103,9 +99,7 @@ pub mod planning;
 pub mod probability;
 pub mod random;
 pub mod session;
-#[cfg(feature = "snapshot")]
 pub mod snapshot;
-#[cfg(feature = "snapshot")]
 pub mod storage;
 pub mod symbols;
 #[cfg(feature = "talk")]

@@ -52,7 +52,7 @@ pub fn run(options: &ParametersArgs) -> Result<(), Failure> {
     let memory = AgentHeap::new(&Capacities { states: 0, hashed_states: 0, ..needs });
     let mut model = LanguageModel::new(memory, Settings::DEFAULT).map_err(|error| refused(&error))?;
     model.restore(&bytes).map_err(|error| refused(&error))?;
-    while model.train(u32::MAX) == Progress::Working {}
+    while model.lend().train(u32::MAX) == Progress::Working {}
     let mut file = Vec::new();
     let length = match model.read().save_parameters(contents.vocabulary, &mut file) {
         Err(SaveError::Buffer { needed, .. }) => {

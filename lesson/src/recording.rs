@@ -64,7 +64,8 @@ fn strategy((number, (strategy, prior)): (usize, &(Strategy, f32))) -> StrategyR
     }
 }
 
-const fn word(feedback: Feedback) -> FeedbackWord {
+/// The word of a log for this feedback.
+pub const fn word(feedback: Feedback) -> FeedbackWord {
     match feedback {
         Feedback::Reward => FeedbackWord::Reward,
         Feedback::Punish => FeedbackWord::Punish,

@@ -318,7 +318,7 @@ impl Agent {
     ) -> PyResult<usize> {
         let py = domain.py();
         self.with(|mind| {
-            mind.forget_robot();
+            mind.robot = None;
             let place = mind.place(domain, state)?;
             mind.hear(py, &place, command)?;
             // An answer that is never wrong: no other task is possible any more.
@@ -389,7 +389,7 @@ impl Agent {
         prior: Option<HashMap<String, f32>>,
     ) -> PyResult<()> {
         self.with(|mind| {
-            mind.forget_robot();
+            mind.robot = None;
             let place = mind.place(domain, state)?;
             match &prior {
                 None => mind.hear(domain.py(), &place, command),
@@ -420,7 +420,7 @@ impl Agent {
     ) -> PyResult<Bound<'py, PyDict>> {
         let (py, closed) = (domain.py(), table_of(closed_words)?);
         self.with(|mind| {
-            mind.forget_robot();
+            mind.robot = None;
             let place = mind.place(domain, state)?;
             let listened = in_place!(&place, |domain, state| {
                 let heard = mind.core.listen_in_parts(domain, state, words, closed, goes_on, &|| true);
@@ -540,7 +540,8 @@ impl Agent {
     fn hear_again(&self, domain: &Bound<'_, PyAny>, state: &Bound<'_, PyAny>) -> PyResult<()> {
         self.with(|mind| {
             let place = mind.place(domain, state)?;
-            mind.hear_again(domain.py(), &place)
+            let heard = in_place!(&place, |domain, state| mind.core.hear_again(domain, state));
+            mind.settled(domain.py(), &place, heard)
         })
     }
 
@@ -676,7 +677,9 @@ impl Agent {
     #[pyo3(signature = (budget=None))]
     fn learn(&self, py: Python<'_>, budget: Option<u32>) -> PyResult<bool> {
         self.with(|mind| {
-            mind.begin_waiting();
+            if std::mem::take(&mut mind.waiting) {
+                mind.core.begin_learning();
+            }
             match budget {
                 None => mind.learn(py).map(|()| true),
                 Some(budget) => Ok(py.detach(|| mind.core.learn(budget)) == Progress::Done),

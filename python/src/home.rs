@@ -113,17 +113,9 @@ pub fn meant(rooms: &Rooms, state: &HomeState, exercise: &Exercise) -> PyResult<
 }
 
 /// A home of the course by its letter.
-pub fn home_name(name: &str) -> PyResult<HomeName> {
-    Ok(match name {
-        "A" => HomeName::A,
-        "B" => HomeName::B,
-        "C" => HomeName::C,
-        "D" => HomeName::D,
-        "E" => HomeName::E,
-        "F" => HomeName::F,
-        "Test" => HomeName::Test,
-        _ => return Err(value(format!("no home of the course is called {name:?}; give A to F, or Test"))),
-    })
+fn home_name(name: &str) -> PyResult<HomeName> {
+    let known = HomeName::ALL.into_iter().find(|known| format!("{known:?}") == name);
+    known.ok_or_else(|| value(format!("no home of the course is called {name:?}; give A to F, or Test")))
 }
 
 impl Home {

@@ -1,6 +1,6 @@
 //! Recorded sessions: read, written, and replayed.
 
-use crate::agent::{Agent, evidence_name};
+use crate::agent::{Agent, evidence_name, feedback_of};
 use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
@@ -17,6 +17,7 @@ use goodbot_formats::session::{FeedbackWord, Kind, RecordedSession, SessionHeade
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
 use goodbot_formats::world::{Line, SessionInWorld, WorldReader};
 use goodbot_lesson::checked::{CheckedSession, check_steps, moves};
+use goodbot_lesson::recording::word;
 use goodbot_lesson::replay::{Event, Replay, Rules};
 use goodbot_lesson::world::checked as in_world;
 use goodbot_lesson::world::robot::Tables;
@@ -53,24 +54,17 @@ impl PartialEq for Session {
 /// For pickle: the function that makes a session again, and its lines.
 type Reduced<'py> = (Bound<'py, PyAny>, (Vec<String>,));
 
+/// The kinds of sessions, by name.
+const KINDS: [(&str, Kind); 3] = [("feedback", Kind::Feedback), ("demonstration", Kind::Demonstration), ("labelled", Kind::Labelled)];
+
 fn kind_of(name: &str) -> PyResult<Kind> {
-    match name {
-        "feedback" => Ok(Kind::Feedback),
-        "demonstration" => Ok(Kind::Demonstration),
-        "labelled" => Ok(Kind::Labelled),
-        _ => Err(value(format!("{name:?} is no kind of session; give feedback, demonstration or labelled"))),
-    }
+    let kind = KINDS.into_iter().find(|(known, _)| *known == name);
+    kind.map(|(_, kind)| kind).ok_or_else(|| value(format!("{name:?} is no kind of session; give feedback, demonstration or labelled")))
 }
 
 fn step_of(action: String, feedback: Option<&str>) -> PyResult<(usize, StepRecord)> {
-    let feedback = match feedback {
-        None => None,
-        Some("reward") => Some(FeedbackWord::Reward),
-        Some("punish") => Some(FeedbackWord::Punish),
-        Some("neutral") => Some(FeedbackWord::Neutral),
-        Some(other) => return Err(value(format!("{other:?} is no feedback; say reward, punish or neutral"))),
-    };
-    Ok((0, StepRecord::new(action, feedback)))
+    let feedback = feedback.map(|name| feedback_of(Some(name))).transpose()?;
+    Ok((0, StepRecord::new(action, feedback.map(word))))
 }
 
 /// The header of a session of feedback that begins in this state of a home.
@@ -280,12 +274,8 @@ impl Session {
 
     /// `feedback`, `demonstration` or `labelled`.
     #[getter]
-    const fn kind(&self) -> &'static str {
-        match self.recorded.header.kind {
-            Kind::Feedback => "feedback",
-            Kind::Demonstration => "demonstration",
-            Kind::Labelled => "labelled",
-        }
+    fn kind(&self) -> &'static str {
+        KINDS.into_iter().find(|(_, known)| *known == self.recorded.header.kind).map_or("", |(name, _)| name)
     }
 
     /// Whether it is to be learned from.

@@ -148,11 +148,6 @@ impl Mind {
         }
     }
 
-    /// Plans to the end.
-    pub fn plan(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
-        self.go_on(py, Part::Plan, place, None).map(drop)
-    }
-
     /// Learns to the end.
     pub fn learn(&mut self, py: Python<'_>) -> PyResult<()> {
         while py.detach(|| self.core.learn(PART)) == Progress::Working {
@@ -196,11 +191,6 @@ impl Mind {
     pub fn heard<D: Domain>(&mut self, py: Python<'_>, session: &CheckedSession<D>) {
         session.walk.command.clone_into(&mut self.command);
         self.names = session.tasks.iter().map(|(_, name)| PyString::new(py, &name.to_string()).unbind()).collect();
-    }
-
-    pub fn hear_again(&mut self, py: Python<'_>, place: &Place) -> PyResult<()> {
-        let heard = in_place!(place, |domain, state| self.core.hear_again(domain, state));
-        self.settled(py, place, heard)
     }
 
     pub fn hear_with_prior(&mut self, py: Python<'_>, place: &Place, command: &str, prior: &HashMap<String, f32>) -> PyResult<()> {
@@ -262,21 +252,9 @@ impl Mind {
         if more == 0 { names.join(", ") } else { format!("{}, and {more} more", names.join(", ")) }
     }
 
-    /// Begins the training that sessions wait for.
-    pub fn begin_waiting(&mut self) {
-        if std::mem::take(&mut self.waiting) {
-            self.core.begin_learning();
-        }
-    }
-
     /// The name of a task.
     pub fn task_text(&self, py: Python<'_>, task: usize) -> String {
         self.names.get(task).and_then(|name| name.bind(py).to_str().ok().map(str::to_owned)).unwrap_or_default()
-    }
-
-    /// Makes the next call read the robot's class again: it may have changed since the last command.
-    pub fn forget_robot(&mut self) {
-        self.robot = None;
     }
 
     pub fn acted(&mut self, py: Python<'_>, place: &Place, action: Action) -> PyResult<Place> {

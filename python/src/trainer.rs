@@ -3,15 +3,16 @@
 use crate::agent::Agent;
 use crate::error::{self, value};
 use crate::log::{Session, header, header_in_world};
-use crate::mind::Mind;
+use crate::mind::{Mind, Part};
 use crate::place::Place;
 use crate::random::{Drawn, Random};
 use goodbot::feedback::Strategy;
 use goodbot::oomdp::Domain;
 use goodbot::task::TaskSet;
 use goodbot_course::{CourseTrainer, Ending, FeedbackCounts, Lesson as Course, LessonReport, Step, Trainer as _, Turn};
-use goodbot_formats::session::{FeedbackWord, RecordedSession, SessionHeader, StepRecord};
+use goodbot_formats::session::{RecordedSession, SessionHeader, StepRecord};
 use goodbot_formats::task_text::GroundTaskText;
+use goodbot_lesson::recording::word;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::{Mutex, PoisonError};
@@ -143,12 +144,7 @@ impl Lesson {
 
 /// A step as in a log.
 fn recorded(place: &Place, step: &Step) -> (usize, StepRecord) {
-    let feedback = match step.feedback {
-        goodbot::feedback::Feedback::Reward => FeedbackWord::Reward,
-        goodbot::feedback::Feedback::Punish => FeedbackWord::Punish,
-        goodbot::feedback::Feedback::Neutral => FeedbackWord::Neutral,
-    };
-    (0, StepRecord::new(place.action_text(step.decision.action), Some(feedback)))
+    (0, StepRecord::new(place.action_text(step.decision.action), Some(word(step.feedback))))
 }
 
 impl Trainer {
@@ -167,7 +163,7 @@ impl Trainer {
         let (mut lesson, mut steps) = (Course::meaning(start, meant.iter().next().unwrap_or(0)), Vec::new());
         loop {
             let here = place(*lesson.state());
-            mind.plan(py, &here)?;
+            mind.go_on(py, Part::Plan, &here, None)?;
             let turn = lesson.act_for_any(&mut mind.core, domain, meant, &self.trainer, random);
             if let Some(failure) = here.failure() {
                 mind.core.leave();
@@ -298,7 +294,7 @@ impl Trainer {
         learn: bool,
     ) -> PyResult<Lesson> {
         agent.get().with(|mind| {
-            mind.forget_robot();
+            mind.robot = None;
             let place = mind.place(domain, state)?;
             self.teach_in(domain.py(), mind, &place, command, intended, learn)
         })

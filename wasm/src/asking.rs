@@ -1,4 +1,5 @@
 //! The robot's questions, as a page shows them, and the trainer's answers.
+use wasm_bindgen::prelude::*;
 
 use crate::view::{About, AnswerEvidence, Question};
 use crate::world::{Refusal, World};
@@ -79,17 +80,21 @@ impl World {
         };
         Ok(AnswerEvidence { outcome, before, after: self.probabilities() })
     }
+}
 
-    /// Takes in an answer with all its parts, as in a log: whether the meant task is among those named, the probability that this is wrong,
-    /// how many other answers there were, and the words of a correction, or none.
+#[wasm_bindgen(js_class = "Goodbot")]
+impl World {
+    /// Takes in an answer with all its parts, as in a log: its tasks' names on a line each, whether the meant task is among them, the
+    /// probability that this is wrong, how many other answers there were, and the words of a correction, or none.
     ///
     /// # Errors
     /// A name that is no task's; the errors of [`Agent::answered`](goodbot::Agent::answered).
-    pub fn answer_as(&mut self, names: Vec<String>, yes: bool, eta: f32, others: u8, words: &str) -> Result<(), Refusal> {
+    #[wasm_bindgen(js_name = answerAs)]
+    pub fn answer_as(&mut self, tasks: &str, yes: bool, eta: f32, others: u8, words: &str) -> Result<(), Refusal> {
         let known = self.belief().tasks;
         let position =
-            |name: &String| known.iter().position(|task| task.name == *name).ok_or_else(|| Refusal(format!("{name} is no task here")));
-        let tasks = names.iter().map(position).collect::<Result<TaskSet, Refusal>>()?;
+            |name: &str| known.iter().position(|task| task.name == name).ok_or_else(|| Refusal(format!("{name} is no task here")));
+        let tasks = tasks.lines().map(position).collect::<Result<TaskSet, Refusal>>()?;
         if words.is_empty() {
             return self.lesson.answered(tasks, yes, eta, others).map(drop).map_err(Refusal::from);
         }

@@ -1,6 +1,6 @@
 //! goodbot for the browser: one world with one robot, for a page to show.
 //!
-//! [`World`] is plain Rust and is tested on the host; [`bindings`] is the same surface for JavaScript. The page gets JSON texts, whose
+//! [`World`] is plain Rust and is tested on the host; JavaScript has it as `Goodbot`, by [`bindings`] too. The page gets JSON texts, whose
 //! fields are those of the public structs of [`view`].
 //!
 //! | module | what it holds |
@@ -17,7 +17,7 @@
 //! | [`route`] | where a task would lead the robot, for the ghost on the floor plan |
 //! | [`cells`] | the capacities of the robot, the homes and the scout |
 //! | [`course`] | the paper's lessons and tests |
-//! | [`bindings`] | the surface for JavaScript |
+//! | [`bindings`] | what JavaScript calls otherwise than Rust |
 
 #![deny(missing_docs)]
 

@@ -76,13 +76,13 @@ impl Lookahead {
             let mut tables = Scout::tables(memory).with_ways(Ways { lifted, tasks: &self.tasks });
             let mut before = 0;
             if self.searching {
-                before = planner.plan(tables.optimal, tables.distances).expansions();
+                before = planner.plan(tables.plan.optimal, tables.plan.distances).expansions();
             } else {
                 planner.begin(TaskSet::of(self.task), TaskSet::EMPTY);
                 self.searching = true;
             }
             let progress = planner.advance(&mut tables, home, &here, budget.min(self.left));
-            let plan = planner.plan(tables.optimal, tables.distances);
+            let plan = planner.plan(tables.plan.optimal, tables.plan.distances);
             // A search that expands no state counts as one, so that this ends.
             let spent = plan.expansions().saturating_sub(before).max(1);
             (budget, self.left) = (budget.saturating_sub(spent), self.left.saturating_sub(spent));

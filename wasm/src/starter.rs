@@ -10,6 +10,7 @@ use goodbot::task::{GroundedTask, LiftedTask, ground, is_marker};
 use goodbot::{Agent, Capacities, Options};
 use goodbot_lesson::machine_command::description;
 use goodbot_lesson::starter::{beside, sentences};
+use wasm_bindgen::prelude::*;
 
 use crate::cells::{MIND, ROOMS};
 use crate::replay::with_names;
@@ -54,25 +55,27 @@ fn model(language: &str, lifted: &[LiftedTask], own: usize) -> Option<Vec<u8>> {
         let count = ground(&home, lifted, &start, &mut tasks).ok()?;
         let named = with_names(&home, lifted, &tasks[..count]);
         let (task, _) = named.iter().find(|(_, name)| name == sentence.intended)?;
-        let words = model.hear(&sentence.command).ok()?;
+        let words = model.lend().hear(&sentence.command).ok()?;
         let symbol =
-            |tokens: SymbolsRef<'_>, token| if is_marker(token) { Ok(token) } else { model.tokens_mut().intern(tokens.text(token)) };
+            |tokens: SymbolsRef<'_>, token| if is_marker(token) { Ok(token) } else { model.lend().tokens_mut().intern(tokens.text(token)) };
         let command = description(&home, lifted, task, &start, symbol).ok()?;
-        model.add_session(&words, std::iter::once((&command[..], 1.0))).ok()?;
+        model.lend().add_session(&words, std::iter::once((&command[..], 1.0))).ok()?;
     }
     model.saved().ok()
 }
 
+#[wasm_bindgen(js_class = "Goodbot")]
 impl World {
     /// The language of the robot's starter; empty without one.
-    pub fn starter(&self) -> &str {
-        &self.starter.language
+    pub fn starter(&self) -> String {
+        self.starter.language.clone()
     }
 
     /// Gives the robot the starter of a language, or takes it away if the language is empty or has none, and begins to train: call
     /// [`learn`](Self::learn) until it is done. A session under way ends unlearned.
+    #[wasm_bindgen(js_name = setStarter)]
     pub fn set_starter(&mut self, language: &str) {
-        if language == self.starter() {
+        if language == self.starter.language {
             return;
         }
         self.forget();

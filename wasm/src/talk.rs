@@ -9,6 +9,7 @@ use goodbot::task::{GroundedTask, LiftedTask, ground_with_done};
 use goodbot_lesson::closed_words::kept_table;
 use goodbot_lesson::conversing::Conversing;
 use goodbot_lesson::walk::Listening;
+use wasm_bindgen::prelude::*;
 
 use crate::cells::MIND;
 use crate::log::task_name;
@@ -52,39 +53,6 @@ pub(crate) fn listening<M: HomeMemory>(
 }
 
 impl World {
-    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`,
-    /// the number of a choice, `stop`, `undo`, `again`, `unjudged` for praise, blame, yes or no without anything to judge, `unchanged`
-    /// for "back" without anything to take back, or `nothing`.
-    ///
-    /// # Errors
-    /// Where the words are too many or too long.
-    pub fn said(&self, words: &str) -> Result<String, Refusal> {
-        let word = match self.lesson.said(words).map_err(Refusal::from)? {
-            Said::Command => "command",
-            Said::Correction => "correction",
-            Said::Judgement(feedback) => feedback.name(),
-            Said::Finish => "finish",
-            Said::Answer(Answer::Yes) => "yes",
-            Said::Answer(Answer::No) => "no",
-            Said::Answer(Answer::This(number)) => return Ok((number + 1).to_string()),
-            Said::Stop => "stop",
-            Said::Undo => "undo",
-            Said::Again => "again",
-            Said::Nothing(Class::Praise | Class::Blame | Class::Yes | Class::No) => "unjudged",
-            Said::Nothing(Class::Back) => "unchanged",
-            Said::Nothing(_) => "nothing",
-        };
-        Ok(word.to_owned())
-    }
-
-    /// Learns the words that are said along with a button: `reward` or `punish`.
-    ///
-    /// # Errors
-    /// Where the words are too many or too long.
-    pub fn learn_voice(&mut self, words: &str, feedback: &str) -> Result<(), Refusal> {
-        self.lesson.learn_voice(words, feedback.parse().unwrap_or(Feedback::Neutral)).map_err(Refusal::from)
-    }
-
     /// Tells the robot something in the current state, as [`Lesson::tell`](goodbot_lesson::live::Lesson::tell) does. `insists` makes it a
     /// command, whatever the robot takes it for, unless it is negated. A session under way ends unlearned.
     ///
@@ -102,11 +70,6 @@ impl World {
         self.heard(listened)
     }
 
-    /// Whether the utterance has a rest.
-    pub fn is_more(&self) -> bool {
-        self.lesson.is_more()
-    }
-
     /// Begins with the rest of the utterance, once a session is over, in the current state. `None` without a rest.
     ///
     /// # Errors
@@ -115,30 +78,6 @@ impl World {
         let environment = self.environment_now();
         let listened = self.lesson.listen_on(environment).map_err(Refusal::from)?;
         listened.map(|listened| self.heard(Some(listened))).transpose()
-    }
-
-    /// Whether there is something to learn from the session under way.
-    pub fn teaches(&self) -> bool {
-        self.lesson.teaches()
-    }
-
-    /// Takes in words that correct the robot on its way.
-    ///
-    /// # Errors
-    /// Where no session is under way, or the words are too many or too long.
-    pub fn correct(&mut self, words: &str) -> Result<(), Refusal> {
-        self.lesson.correct(words).map(drop).map_err(Refusal::from)
-    }
-
-    /// Takes the last step back. Returns whether there was one.
-    ///
-    /// # Errors
-    /// Where no session is under way.
-    pub fn take_back(&mut self) -> Result<bool, Refusal> {
-        let took = self.lesson.take_back().map_err(Refusal::from)?;
-        self.lesson.walk_on().map_err(Refusal::from)?;
-        self.lesson.go_on().map_err(Refusal::from)?;
-        Ok(took)
     }
 
     /// Begins a session of a log anew, one that began by listening.
@@ -168,16 +107,6 @@ impl World {
         Ok(())
     }
 
-    /// Adds to the recorded session its table of closed words.
-    ///
-    /// # Errors
-    /// A text that is no table.
-    pub fn recorded_closed_words(&mut self, table: &str) -> Result<(), Refusal> {
-        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
-        told.walk.closed = kept_table(table).map_err(|_| Refusal("“closed_words” is no table of words".to_owned()))?;
-        Ok(())
-    }
-
     /// The effect of words that the robot has listened to; `listened` is `None` if it took them for a command.
     fn heard(&mut self, listened: Option<Listened>) -> Result<Reaction, Refusal> {
         let begun = self.lesson.is_under_way();
@@ -196,5 +125,84 @@ impl World {
         let task = task.unwrap_or_default();
         let command = lesson.command().unwrap_or_default().to_owned();
         Ok(Reaction { begun, verdict, task, negated: lesson.is_prohibition(), command })
+    }
+}
+
+#[wasm_bindgen(js_class = "Goodbot")]
+impl World {
+    /// What a person's words ask for, at this point of the session: `command`, `correction`, `reward`, `punish`, `finish`, `yes`, `no`,
+    /// the number of a choice, `stop`, `undo`, `again`, `unjudged` for praise, blame, yes or no without anything to judge, `unchanged`
+    /// for "back" without anything to take back, or `nothing`.
+    ///
+    /// # Errors
+    /// Where the words are too many or too long.
+    pub fn said(&self, words: &str) -> Result<String, Refusal> {
+        let word = match self.lesson.said(words).map_err(Refusal::from)? {
+            Said::Command => "command",
+            Said::Correction => "correction",
+            Said::Judgement(feedback) => feedback.name(),
+            Said::Finish => "finish",
+            Said::Answer(Answer::Yes) => "yes",
+            Said::Answer(Answer::No) => "no",
+            Said::Answer(Answer::This(number)) => return Ok((number + 1).to_string()),
+            Said::Stop => "stop",
+            Said::Undo => "undo",
+            Said::Again => "again",
+            Said::Nothing(Class::Praise | Class::Blame | Class::Yes | Class::No) => "unjudged",
+            Said::Nothing(Class::Back) => "unchanged",
+            Said::Nothing(_) => "nothing",
+        };
+        Ok(word.to_owned())
+    }
+
+    /// Learns the words that are said along with a button: `reward` or `punish`.
+    ///
+    /// # Errors
+    /// Where the words are too many or too long.
+    #[wasm_bindgen(js_name = learnVoice)]
+    pub fn learn_voice(&mut self, words: &str, feedback: &str) -> Result<(), Refusal> {
+        self.lesson.learn_voice(words, feedback.parse().unwrap_or(Feedback::Neutral)).map_err(Refusal::from)
+    }
+
+    /// Whether the utterance has a rest.
+    #[wasm_bindgen(js_name = isMore)]
+    pub fn is_more(&self) -> bool {
+        self.lesson.is_more()
+    }
+
+    /// Whether there is something to learn from the session under way.
+    pub fn teaches(&self) -> bool {
+        self.lesson.teaches()
+    }
+
+    /// Takes in words that correct the robot on its way.
+    ///
+    /// # Errors
+    /// Where no session is under way, or the words are too many or too long.
+    pub fn correct(&mut self, words: &str) -> Result<(), Refusal> {
+        self.lesson.correct(words).map(drop).map_err(Refusal::from)
+    }
+
+    /// Takes the last step back. Returns whether there was one.
+    ///
+    /// # Errors
+    /// Where no session is under way.
+    #[wasm_bindgen(js_name = takeBack)]
+    pub fn take_back(&mut self) -> Result<bool, Refusal> {
+        let took = self.lesson.take_back().map_err(Refusal::from)?;
+        self.lesson.walk_on().map_err(Refusal::from)?;
+        self.lesson.go_on().map_err(Refusal::from)?;
+        Ok(took)
+    }
+
+    /// Adds to the recorded session its table of closed words.
+    ///
+    /// # Errors
+    /// A text that is no table.
+    #[wasm_bindgen(js_name = recordedClosedWords)]
+    pub fn recorded_closed_words(&mut self, table: &str) -> Result<(), Refusal> {
+        let told = self.replaying.as_mut().ok_or_else(not_begun)?;
+        told.walk.closed = kept_table(table).map_err(|_| Refusal("“closed_words” is no table of words".to_owned()))?;
+        Ok(())
     }
 }

@@ -16,6 +16,7 @@ use goodbot_lesson::live::{Acted, LiveError};
 use goodbot_lesson::replay::{expect, expects_people};
 use goodbot_lesson::walk::Expected;
 use rand_pcg::Pcg32;
+use wasm_bindgen::prelude::*;
 
 use crate::cells::ROOMS;
 use crate::log::{lines, task_name};
@@ -61,18 +62,6 @@ impl World {
         (!expects_people(self.agent())).then(|| expected().collect())
     }
 
-    /// Hears a command in the current state. A session under way ends unlearned.
-    ///
-    /// # Errors
-    /// Why the command cannot be heard; the training data are kept.
-    pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
-        self.forget();
-        let environment = self.environment_now();
-        self.lesson.hear(command, environment).map_err(Refusal::from)?;
-        let Self { scout, lesson, .. } = self;
-        scout.set_tasks(lesson.home(), lesson.agent.lifted(), lesson.agent.tasks()).map_err(Refusal::from)
-    }
-
     /// The belief that the robot would have on hearing a command in this home, given as JSON. It learns nothing from that, and everything
     /// stays in place. A session under way ends unlearned.
     ///
@@ -93,14 +82,6 @@ impl World {
     /// Whether a session is under way.
     pub fn is_listening(&self) -> bool {
         self.lesson.is_under_way()
-    }
-
-    /// Goes on planning for the current state, with at most about `budget` node expansions. Returns whether the plan is done.
-    ///
-    /// # Errors
-    /// Where no session is under way.
-    pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
-        self.lesson.plan(budget).map_err(Refusal::from)
     }
 
     /// Decides on an action and does it. The plan must be done; the action waits for [`judge`](Self::judge).
@@ -157,27 +138,6 @@ impl World {
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })
     }
 
-    /// Leaves the last action unjudged, which is no silence either: the belief stays as it is, as in a test.
-    pub fn unjudged(&mut self) {
-        self.lesson.leave_unjudged();
-    }
-
-    /// The feedback to the last action of a simulated trainer, who means the given task and follows the paper's balanced strategy.
-    ///
-    /// # Errors
-    /// Where no action waits for feedback.
-    pub fn simulated_feedback(&mut self, intended: usize) -> Result<&'static str, Refusal> {
-        let right = self.lesson.acted().ok_or(LiveError::NoStep).map_err(Refusal::from)?.is_right(intended) == Some(true);
-        Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name())
-    }
-
-    /// Seeds the random draws of this step of the robot's next session. The same words at the same steps then give the same steps,
-    /// whatever was drawn before.
-    pub fn draw_from(&mut self, seed: u32, step: u32) {
-        let session = u64::try_from(self.sessions()).unwrap_or(u64::MAX);
-        self.random = Pcg32::new(u64::from(seed) << 32 | u64::from(step), session);
-    }
-
     /// A number from 0 to 1 of the world's own random draws.
     pub fn random(&mut self) -> f32 {
         unit(&mut self.random)
@@ -185,17 +145,6 @@ impl World {
 
     pub(crate) fn probabilities(&self) -> Vec<f32> {
         (0..self.agent().tasks().len()).map(|task| self.agent().belief().probability(task)).collect()
-    }
-
-    /// Ends the session and begins to learn from it. Returns the session as lines of a log.
-    ///
-    /// # Errors
-    /// Where no session is under way or a table is full; the training data are kept.
-    pub fn finish(&mut self) -> Result<String, Refusal> {
-        let log = self.log(true)?;
-        let finished = self.lesson.finish().map_err(Refusal::from)?;
-        self.learned(&finished);
-        Ok(log)
     }
 
     /// Counts the sessions that gave way to a new one, and leaves fewer sentences of the starter.
@@ -207,25 +156,6 @@ impl World {
     /// How many older sessions this robot has forgotten for new ones, because its memory was full.
     pub fn gave_way(&self) -> usize {
         self.gave_way
-    }
-
-    /// Goes on learning, with at most about `budget` table cells of work. Returns whether it is done.
-    pub fn learn(&mut self, budget: u32) -> bool {
-        self.lesson.agent.learn(budget) == Progress::Done
-    }
-
-    /// Ends the session, if one is under way, without learning from it: the belief about the trainer, too, is as before.
-    pub fn forget(&mut self) {
-        if self.replaying.take().is_some() || self.lesson.is_under_way() {
-            self.lesson.agent.forget_evidence();
-        }
-        self.lesson.forget();
-        self.ahead = None;
-    }
-
-    /// How many sessions the robot has learned from, without its starter.
-    pub fn sessions(&self) -> usize {
-        self.agent().language().bitext().sessions() - self.starter.places.count()
     }
 
     /// The session under way as lines of a log, ended with or without learning.
@@ -266,11 +196,6 @@ impl World {
             style.late += share * (late + later);
         }
         style
-    }
-
-    /// Begins to look where a task would lead from here: call [`look`](Self::look) until it is done.
-    pub fn look_ahead(&mut self, task: usize) {
-        self.ahead = self.lesson.agent.tasks().get(task).map(|&goal| Lookahead::new(*self.lesson.state(), task, goal));
     }
 
     /// Goes on looking ahead, with about `budget` node expansions. Returns whether it is done, and then the route; `None` if the task leads
@@ -326,6 +251,88 @@ impl World {
             tokens: tokens.iter().map(|(_, text)| (*text).to_owned()).collect(),
             letters: self.agent().options().language.letters_kept(),
         }
+    }
+}
+
+#[wasm_bindgen(js_class = "Goodbot")]
+impl World {
+    /// The feedback to the last action of a simulated trainer, who means the given task and follows the paper's balanced strategy.
+    ///
+    /// # Errors
+    /// Where no action waits for feedback.
+    #[wasm_bindgen(js_name = simulatedFeedback)]
+    pub fn simulated_feedback(&mut self, intended: usize) -> Result<String, Refusal> {
+        let right = self.lesson.acted().ok_or(LiveError::NoStep).map_err(Refusal::from)?.is_right(intended) == Some(true);
+        Ok(SimulatedTrainer { strategy: Strategy::BALANCED }.feedback(right, &mut self.random).name().to_owned())
+    }
+
+    /// Hears a command in the current state. A session under way ends unlearned.
+    ///
+    /// # Errors
+    /// Why the command cannot be heard; the training data are kept.
+    pub fn hear(&mut self, command: &str) -> Result<(), Refusal> {
+        self.forget();
+        let environment = self.environment_now();
+        self.lesson.hear(command, environment).map_err(Refusal::from)?;
+        let Self { scout, lesson, .. } = self;
+        scout.set_tasks(lesson.home(), lesson.agent.lifted(), lesson.agent.tasks()).map_err(Refusal::from)
+    }
+
+    /// Goes on planning for the current state, with at most about `budget` node expansions. Returns whether the plan is done.
+    ///
+    /// # Errors
+    /// Where no session is under way.
+    pub fn plan(&mut self, budget: u32) -> Result<bool, Refusal> {
+        self.lesson.plan(budget).map_err(Refusal::from)
+    }
+
+    /// Leaves the last action unjudged, which is no silence either: the belief stays as it is, as in a test.
+    pub fn unjudged(&mut self) {
+        self.lesson.leave_unjudged();
+    }
+
+    /// Seeds the random draws of this step of the robot's next session. The same words at the same steps then give the same steps,
+    /// whatever was drawn before.
+    #[wasm_bindgen(js_name = drawFrom)]
+    pub fn draw_from(&mut self, seed: u32, step: u32) {
+        let session = u64::try_from(self.sessions()).unwrap_or(u64::MAX);
+        self.random = Pcg32::new(u64::from(seed) << 32 | u64::from(step), session);
+    }
+
+    /// Ends the session and begins to learn from it. Returns the session as lines of a log.
+    ///
+    /// # Errors
+    /// Where no session is under way or a table is full; the training data are kept.
+    pub fn finish(&mut self) -> Result<String, Refusal> {
+        let log = self.log(true)?;
+        let finished = self.lesson.finish().map_err(Refusal::from)?;
+        self.learned(&finished);
+        Ok(log)
+    }
+
+    /// Goes on learning, with at most about `budget` table cells of work. Returns whether it is done.
+    pub fn learn(&mut self, budget: u32) -> bool {
+        self.lesson.agent.learn(budget) == Progress::Done
+    }
+
+    /// Ends the session, if one is under way, without learning from it: the belief about the trainer, too, is as before.
+    pub fn forget(&mut self) {
+        if self.replaying.take().is_some() || self.lesson.is_under_way() {
+            self.lesson.agent.forget_evidence();
+        }
+        self.lesson.forget();
+        self.ahead = None;
+    }
+
+    /// How many sessions the robot has learned from, without its starter.
+    pub fn sessions(&self) -> usize {
+        self.agent().language().bitext().sessions() - self.starter.places.count()
+    }
+
+    /// Begins to look where a task would lead from here: call [`look`](Self::look) until it is done.
+    #[wasm_bindgen(js_name = lookAhead)]
+    pub fn look_ahead(&mut self, task: usize) {
+        self.ahead = self.lesson.agent.tasks().get(task).map(|&goal| Lookahead::new(*self.lesson.state(), task, goal));
     }
 }
 

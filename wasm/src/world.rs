@@ -16,6 +16,7 @@ use goodbot_lesson::live::Lesson;
 use goodbot_lesson::replay::{Replay, expect_ends};
 use goodbot_lesson::walk::Walk;
 use rand_pcg::Pcg32;
+use wasm_bindgen::prelude::*;
 
 use crate::cells::{MIND, MOST_OF_A_FIELD, ROOMS};
 use crate::route::{Lookahead, Scout};
@@ -37,6 +38,7 @@ impl Refusal {
 const FIRST_HOME: &str = r#"{"version":1,"objects":[{"class":"room","name":"room0","left":0,"bottom":0,"right":4,"top":4,"color":"red"},{"class":"agent","name":"agent0","x":2,"y":2}]}"#;
 
 /// One home, one robot, and the session under way.
+#[wasm_bindgen(js_name = Goodbot)]
 pub struct World {
     pub(crate) lesson: Lesson,
     pub(crate) scout: Scout,
@@ -139,10 +141,51 @@ impl World {
         })
     }
 
+    /// Replaces the mind by one that has only its own sessions.
+    fn take(&mut self, mut mind: Agent<AgentHeap>) {
+        self.starter.join(&mut mind);
+        self.forget();
+        self.lesson.replace_agent(mind);
+    }
+
+    /// The home.
+    pub(crate) fn home(&self) -> &Home<HomeHeap> {
+        self.lesson.home()
+    }
+
+    /// The robot's mind.
+    pub fn agent(&self) -> &Agent<AgentHeap> {
+        &self.lesson.agent
+    }
+
+    /// The environment in its current state.
+    pub fn environment_now(&self) -> EnvironmentFile {
+        self.lesson.environment()
+    }
+
+    /// The home as it is now.
+    pub fn scene(&self) -> Scene {
+        let home = self.home();
+        let map = Map::new(home, self.lesson.state());
+        let places = |class| home.objects().of_class(class).map(|id| place(home, id)).collect();
+        Scene {
+            bounds: extent(map.bounds()),
+            rooms: places(ROOM),
+            doors: places(DOOR),
+            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, self.lesson.state(), id)).collect(),
+            agent: thing(home, self.lesson.state(), home.agent()),
+            map: map.to_string(),
+        }
+    }
+}
+
+#[wasm_bindgen(js_class = "Goodbot")]
+impl World {
     /// Moves the robot to another home. A session under way ends unlearned.
     ///
     /// # Errors
     /// Why the home cannot be used; the old one then stays.
+    #[wasm_bindgen(js_name = setEnvironment)]
     pub fn set_environment(&mut self, json: &str) -> Result<(), Refusal> {
         let file = EnvironmentFile::parse(json).map_err(Refusal::from)?;
         let (rooms, start) = build(&file, self.moves, &ROOMS)?;
@@ -156,6 +199,7 @@ impl World {
     ///
     /// # Errors
     /// None: a home is one with either kind of moves.
+    #[wasm_bindgen(js_name = setPulls)]
     pub fn set_pulls(&mut self, pulls: bool) -> Result<(), Refusal> {
         let moves = if pulls { Moves::PushAndPull } else { Moves::Push };
         let (rooms, start) = build(&self.file, moves, &ROOMS)?;
@@ -218,13 +262,6 @@ impl World {
         Ok(())
     }
 
-    /// Replaces the mind by one that has only its own sessions.
-    fn take(&mut self, mut mind: Agent<AgentHeap>) {
-        self.starter.join(&mut mind);
-        self.forget();
-        self.lesson.replace_agent(mind);
-    }
-
     /// Adds the lessons of another robot's model file, and begins to train: call [`learn`](Self::learn) until it is done. Returns the number
     /// of lessons that were not known. A session under way ends unlearned.
     ///
@@ -240,6 +277,7 @@ impl World {
     }
 
     /// Whether a micro:bit has room for the home.
+    #[wasm_bindgen(js_name = fitsMicrobit)]
     pub fn fits_microbit(&self) -> bool {
         build(&self.file, Moves::Push, &Capacities::TINY).is_ok()
     }
@@ -248,6 +286,7 @@ impl World {
     ///
     /// # Errors
     /// Where a micro:bit has no room for it, or cannot use it.
+    #[wasm_bindgen(js_name = forMicrobit)]
     pub fn for_microbit(&self) -> Result<Vec<u8>, Refusal> {
         let mut bytes = self.save()?;
         if !matches!(self.lesson.agent.belief().strategies(), [(Strategy::BALANCED, _)]) {
@@ -264,6 +303,7 @@ impl World {
     ///
     /// # Errors
     /// Where it is still learning.
+    #[wasm_bindgen(js_name = setWays)]
     pub fn set_ways(&mut self, ways: bool) -> Result<(), Refusal> {
         if ways == self.ways() {
             self.forget();
@@ -276,36 +316,6 @@ impl World {
     /// Whether commands may mean tasks with a way too.
     pub fn ways(&self) -> bool {
         self.lesson.agent.lifted().iter().any(LiftedTask::has_way)
-    }
-
-    /// The home.
-    pub(crate) fn home(&self) -> &Home<HomeHeap> {
-        self.lesson.home()
-    }
-
-    /// The robot's mind.
-    pub fn agent(&self) -> &Agent<AgentHeap> {
-        &self.lesson.agent
-    }
-
-    /// The environment in its current state.
-    pub fn environment_now(&self) -> EnvironmentFile {
-        self.lesson.environment()
-    }
-
-    /// The home as it is now.
-    pub fn scene(&self) -> Scene {
-        let home = self.home();
-        let map = Map::new(home, self.lesson.state());
-        let places = |class| home.objects().of_class(class).map(|id| place(home, id)).collect();
-        Scene {
-            bounds: extent(map.bounds()),
-            rooms: places(ROOM),
-            doors: places(DOOR),
-            blocks: home.objects().of_class(BLOCK).map(|id| thing(home, self.lesson.state(), id)).collect(),
-            agent: thing(home, self.lesson.state(), home.agent()),
-            map: map.to_string(),
-        }
     }
 }
 

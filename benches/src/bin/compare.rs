@@ -137,13 +137,13 @@ fn against_nltk() -> Result<(), String> {
         largest = largest.max((f64::from(ours) - theirs.as_f64().unwrap_or(f64::NAN)).abs());
     };
     for row in rows("t") {
-        let token = row[0].as_str().and_then(|token| model.tokens().find(token));
-        let Some(word) = row[1].as_str().and_then(|word| model.words().find(word)) else { continue };
-        compare(model.tables().translation(word, token), &row[2]);
+        let token = row[0].as_str().and_then(|token| model.read().tokens().find(token));
+        let Some(word) = row[1].as_str().and_then(|word| model.read().words().find(word)) else { continue };
+        compare(model.read().tables().translation(word, token), &row[2]);
     }
     for row in rows("a") {
         let at = |column: usize| row[column].as_u64().and_then(|number| usize::try_from(number).ok()).unwrap_or(usize::MAX);
-        compare(model.tables().alignment(at(0), at(1), at(2), at(3)), &row[4]);
+        compare(model.read().tables().alignment(at(0), at(1), at(2), at(3)), &row[4]);
     }
     println!("{} pairs of 64 sessions, {cells} cells of t and a, largest difference {largest:.1e}", pairs.len());
     if cells == 0 || largest > 1e-3 {

@@ -49,7 +49,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`consider`](Self::consider).
-    pub fn question<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, asking: &Asking) -> Result<Option<Question>, AgentError> {
+    pub fn question<D: Domain>(&mut self, domain: &D, state: &D::State, asking: &Asking) -> Result<Option<Question>, AgentError> {
         loop {
             match self.consider(domain, state, asking, u32::MAX)? {
                 Considered::Working => {}
@@ -64,13 +64,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`decide`](Self::decide), and [`AgentError::Setting`] if the settings are out of range.
-    pub fn consider<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        state: &D::State,
-        asking: &Asking,
-        budget: u32,
-    ) -> Result<Considered, AgentError> {
+    pub fn consider<D: Domain>(&mut self, domain: &D, state: &D::State, asking: &Asking, budget: u32) -> Result<Considered, AgentError> {
         asking.check()?;
         self.check_session(domain)?;
         let key = domain.key(state);
@@ -115,7 +109,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Continues the look ahead, then restores the plan of the state where it began.
-    fn look_on<D: Domain + ?Sized>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
+    fn look_on<D: Domain>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
         let words = Words::expected(self.belief());
         loop {
             // Dead ends stay dead during the look ahead; afterwards they are no longer certain.

@@ -39,9 +39,3 @@ impl Asking {
         sound(self.patience >= 0.0, SettingError::Patience(self.patience))
     }
 }
-
-impl Default for Asking {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}

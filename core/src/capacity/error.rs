@@ -6,7 +6,6 @@ use core::fmt;
 
 /// A table was full: which one, its limit, and the number of entries asked for (at least).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct CapacityError {
     /// The capacity that was exceeded.
     pub capacity: Capacity,

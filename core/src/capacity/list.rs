@@ -134,7 +134,6 @@ macro_rules! constants {
     ($([$(#[doc = $doc:literal])*] $Variant:ident $of:literal $field:ident;)*) => {
         /// A capacity that was exceeded: a field of [`Capacities`], or a constant of [`capacity`](crate::capacity).
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         #[repr(u8)]
         pub enum Capacity {
@@ -353,17 +352,9 @@ impl fmt::Display for Capacity {
 }
 
 /// There is no capacity of this name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no capacity of this name; the fields of Capacities are the names")]
 pub struct UnknownCapacity;
-
-impl fmt::Display for UnknownCapacity {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("there is no capacity of this name; the fields of Capacities are the names")
-    }
-}
-
-impl core::error::Error for UnknownCapacity {}
 
 impl FromStr for Capacity {
     type Err = UnknownCapacity;

@@ -10,7 +10,6 @@ use crate::capacity::{Capacity, CapacityError};
 use crate::decimal::Decimal;
 use crate::memory::{BeliefTables, BeliefTablesRef};
 use crate::probability::{Scaled, total};
-use core::fmt;
 
 /// The numbers of tasks and strategies of a belief.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -323,11 +322,11 @@ impl Belief<'_> {
 }
 
 /// The reason why a belief refused its strategies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BeliefError {
     /// The probability of a strategy is outside [0, 1] or not a number.
+    #[error("the probability of strategy {strategy} is {}; it must be from 0 to 1", Decimal(*.value))]
     Prior {
         /// The strategy, by its position in the list.
         strategy: u8,
@@ -335,27 +334,9 @@ pub enum BeliefError {
         value: f32,
     },
     /// No strategy has a probability above 0.
+    #[error("no trainer strategy is probable; give one of them more than 0")]
     NoPrior,
     /// A table was full.
-    Capacity(CapacityError),
+    #[error(transparent)]
+    Capacity(#[from] CapacityError),
 }
-
-impl From<CapacityError> for BeliefError {
-    fn from(error: CapacityError) -> Self {
-        Self::Capacity(error)
-    }
-}
-
-impl fmt::Display for BeliefError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Prior { strategy, value } => {
-                write!(f, "the probability of strategy {strategy} is {}; it must be from 0 to 1", Decimal(*value))
-            }
-            Self::NoPrior => f.write_str("no trainer strategy is probable; give one of them more than 0"),
-            Self::Capacity(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for BeliefError {}

@@ -112,9 +112,3 @@ impl Ending {
         if ends { ending } else { 1.0 - ending }
     }
 }
-
-impl Default for Ending {
-    fn default() -> Self {
-        Self::NO_EVIDENCE
-    }
-}

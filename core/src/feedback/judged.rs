@@ -4,7 +4,6 @@ use crate::planning::Judgement;
 
 /// The kind of an action for a task.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Judged {
     /// A move that begins a shortest way to the goal.
     Nearer,

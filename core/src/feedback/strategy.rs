@@ -7,7 +7,6 @@ use core::str::FromStr;
 
 /// The trainer's word after an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Feedback {
     /// "Good bot."
     Reward,
@@ -49,17 +48,9 @@ impl FromStr for Feedback {
 }
 
 /// There is no feedback of this name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("feedback is reward, punish or neutral")]
 pub struct UnknownFeedback;
-
-impl fmt::Display for UnknownFeedback {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("feedback is reward, punish or neutral")
-    }
-}
-
-impl core::error::Error for UnknownFeedback {}
 
 /// The number of actions that a word may be about: the last one, and those before it.
 pub const LAGS: usize = 3;
@@ -98,35 +89,25 @@ pub struct Strategy {
 }
 
 /// The parameter of a strategy that is not a probability.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StrategyError {
     /// mu+ is outside [0, 1] or not a number.
+    #[error("mu+ must be a number from 0 to 1")]
     MuPlus,
     /// mu- is outside [0, 1] or not a number.
+    #[error("mu- must be a number from 0 to 1")]
     MuMinus,
     /// epsilon is outside [0, 1] or not a number.
+    #[error("epsilon must be a number from 0 to 1")]
     Epsilon,
     /// The probabilities of the lags are not from 0 to 1, or do not sum to 1.
+    #[error("the lags must be three numbers from 0 to 1 that sum to 1")]
     Lags,
     /// A parameter for rests is outside [0, 1] or not a number.
+    #[error("the four numbers about rests must be from 0 to 1")]
     Rests,
 }
-
-impl fmt::Display for StrategyError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::MuPlus => "mu+ must be a number from 0 to 1",
-            Self::MuMinus => "mu- must be a number from 0 to 1",
-            Self::Epsilon => "epsilon must be a number from 0 to 1",
-            Self::Lags => "the lags must be three numbers from 0 to 1 that sum to 1",
-            Self::Rests => "the four numbers about rests must be from 0 to 1",
-        })
-    }
-}
-
-impl core::error::Error for StrategyError {}
 
 impl Strategy {
     /// Each word is about the last action.

@@ -13,65 +13,54 @@ use crate::planning::Progress;
 const MOST_OBJECTS: usize = if cfg!(feature = "alloc") { 96 } else { 32 };
 
 /// A problem with a home.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
     /// There is no agent.
+    #[error("there is no agent; add one, inside a room")]
     NoAgent,
     /// There is an agent already.
+    #[error("there is an agent already; a home has one")]
     SecondAgent,
     /// There is no room.
+    #[error("there is no room; add one")]
     NoRoom,
     /// The room has no cell inside: it must be at least two cells wide and high from border to border.
+    #[error("the room has no cell inside; its right must be at least left + 2 and its top at least bottom + 2")]
     RoomOfNoArea,
     /// The door's right is left of its left, or its top below its bottom.
+    #[error("the door has no cell; its right must be at least its left and its top at least its bottom")]
     DoorOfNoArea,
     /// The agent or block is in a wall, or outside every room.
+    #[error("it is in a wall or outside every room; move it inside a room or into a doorway")]
     InWall,
     /// The agent or block is on the cell of another block or of the agent.
+    #[error("it is where the agent or another block is; move one of them")]
     OnAnother,
     /// A coordinate is further from the origin than [`FARTHEST`](super::layout::FARTHEST).
+    #[error("a coordinate is beyond -255 to 255; move the home nearer to the origin")]
     TooFar,
     /// The free cells and the blocks together have more states than an agent can tell apart: see [`StateKey`].
+    #[error("the free cells and the blocks have more states together than can be numbered; take blocks or cells away")]
     TooManyStates,
     /// Another object has this name.
+    #[error("another object has this name; give each its own")]
     DuplicateName,
     /// The name is empty.
+    #[error("its name is empty; give it one")]
     EmptyName,
     /// A table was full.
+    #[error(transparent)]
     Capacity(CapacityError),
 }
 
 /// A problem with a home, and the object that has it, if it is a single one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct HomeError {
     /// The problem.
     pub problem: Problem,
     /// The object's position, in the order in which objects were added.
     pub object: Option<u16>,
-}
-
-impl core::fmt::Display for Problem {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            Self::NoAgent => "there is no agent; add one, inside a room",
-            Self::SecondAgent => "there is an agent already; a home has one",
-            Self::NoRoom => "there is no room; add one",
-            Self::RoomOfNoArea => "the room has no cell inside; its right must be at least left + 2 and its top at least bottom + 2",
-            Self::DoorOfNoArea => "the door has no cell; its right must be at least its left and its top at least its bottom",
-            Self::InWall => "it is in a wall or outside every room; move it inside a room or into a doorway",
-            Self::OnAnother => "it is where the agent or another block is; move one of them",
-            Self::TooFar => "a coordinate is beyond -255 to 255; move the home nearer to the origin",
-            Self::TooManyStates => {
-                "the free cells and the blocks have more states together than can be numbered; take blocks or cells away"
-            }
-            Self::DuplicateName => "another object has this name; give each its own",
-            Self::EmptyName => "its name is empty; give it one",
-            Self::Capacity(error) => return error.fmt(f),
-        })
-    }
 }
 
 impl core::fmt::Display for HomeError {

@@ -107,7 +107,7 @@ impl<M: HomeMemory> Home<M> {
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::home::{HomeBuilder, Moves};

@@ -2,6 +2,7 @@
 //!
 //! Equal machine commands are stored once. A session's English command is stored once, for all its machine commands.
 
+use super::layer::LeftOut;
 use crate::capacity::{Capacities, Capacity, CapacityError, TOKENS_PER_COMMAND, WORDS_PER_COMMAND};
 use crate::memory::{BitextTables, BitextTablesRef};
 use crate::probability::square_root;
@@ -129,52 +130,6 @@ pub(crate) struct Alone {
     pub sentence: usize,
 }
 
-/// Half of the sessions can be left out of a training: every second one.
-#[cfg(feature = "layer")]
-pub(super) const FOLDS: usize = 2;
-
-/// The sessions that a training leaves out. Without the feature `layer`, there are none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct LeftOut {
-    #[cfg(feature = "layer")]
-    part: Option<u8>,
-}
-
-#[cfg(feature = "layer")]
-impl LeftOut {
-    /// The first part.
-    pub const FIRST: Self = Self { part: Some(0) };
-
-    /// The next part; no session after the last part.
-    pub fn next(self) -> Self {
-        Self { part: self.part.map(|part| part.saturating_add(1)).filter(|&part| usize::from(part) < FOLDS) }
-    }
-
-    /// The first session left out.
-    pub fn first(self) -> Option<u16> {
-        self.part.map(u16::from)
-    }
-}
-
-impl LeftOut {
-    /// No session.
-    pub const NONE: Self = Self {
-        #[cfg(feature = "layer")]
-        part: None,
-    };
-
-    #[cfg(feature = "layer")]
-    fn has(self, session: u16) -> bool {
-        self.part.is_some_and(|part| usize::from(session) % FOLDS == usize::from(part))
-    }
-
-    #[cfg(not(feature = "layer"))]
-    #[expect(clippy::unused_self, reason = "as with the feature")]
-    const fn has(self, _session: u16) -> bool {
-        false
-    }
-}
-
 /// The training data, read-only.
 #[derive(Clone, Copy, Debug)]
 #[doc(hidden)]
@@ -236,13 +191,11 @@ impl<'t> BitextRef<'t> {
     }
 
     /// Whether a session is being removed, and some pairs or machine commands are not at their place.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn is_removing(self) -> bool {
         self.used.removal.from > 0 || self.used.removal.until > 0
     }
 
     /// A number that changes whenever sessions are added or removed.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn changes(self) -> u32 {
         self.used.changes
     }
@@ -390,7 +343,6 @@ impl<'t> Bitext<'t> {
 
     /// Forgets a session and its pairs. Later ones move up by one. If another session has the same English command, it is marked as heard
     /// before.
-    #[cfg(feature = "layer")]
     pub(super) fn remove_session(&mut self, session: u16) {
         self.begin_removal(session);
         while !self.remove_on() {}

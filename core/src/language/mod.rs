@@ -22,6 +22,10 @@ pub(crate) mod hearing;
 #[doc(hidden)]
 pub mod ibm2;
 #[doc(hidden)]
+#[cfg(feature = "layer")]
+pub mod layer;
+#[cfg(not(feature = "layer"))]
+#[path = "layer/absent.rs"]
 pub mod layer;
 #[cfg(all(feature = "alloc", feature = "unicode"))]
 pub(crate) mod letters;

@@ -3,9 +3,9 @@
 use super::bitext::{Bitext, BitextRef, Extent};
 use super::forgetting::Unheard;
 use super::hearing::Heard;
-use super::layer::Layer;
 #[cfg(feature = "layer")]
-use super::layer::{CommandIndex, LayerRef};
+use super::layer::CommandIndex;
+use super::layer::{Layer, LayerRef};
 use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{Layout, Meaning};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -15,7 +15,6 @@ use super::tokenizer::{Sentence, word_form};
 use super::training::Training;
 use super::{ibm2, roles};
 use crate::capacity::{Capacities, Capacity, CapacityError, WORDS_PER_COMMAND};
-#[cfg(feature = "snapshot")]
 use crate::memory::AgentTables;
 use crate::memory::{AgentMemory, LanguageTables, LanguageTablesRef};
 use crate::planning::Progress;
@@ -38,7 +37,6 @@ pub(crate) struct LanguageState {
 }
 
 /// The extent of data in the tables that are not learned yet.
-#[cfg(feature = "snapshot")]
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Unlearned {
     words: usize,
@@ -46,7 +44,6 @@ pub(crate) struct Unlearned {
     data: Extent,
 }
 
-#[cfg(feature = "snapshot")]
 impl Unlearned {
     /// No data.
     pub(crate) const NONE: Self = Self { words: 0, tokens: 0, data: Extent::NONE };
@@ -79,7 +76,6 @@ impl LanguageState {
     }
 
     /// Exchanges the extents of used data. Data written into the tables meanwhile do not count as learned.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn exchange(&mut self, used: &mut Unlearned) {
         core::mem::swap(&mut self.words, &mut used.words);
         core::mem::swap(&mut self.tokens, &mut used.tokens);
@@ -116,7 +112,6 @@ impl LanguageState {
             words: SymbolsRef::new(tables.word_bytes, tables.word_ends, self.words),
             tokens: SymbolsRef::new(tables.token_bytes, tables.token_ends, self.tokens),
             bitext: BitextRef::new(tables.bitext, self.data),
-            #[cfg(feature = "layer")]
             layer: LayerRef::new(tables.layer),
             tables: TablesRef::new(tables.parameters, counts, &self.trained),
             training: self.training,
@@ -133,7 +128,6 @@ pub struct LanguageRef<'t> {
     words: SymbolsRef<'t>,
     tokens: SymbolsRef<'t>,
     bitext: BitextRef<'t>,
-    #[cfg(feature = "layer")]
     layer: Option<LayerRef<'t>>,
     tables: TablesRef<'t>,
     training: Training,
@@ -238,9 +232,8 @@ impl<'t> LanguageRef<'t> {
     }
 
     /// The tasks of each session, for the [layer](super::layer), if there is memory for it: each pair's weight is the prior of the task.
-    #[cfg(feature = "layer")]
     pub fn possible(self) -> Option<BitextRef<'t>> {
-        self.layer.map(|layer| layer.possible)
+        self.layer.map(LayerRef::possible)
     }
 
     /// As [`TablesRef::unknown_share`].
@@ -286,13 +279,11 @@ impl<'t> LanguageRef<'t> {
     }
 
     /// The number of English words in the learned sessions.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_words(self) -> usize {
         self.learned_words
     }
 
     /// The number of machine tokens in the learned sessions.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn learned_tokens(self) -> usize {
         self.learned_tokens
     }
@@ -328,7 +319,6 @@ impl<'t> LanguageMut<'t> {
             words: self.words.read(),
             tokens: self.tokens.read(),
             bitext: self.bitext.read(),
-            #[cfg(feature = "layer")]
             layer: self.layer.read(),
             tables: self.tables.read(),
             training: *self.training,
@@ -443,11 +433,8 @@ impl<'t> LanguageMut<'t> {
     }
 
     /// Forgets the tasks of all sessions: another model may have used the layer's memory before.
-    #[cfg(feature = "layer")]
     pub(crate) fn forget_tasks(&mut self) {
-        if let Some(layer) = &mut self.layer.room {
-            layer.clear();
-        }
+        self.layer.clear();
     }
 
     /// Forgets a session and its pairs. Later ones move up by one.
@@ -459,9 +446,8 @@ impl<'t> LanguageMut<'t> {
     /// Begins to forget a session and its pairs; the training data are forgotten in parts.
     pub(super) fn begin_removal(&mut self, session: u16) {
         self.bitext.begin_removal(session);
-        #[cfg(feature = "layer")]
-        if let Some(layer) = &mut self.layer.room {
-            layer.possible.remove_session(session);
+        if let Some(possible) = self.layer.possible_mut() {
+            possible.remove_session(session);
         }
     }
 
@@ -470,9 +456,8 @@ impl<'t> LanguageMut<'t> {
         while !self.bitext.remove_on() {}
     }
 
-    #[cfg(all(feature = "layer", feature = "snapshot"))]
     pub(crate) fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
-        self.layer.room.as_mut().map(|room| &mut room.possible)
+        self.layer.possible_mut()
     }
 
     /// Forgets everything, and takes other settings.
@@ -481,15 +466,13 @@ impl<'t> LanguageMut<'t> {
         self.words.truncate(0);
         self.tokens.truncate(0);
         self.bitext.clear();
-        #[cfg(feature = "layer")]
-        self.forget_tasks();
+        self.layer.clear();
         (*self.learned_words, *self.learned_tokens) = (0, 0);
         self.tables.trained.wanted = Wanted::NONE;
     }
 
     /// Replaces everything by a role model from another robot: its words, its machine tokens and its parameters. There are no training data
     /// with them.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn take_over<'a>(
         &mut self,
         settings: Settings,
@@ -692,13 +675,8 @@ impl<M: AgentMemory> LanguageModel<M> {
     /// A [`SettingError`] if a setting is out of range.
     pub fn new(memory: M, settings: Settings) -> Result<Self, SettingError> {
         settings.check()?;
-        let model = Self { memory, state: LanguageState::new(settings) };
-        #[cfg(feature = "layer")]
-        let model = {
-            let mut model = model;
-            model.lend().forget_tasks();
-            model
-        };
+        let mut model = Self { memory, state: LanguageState::new(settings) };
+        model.lend().forget_tasks();
         Ok(model)
     }
 
@@ -709,7 +687,6 @@ impl<M: AgentMemory> LanguageModel<M> {
     }
 
     /// The model and its tables.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn parts(&mut self) -> (&mut LanguageState, AgentTables<'_>) {
         (&mut self.state, self.memory.lend())
     }
@@ -718,85 +695,6 @@ impl<M: AgentMemory> LanguageModel<M> {
     pub fn read(&self) -> LanguageRef<'_> {
         let tables = self.memory.read();
         self.state.read(tables.language, tables.workspace.len())
-    }
-
-    /// The settings.
-    pub const fn settings(&self) -> &Settings {
-        &self.state.settings
-    }
-
-    /// The English words.
-    pub fn words(&self) -> SymbolsRef<'_> {
-        self.read().words()
-    }
-
-    /// The machine tokens.
-    pub fn tokens(&self) -> SymbolsRef<'_> {
-        self.read().tokens()
-    }
-
-    /// The machine tokens, to intern new ones.
-    pub fn tokens_mut(&mut self) -> Symbols<'_> {
-        self.lend().tokens
-    }
-
-    /// The training data.
-    pub fn bitext(&self) -> BitextRef<'_> {
-        self.read().bitext()
-    }
-
-    /// The parameters of the last training.
-    pub fn tables(&self) -> TablesRef<'_> {
-        self.read().tables()
-    }
-
-    /// As [`LanguageMut::hear`].
-    ///
-    /// # Errors
-    /// A [`CapacityError`] if the command or one of its words is too long.
-    pub fn hear(&mut self, command: &str) -> Result<Sentence, CapacityError> {
-        self.lend().hear(command)
-    }
-
-    /// As [`LanguageRef::likelihood`].
-    pub fn likelihood(&self, sentence: &[Option<Symbol>], command: &[Symbol]) -> Scaled {
-        self.read().likelihood(sentence, command)
-    }
-
-    /// As [`LanguageMut::add_possible`].
-    ///
-    /// # Errors
-    /// A [`CapacityError`]; the layer then learns nothing from the session.
-    #[cfg(feature = "layer")]
-    pub fn add_possible<'a>(&mut self, tasks: impl Iterator<Item = (&'a [Symbol], f32)>) -> Result<(), CapacityError> {
-        self.lend().add_possible(tasks)
-    }
-
-    /// As [`LanguageMut::add_session`].
-    ///
-    /// # Errors
-    /// A [`CapacityError`]; the model is then unchanged.
-    pub fn add_session<'a>(
-        &mut self,
-        sentence: &[Option<Symbol>],
-        pairs: impl Iterator<Item = (&'a [Symbol], f32)>,
-    ) -> Result<(), CapacityError> {
-        self.lend().add_session(sentence, pairs)
-    }
-
-    /// Forgets the words and machine tokens that came after the last learned session.
-    pub fn forget_unlearned(&mut self) {
-        self.lend().forget_unlearned();
-    }
-
-    /// Begins training on all the data, from scratch.
-    pub fn begin_training(&mut self) {
-        self.lend().begin_training();
-    }
-
-    /// Continues the training, with at most about `budget` table cells of work.
-    pub fn train(&mut self, budget: u32) -> Progress {
-        self.lend().train(budget)
     }
 
     /// Returns the memory, for other use.

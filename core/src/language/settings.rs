@@ -11,7 +11,6 @@ pub const MOST_WEIGHT: f32 = 1e6;
 
 /// The model that explains words.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Model {
     /// IBM Model 2, the paper's: every word translates one token of a machine command, or none. With the feature `model2`, which is on
     /// by default.
@@ -97,12 +96,6 @@ impl Settings {
     pub const LAYERED: Self = Self { layer: true, ..Self::DEFAULT };
 }
 
-impl Default for Settings {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}
-
 impl Settings {
     /// Whether there is a [`layer`](super::layer) above the role model.
     #[cfg(feature = "layer")]
@@ -144,7 +137,6 @@ pub(crate) fn is_weight(value: f32) -> bool {
 
 /// A setting that is out of range, with its value.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SettingError {
     /// [`Settings::model`]: the model is not built in.

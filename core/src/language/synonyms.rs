@@ -7,7 +7,6 @@
 use super::model::LanguageRef;
 use super::tokenizer::for_each_piece;
 use crate::capacity::CapacityError;
-use core::fmt;
 
 /// A table of synonyms: each line holds words that mean the same, separated by blanks. A `#` starts a comment.
 ///
@@ -106,9 +105,10 @@ impl<'t> Synonyms<'t> {
 }
 
 /// Why a text is not a table of synonyms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SynonymError<'t> {
     /// A word is in the table twice.
+    #[error("\"{word}\" is in line {} and in line {}: leave it in one of them", .lines[0], .lines[1])]
     Twice {
         /// The word.
         word: &'t str,
@@ -116,6 +116,7 @@ pub enum SynonymError<'t> {
         lines: [usize; 2],
     },
     /// This is not heard as one word in lower case.
+    #[error("line {line}: \"{word}\" is not heard as one word; write one in lower case without punctuation, or leave it out")]
     NotAWord {
         /// The text.
         word: &'t str,
@@ -123,21 +124,6 @@ pub enum SynonymError<'t> {
         line: usize,
     },
 }
-
-impl fmt::Display for SynonymError<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Twice { word, lines: [first, second] } => {
-                write!(f, "\"{word}\" is in line {first} and in line {second}: leave it in one of them")
-            }
-            Self::NotAWord { word, line } => {
-                write!(f, "line {line}: \"{word}\" is not heard as one word; write one in lower case without punctuation, or leave it out")
-            }
-        }
-    }
-}
-
-impl core::error::Error for SynonymError<'_> {}
 
 #[cfg(test)]
 mod tests {

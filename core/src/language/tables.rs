@@ -102,7 +102,6 @@ impl<'t> Tables<'t> {
     }
 
     /// Takes over the role model's parameters from another robot: the cells of both tables, one after the other.
-    #[cfg(feature = "snapshot")]
     pub(super) fn take_over(&mut self, layout: Layout, cells: impl Iterator<Item = f32>) {
         let wanted = Wanted { layout, ..Wanted::NONE };
         *self.trained = Trained { words: layout.words(), tokens: layout.tokens(), layout, wanted };

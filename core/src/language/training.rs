@@ -2,8 +2,6 @@
 //! [`roles::training`](super::roles::training).
 
 use super::bitext::BitextRef;
-#[cfg(feature = "layer")]
-use super::bitext::FOLDS;
 use super::ibm2;
 #[cfg(feature = "layer")]
 use super::layer;
@@ -59,10 +57,7 @@ impl Training {
     ) -> Self {
         (tables.trained.words, tables.trained.tokens) = (words, tokens);
         let is_nothing = words == 0 || (settings.rounds == 0 && settings.model.in_use() == Model::Model2);
-        #[cfg(feature = "layer")]
         layer.begin(settings);
-        #[cfg(not(feature = "layer"))]
-        let _ = layer;
         Self { phase: if is_nothing { start(tables, bitext, settings) } else { Phase::Start }, round: 0 }
     }
 
@@ -111,7 +106,7 @@ impl Training {
                 }
                 #[cfg(feature = "layer")]
                 Phase::Understand(session) if usize::from(session) < bitext.sessions() => {
-                    let next = session.saturating_add(FOLDS as u16);
+                    let next = session.saturating_add(layer::FOLDS as u16);
                     let room = layer.room.as_mut();
                     (room.map_or(1, |room| room.understand(tables.read(), bitext, session)), Phase::Understand(next))
                 }

@@ -160,7 +160,6 @@ mod wide {
 
 /// A set of actions, one bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ActionSet(width::Bits);
 
 impl ActionSet {

@@ -7,7 +7,6 @@ use super::{ActionSet, GroundProposition, Objects, PushGrid, Schema, SearchKind,
 
 /// An action, by its position in [`Domain::actions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Action(pub(crate) u8);
 
 impl Action {
@@ -77,7 +76,7 @@ pub struct World<'a> {
 /// objects.
 ///
 /// The folder `examples` has four robots: one that turns and drives, an arm, lamps in a house, and a lift made of tables.
-pub trait Domain {
+pub trait Domain: Sized {
     /// Everything that changes as the robot acts.
     type State: Copy + PartialEq;
 
@@ -130,18 +129,18 @@ pub trait Domain {
 }
 
 /// The cost of an action, at least 1; 1 for an action that the domain does not have.
-pub(crate) fn cost<D: Domain + ?Sized>(domain: &D, action: Action) -> u8 {
+pub(crate) fn cost<D: Domain>(domain: &D, action: Action) -> u8 {
     domain.actions().get(usize::from(action.0)).map_or(1, |kind| kind.cost.clamp(1, MOST_COST))
 }
 
 /// The domain's own actions, in order.
-pub(crate) fn own_actions<D: Domain + ?Sized>(domain: &D) -> impl Iterator<Item = Action> + use<D> {
+pub(crate) fn own_actions<D: Domain>(domain: &D) -> impl Iterator<Item = Action> + use<D> {
     (0..domain.actions().len().min(Action::MOST)).map(|position| Action(position as u8))
 }
 
 /// A digest of a domain: its objects, its actions, the number of its states and, for a [`PushGrid`], its floor. It identifies the domain of
 /// plans and sessions. It is computed at every call, so it costs one multiplication for each word.
-pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
+pub(crate) fn digest<D: Domain>(domain: &D) -> u32 {
     let mut digest = 0_u32;
     let mut take = |word: u32| digest = (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);
     domain.world().objects.for_each_word(&mut take);
@@ -164,12 +163,12 @@ pub(crate) fn digest<D: Domain + ?Sized>(domain: &D) -> u32 {
 }
 
 /// The name of an action of a domain, `noop` included.
-pub fn action_name<D: Domain + ?Sized>(domain: &D, action: Action) -> &str {
+pub fn action_name<D: Domain>(domain: &D, action: Action) -> &str {
     if action == Action::NOOP { "noop" } else { domain.actions().get(usize::from(action.0)).map_or("", |kind| kind.name) }
 }
 
 /// The action with this name, `noop` included.
-pub fn action_named<D: Domain + ?Sized>(domain: &D, name: &str) -> Option<Action> {
+pub fn action_named<D: Domain>(domain: &D, name: &str) -> Option<Action> {
     if name == "noop" {
         return Some(Action::NOOP);
     }
@@ -177,7 +176,7 @@ pub fn action_named<D: Domain + ?Sized>(domain: &D, name: &str) -> Option<Action
 }
 
 /// The state that an action leads to, `noop` included; `None` for an action that the domain does not have.
-pub fn apply<D: Domain + ?Sized>(domain: &D, state: &D::State, action: Action) -> Option<D::State> {
+pub fn apply<D: Domain>(domain: &D, state: &D::State, action: Action) -> Option<D::State> {
     match action {
         Action::NOOP => Some(*state),
         _ if action.index() < domain.actions().len() => domain.step(state, action),

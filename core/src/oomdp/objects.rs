@@ -4,11 +4,9 @@ use super::schema::{ClassId, PropositionId};
 use crate::capacity::{ARGUMENTS, ATTRIBUTES, Capacities, Capacity, CapacityError};
 use crate::memory::{ObjectTables, ObjectTablesRef};
 use crate::symbols::{Symbol, Symbols, SymbolsRef};
-use core::fmt;
 
 /// An object, by its position among the [`Objects`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ObjectId(pub(crate) u8);
 
 impl ObjectId {
@@ -63,34 +61,18 @@ impl Object {
 }
 
 /// Why an object could not be added.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ObjectError {
     /// Another object has this name.
+    #[error("another object has this name; give each its own")]
     DuplicateName,
     /// The name is empty.
+    #[error("the object's name is empty; give it one")]
     EmptyName,
     /// A table was full.
-    Capacity(CapacityError),
-}
-
-impl fmt::Display for ObjectError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::DuplicateName => "another object has this name; give each its own",
-            Self::EmptyName => "the object's name is empty; give it one",
-            Self::Capacity(error) => return error.fmt(f),
-        })
-    }
-}
-
-impl core::error::Error for ObjectError {}
-
-impl From<CapacityError> for ObjectError {
-    fn from(error: CapacityError) -> Self {
-        Self::Capacity(error)
-    }
+    #[error(transparent)]
+    Capacity(#[from] CapacityError),
 }
 
 /// The numbers of objects and names.

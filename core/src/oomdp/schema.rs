@@ -4,7 +4,6 @@
 
 /// A class of objects, by its position in [`Schema::classes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ClassId(pub(crate) u8);
 
 impl ClassId {
@@ -21,7 +20,6 @@ impl ClassId {
 
 /// A propositional function, by its position in [`Schema::propositions`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PropositionId(pub(crate) u8);
 
 impl PropositionId {

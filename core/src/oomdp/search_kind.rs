@@ -9,10 +9,10 @@ mod sealed {
 }
 
 /// Chooses the search of a domain: [`OneByOne`] or [`BitRows`]. No other type can implement it.
-pub trait SearchKind<D: Domain + ?Sized>: sealed::Sealed {
+pub trait SearchKind<D: Domain>: sealed::Sealed {
     /// The domain as a floor with pieces.
     #[doc(hidden)]
-    type Grid: PushGrid<State = D::State> + ?Sized;
+    type Grid: PushGrid<State = D::State>;
 
     /// The domain as a floor with pieces, if it is one.
     #[doc(hidden)]
@@ -30,7 +30,7 @@ pub enum BitRows {}
 impl sealed::Sealed for OneByOne {}
 impl sealed::Sealed for BitRows {}
 
-impl<D: Domain + ?Sized> SearchKind<D> for OneByOne {
+impl<D: Domain> SearchKind<D> for OneByOne {
     type Grid = NoGrid<D::State>;
 
     #[inline]
@@ -39,7 +39,7 @@ impl<D: Domain + ?Sized> SearchKind<D> for OneByOne {
     }
 }
 
-impl<D: PushGrid + ?Sized> SearchKind<D> for BitRows {
+impl<D: PushGrid> SearchKind<D> for BitRows {
     type Grid = D;
 
     #[inline]

@@ -12,16 +12,17 @@ use alloc::{
 use core::fmt;
 
 /// A broken rule of a domain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DomainFlaw {
     /// There are more actions than [`Action::MOST`].
+    #[error("there are {given} actions, and {} are the most; give several small ones one name", Action::MOST)]
     Actions {
         /// The number of actions.
         given: usize,
     },
     /// The cost of an action is not from 1 to [`MOST_COST`].
+    #[error("action {} costs {cost}; a cost must be from 1 to {MOST_COST}", .action.0)]
     Cost {
         /// The action.
         action: Action,
@@ -29,36 +30,47 @@ pub enum DomainFlaw {
         cost: u8,
     },
     /// An action has no name, or the name of another; `noop` is the name of doing nothing.
+    #[error("action {} has no name, the name of another, or noop, which is doing nothing; name it", .action.0)]
     ActionName {
         /// The action.
         action: Action,
     },
     /// A class has no name, or the name of another.
+    #[error("class {} has no name, or the name of another; name it", .class.0)]
     ClassName {
         /// The class.
         class: ClassId,
     },
     /// A propositional function has no name, or the name of another.
+    #[error("propositional function {} has no name, or the name of another; name it", .proposition.0)]
     PropositionName {
         /// The propositional function.
         proposition: PropositionId,
     },
     /// A propositional function has no argument, more than [`ARGUMENTS`], or one of an unknown class.
+    #[error("propositional function {} must have 1 to {ARGUMENTS} arguments, of classes that the schema has", .proposition.0)]
     Parameters {
         /// The propositional function.
         proposition: PropositionId,
     },
     /// There are more attributes than [`ATTRIBUTES`], or one is carried by an unknown class.
+    #[error("attribute {attribute} is one of more than {ATTRIBUTES}, or a class carries it that the schema does not have")]
     Attribute {
         /// The attribute, by its position in the schema.
         attribute: usize,
     },
     /// An object is of an unknown class.
+    #[error("object {} is of a class that the schema does not have", .object.0)]
     ObjectClass {
         /// The object.
         object: ObjectId,
     },
     /// An object has a value of an attribute that its class does not carry: no words could refer to it.
+    #[error(
+        "object {} has a value of attribute {attribute}, which its class does not carry; put \"\" in that attribute's place, or add a \
+         carrier",
+        .object.0
+    )]
     Value {
         /// The object.
         object: ObjectId,
@@ -66,6 +78,11 @@ pub enum DomainFlaw {
         attribute: usize,
     },
     /// The number of a state is not below [`Domain::state_count`].
+    #[error(
+        "a state has the number {number}, and state_count is {count}{}; it must be more than every number, and no step may lead to what \
+         is no state",
+        Origin(*.from)
+    )]
     Number {
         /// The number.
         number: u64,
@@ -75,6 +92,11 @@ pub enum DomainFlaw {
         from: Option<(u64, Action)>,
     },
     /// [`Domain::numbered`] returns another state than the one with the number. Usually, two states have the same number.
+    #[error(
+        "numbered({number}) is another state than the one with that number{}; give every state a number of its own that numbered turns \
+         back, and let no step lead to what is no state",
+        Origin(*.from)
+    )]
     Numbered {
         /// The number.
         number: u64,
@@ -82,6 +104,10 @@ pub enum DomainFlaw {
         from: Option<(u64, Action)>,
     },
     /// [`Domain::step`] returns different states when called twice.
+    #[error(
+        "step leads from state {number} by action {} now to one state and now to another; let it depend on the state alone",
+        .action.0
+    )]
     Step {
         /// The number of the state.
         number: u64,
@@ -90,69 +116,20 @@ pub enum DomainFlaw {
     },
 }
 
-impl fmt::Display for DomainFlaw {
+/// Names the previous state and the action that leads on from it.
+struct Origin(Option<(u64, Action)>);
+
+impl fmt::Display for Origin {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Actions { given } => {
-                write!(f, "there are {given} actions, and {} are the most; give several small ones one name", Action::MOST)
-            }
-            Self::Cost { action, cost } => write!(f, "action {} costs {cost}; a cost must be from 1 to {MOST_COST}", action.0),
-            Self::ActionName { action } => {
-                write!(f, "action {} has no name, the name of another, or noop, which is doing nothing; name it", action.0)
-            }
-            Self::ClassName { class } => write!(f, "class {} has no name, or the name of another; name it", class.0),
-            Self::PropositionName { proposition } => {
-                write!(f, "propositional function {} has no name, or the name of another; name it", proposition.0)
-            }
-            Self::Parameters { proposition } => {
-                let proposition = proposition.0;
-                write!(f, "propositional function {proposition} must have 1 to {ARGUMENTS} arguments, of classes that the schema has")
-            }
-            Self::Attribute { attribute } => {
-                write!(f, "attribute {attribute} is one of more than {ATTRIBUTES}, or a class carries it that the schema does not have")
-            }
-            Self::ObjectClass { object } => write!(f, "object {} is of a class that the schema does not have", object.0),
-            Self::Value { object, attribute } => {
-                write!(
-                    f,
-                    "object {} has a value of attribute {attribute}, which its class does not carry; put \"\" in that \
-                     attribute's place, or add a carrier",
-                    object.0
-                )
-            }
-            Self::Number { number, count, from } => {
-                write!(f, "a state has the number {number}, and state_count is {count}")?;
-                write_origin(f, from)?;
-                f.write_str("; it must be more than every number, and no step may lead to what is no state")
-            }
-            Self::Numbered { number, from } => {
-                write!(f, "numbered({number}) is another state than the one with that number")?;
-                write_origin(f, from)?;
-                f.write_str("; give every state a number of its own that numbered turns back, and let no step lead to what is no state")
-            }
-            Self::Step { number, action } => {
-                write!(
-                    f,
-                    "step leads from state {number} by action {} now to one state and now to another; let it depend on the state alone",
-                    action.0
-                )
-            }
+        match self.0 {
+            Some((number, action)) => write!(f, " (action {} leads to it from state {number})", action.0),
+            None => Ok(()),
         }
     }
 }
 
-/// Writes the previous state and the action that leads on from it.
-fn write_origin(f: &mut fmt::Formatter<'_>, from: Option<(u64, Action)>) -> fmt::Result {
-    match from {
-        Some((number, action)) => write!(f, " (action {} leads to it from state {number})", action.0),
-        None => Ok(()),
-    }
-}
-
-impl core::error::Error for DomainFlaw {}
-
 /// Checks the actions against the rules of [`Domain::actions`], except for their names. Called at each command.
-pub(crate) fn check_actions<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+pub(crate) fn check_actions<D: Domain>(domain: &D) -> Result<(), DomainFlaw> {
     let actions = domain.actions();
     if actions.len() > Action::MOST {
         return Err(DomainFlaw::Actions { given: actions.len() });
@@ -200,7 +177,7 @@ const MOST_GROUNDINGS: usize = 4_096;
 /// # Errors
 /// The first [`DomainFlaw`] found.
 #[cfg(feature = "alloc")]
-pub fn check<D: Domain + ?Sized>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
+pub fn check<D: Domain>(domain: &D, start: D::State, most: usize) -> Result<Checked, DomainFlaw> {
     check_description(domain)?;
     let mut seen = BTreeSet::from([check_number(domain, &start, None)?]);
     let mut open = VecDeque::from([start]);
@@ -253,7 +230,7 @@ fn ground_propositions(world: &World<'_>) -> Vec<Vec<GroundProposition>> {
 
 /// Checks the number of a state, and returns it.
 #[cfg(feature = "alloc")]
-fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
+fn check_number<D: Domain>(domain: &D, state: &D::State, from: Option<(u64, Action)>) -> Result<u64, DomainFlaw> {
     let (number, count) = (domain.number(state), domain.state_count());
     // Without a bound, there is nothing to exceed.
     if number >= count && count != u64::MAX {
@@ -263,7 +240,7 @@ fn check_number<D: Domain + ?Sized>(domain: &D, state: &D::State, from: Option<(
 }
 
 #[cfg(feature = "alloc")]
-fn check_description<D: Domain + ?Sized>(domain: &D) -> Result<(), DomainFlaw> {
+fn check_description<D: Domain>(domain: &D) -> Result<(), DomainFlaw> {
     check_actions(domain)?;
     let actions = domain.actions();
     let mut names = actions.iter().map(|kind| kind.name);

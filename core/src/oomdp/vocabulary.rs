@@ -11,7 +11,6 @@ pub fn digest(schema: &Schema<'_>) -> u32 {
 
 /// The number of attributes of an earlier version of this vocabulary, which has its first propositional functions and first attributes, so
 /// that their positions in a model mean what they meant; `None` if it has no version of this digest.
-#[cfg(feature = "snapshot")]
 pub fn continued(schema: &Schema<'_>, earlier: u32) -> Option<usize> {
     (0..=schema.attributes.len())
         .find(|&attributes| (1..=schema.propositions.len()).any(|propositions| digest_of(schema, propositions, attributes) == earlier))
@@ -59,7 +58,6 @@ mod tests {
         assert_ne!(digest(&SCHEMA), digest(&Schema { attributes: &[], ..SCHEMA }));
     }
 
-    #[cfg(feature = "snapshot")]
     #[test]
     fn a_vocabulary_continues_one_with_less_at_its_end() {
         let earlier = Schema { propositions: &SCHEMA.propositions[..1], attributes: &SCHEMA.attributes[..1], ..SCHEMA };

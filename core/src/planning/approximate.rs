@@ -31,14 +31,7 @@ impl Approximation {
 
     /// Continues to the next search, for the open tasks `unknown`, in this many words of zeros, with about `left` expansions at most.
     #[inline(never)]
-    pub(super) fn next<G: PushGrid + ?Sized>(
-        &mut self,
-        grid: &G,
-        goals: &Goals<'_>,
-        unknown: TaskSet,
-        words: usize,
-        left: &mut u32,
-    ) -> Next {
+    pub(super) fn next<G: PushGrid>(&mut self, grid: &G, goals: &Goals<'_>, unknown: TaskSet, words: usize, left: &mut u32) -> Next {
         let Some(first) = self.waiting.iter().next() else {
             self.pass = self.pass.saturating_add(1);
             if unknown.is_empty() || self.pass >= grid.pieces() {

@@ -45,7 +45,7 @@ const MOST_ACTIONS: usize = 16;
 
 /// Whether bounds are sound on this floor: every action costs 1, pieces move only by a plain push or a swap, and A* can tell the actions
 /// apart.
-fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
+fn is_sound<G: PushGrid>(grid: &G) -> bool {
     let directions = grid.floor().directions;
     grid.pushes_plainly()
         && own_actions(grid).count() <= MOST_ACTIONS
@@ -55,13 +55,13 @@ fn is_sound<G: PushGrid + ?Sized>(grid: &G) -> bool {
 
 impl Bounds {
     /// Begins for these tasks, of which the likely ones get the full work if there are many; `None` on a floor where bounds are not sound.
-    pub(super) fn new<G: PushGrid + ?Sized>(grid: &G, tasks: TaskSet, likely: TaskSet) -> Option<Self> {
+    pub(super) fn new<G: PushGrid>(grid: &G, tasks: TaskSet, likely: TaskSet) -> Option<Self> {
         is_sound(grid).then_some(Self { waiting: tasks, group: TaskSet::EMPTY, likely, relaxation: None, search: None })
     }
 
     /// Continues, with at most `left` expansions. Returns whether there is more to do. To open a lower bound's goals is one step, and so is to
     /// clear what a search met. `marks` holds zeros at the beginning, and again at the end.
-    pub(super) fn advance<G: PushGrid + ?Sized>(
+    pub(super) fn advance<G: PushGrid>(
         &mut self,
         marks: &mut [u64],
         results: &mut Results<'_>,
@@ -121,7 +121,7 @@ impl Bounds {
     }
 
     /// Takes the next tasks that share a lower bound. Returns whether there are any.
-    fn next_group<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, goals: &Goals<'_>, state: &G::State) -> bool {
+    fn next_group<G: PushGrid>(&mut self, marks: &mut [u64], grid: &G, goals: &Goals<'_>, state: &G::State) -> bool {
         let Some(first) = self.waiting.iter().next() else { return false };
         self.relaxation = Relaxation::begin(marks, grid, goals, state, first, 0);
         let is_shared = |&task: &usize| task == first || self.relaxation.is_some_and(|it| it.is_shared_by(marks, grid, goals, state, task));

@@ -10,7 +10,7 @@ use crate::oomdp::{CellId, Piece, PushGrid};
 use crate::task::TaskSet;
 
 /// The cells to which a piece can be moved from a cell, if nothing else is in the way.
-pub(super) fn moves<G: PushGrid + ?Sized>(grid: &G, piece: Piece, cell: CellId) -> impl Iterator<Item = CellId> {
+pub(super) fn moves<G: PushGrid>(grid: &G, piece: Piece, cell: CellId) -> impl Iterator<Item = CellId> {
     let floor = grid.floor();
     let free = move |direction: usize| floor.neighbour(cell, direction) != CellId::NONE;
     // Opposite directions differ in the lowest bit: north and south are 0 and 1, east and west 2 and 3.
@@ -41,7 +41,7 @@ impl Deadlocks {
     /// Continues, with at most `left` cells. Returns the possible tasks once they are known. `scratch` holds zeros before and afterwards;
     /// if it is too small, fewer tasks are ruled out.
     #[inline(never)]
-    pub(super) fn advance<G: PushGrid + ?Sized>(
+    pub(super) fn advance<G: PushGrid>(
         &mut self,
         grid: &G,
         goals: &Goals<'_>,

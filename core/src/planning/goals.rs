@@ -79,7 +79,7 @@ impl GoalTable {
     };
 
     /// Lists the propositions of these tasks. [`tabulate`](Self::tabulate) fills the table of cells later.
-    pub(super) fn list<D: Domain + ?Sized>(
+    pub(super) fn list<D: Domain>(
         memory: &mut GoalMemory<'_>,
         domain: &D,
         lifted: &[LiftedTask],
@@ -116,14 +116,14 @@ impl GoalTable {
     }
 
     /// Whether the table of cells is still to be filled. A domain without a floor, or with more cells than entries, has none.
-    pub(super) fn is_to_tabulate<G: PushGrid + ?Sized>(&self, entries: usize, grid: &G) -> bool {
+    pub(super) fn is_to_tabulate<G: PushGrid>(&self, entries: usize, grid: &G) -> bool {
         let cells = grid.floor().cells.len();
         let is_countable = u16::try_from(cells).is_ok() && u32::try_from(entries).is_ok();
         self.tabled_cells == 0 && is_countable && cells.checked_mul(grid.pieces()).is_some_and(|all| all > 0 && all <= entries)
     }
 
     /// Fills at most `most` more cells of the table. Returns their number. `state` is any state of the domain.
-    pub(super) fn tabulate<G: PushGrid + ?Sized>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) -> usize {
+    pub(super) fn tabulate<G: PushGrid>(&mut self, memory: &mut GoalMemory<'_>, grid: &G, state: &G::State, most: usize) -> usize {
         let cells = grid.floor().cells.len();
         let all = cells.saturating_mul(grid.pieces());
         let before = self.filled as usize;
@@ -203,7 +203,7 @@ impl Goals<'_> {
 
     /// The tasks that a piece on this cell does not rule out.
     #[inline]
-    pub(super) fn allowed<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
+    pub(super) fn allowed<G: PushGrid>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
         if self.table.tabled_cells == 0 {
             return self.allowed_by(grid, state, piece, cell);
         }
@@ -212,7 +212,7 @@ impl Goals<'_> {
     }
 
     #[inline(never)]
-    fn allowed_by<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
+    fn allowed_by<G: PushGrid>(&self, grid: &G, state: &G::State, piece: Piece, cell: CellId) -> TaskSet {
         let there = grid.put(state, piece, cell);
         let ruled_out =
             self.parts().filter(|part| part.piece == Some(piece) && grid.holds(&part.proposition, &there) == part.sign.is_negated());
@@ -221,7 +221,7 @@ impl Goals<'_> {
 
     /// The tasks among `asked` that hold in `state`.
     #[inline]
-    pub(super) fn satisfied<D: Domain + ?Sized>(&self, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
+    pub(super) fn satisfied<D: Domain>(&self, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
         let mut satisfied = asked.common(self.table.all);
         let grid = D::Search::grid(domain).filter(|_| self.table.tabled_cells > 0);
         if let Some(grid) = grid {

@@ -43,7 +43,6 @@ pub use ways::Ways;
 
 /// Whether work that is done in parts is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Progress {
     /// Call again.

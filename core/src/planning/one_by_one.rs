@@ -45,24 +45,18 @@ pub struct Stray {
 
 impl StateSearch {
     /// The number of states that fit without hashing.
-    pub(super) fn room<D: Domain + ?Sized>(domain: &D, marks: usize) -> usize {
+    pub(super) fn room<D: Domain>(domain: &D, marks: usize) -> usize {
         Frontier::room(marks, ring(domain), bytes(domain), 0)
     }
 
     /// Whether all states fit.
-    pub(super) fn fits<D: Domain + ?Sized>(domain: &D, marks: usize) -> bool {
+    pub(super) fn fits<D: Domain>(domain: &D, marks: usize) -> bool {
         domain.state_count() <= Self::room(domain, marks) as u64
     }
 
     /// Lays out the marks, which hold zeros, and opens the successors of `state`.
     #[inline(never)]
-    pub(super) fn begin<D: Domain + ?Sized>(
-        domain: &D,
-        state: &D::State,
-        marks: &mut [u64],
-        hashed: &mut [u64],
-        applicable: ActionSet,
-    ) -> Self {
+    pub(super) fn begin<D: Domain>(domain: &D, state: &D::State, marks: &mut [u64], hashed: &mut [u64], applicable: ActionSet) -> Self {
         let hashing = !Self::fits(domain, marks.len());
         let (slots, own_table) = if !hashing {
             (usize::try_from(domain.state_count()).unwrap_or(0), 0)
@@ -166,7 +160,7 @@ impl StateSearch {
 
     #[inline]
     #[expect(clippy::too_many_arguments, reason = "what is borrowed apart")]
-    fn follow<D: Domain + ?Sized>(
+    fn follow<D: Domain>(
         &mut self,
         marks: &mut [u64],
         table: &mut [u64],
@@ -203,7 +197,7 @@ impl StateSearch {
 
     /// Expands one state of the current distance. Returns the number of expansions, or `None` if no state is left.
     #[inline]
-    pub(super) fn expand<D: Domain + ?Sized>(
+    pub(super) fn expand<D: Domain>(
         &mut self,
         marks: &mut [u64],
         hashed: &mut [u64],
@@ -228,13 +222,13 @@ impl StateSearch {
 }
 
 /// The number of distances open at the same time: the highest cost of an action, plus one.
-fn ring<D: Domain + ?Sized>(domain: &D) -> usize {
+fn ring<D: Domain>(domain: &D) -> usize {
     let highest = domain.actions().iter().map(|kind| kind.cost).max().unwrap_or(1).clamp(1, MOST_COST);
     usize::from(highest).saturating_add(1)
 }
 
 /// The number of bytes for a state's first actions: a bit for each action.
-fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
+fn bytes<D: Domain>(domain: &D) -> usize {
     let actions = domain.actions().len();
     // A controller has at most two bytes.
     if ActionSet::MOST > 16 && actions > 16 {
@@ -249,7 +243,7 @@ fn bytes<D: Domain + ?Sized>(domain: &D) -> usize {
 /// The least [`Capacities::states`](crate::Capacities::states) with room for every state of a domain, so that plans are exact. It is the
 /// number of states if there are at most 8 actions of cost 1, and more otherwise. `None` if the states cannot be counted.
 #[doc(hidden)]
-pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
+pub fn states_needed<D: Domain>(domain: &D) -> Option<usize> {
     let count = usize::try_from(domain.state_count()).ok().filter(|&count| count < usize::MAX / 1_024)?;
     let words = Frontier::new(count, ring(domain), bytes(domain)).words();
     let usual = Frontier::new(count, 2, 1).words();
@@ -258,7 +252,7 @@ pub fn states_needed<D: Domain + ?Sized>(domain: &D) -> Option<usize> {
 }
 
 /// Refuses a domain whose states do not fit, unless it has a hash table or can be planned for approximately.
-pub(super) fn check<D: Domain + ?Sized>(domain: &D, marks: usize, hashed: usize) -> Result<(), CapacityError> {
+pub(super) fn check<D: Domain>(domain: &D, marks: usize, hashed: usize) -> Result<(), CapacityError> {
     if hashed > 0 || D::Search::grid(domain).is_some() || StateSearch::fits(domain, marks) {
         return Ok(());
     }

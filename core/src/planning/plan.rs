@@ -6,7 +6,6 @@ use crate::task::TaskSet;
 
 /// How an action relates to a task's optimal set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Judgement {
     /// The action is in the optimal set.
     Correct,
@@ -18,7 +17,6 @@ pub enum Judgement {
 
 /// The result of planning for one task in one state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum OptimalSet {
     /// The task holds: only doing nothing is right.
     Goal,
@@ -108,7 +106,7 @@ impl Found {
     };
 
     /// The results for `state` that need no search. The tasks in `with_ways` have unfinished ways.
-    pub(super) fn at<D: Domain + ?Sized>(
+    pub(super) fn at<D: Domain>(
         domain: &D,
         goals: &Goals<'_>,
         state: &D::State,

@@ -16,7 +16,7 @@ use super::approximate::Approximation;
 #[cfg(feature = "bounds")]
 use super::bounds::Bounds;
 use super::deadlock::Deadlocks;
-use super::goals::{GoalPart, GoalTable, Goals};
+use super::goals::{GoalTable, Goals};
 use super::one_by_one::{self, StateSearch, Stray};
 use super::plan::{Found, Plan, Results};
 use super::rows::{RowSearch, View};
@@ -30,35 +30,21 @@ use crate::task::{GroundedTask, LiftedTask, TaskSet};
 #[derive(Debug)]
 #[doc(hidden)]
 pub struct PlanTables<'t> {
-    /// One entry per distinct ground proposition.
-    pub goal_parts: &'t mut [GoalPart],
-    /// One entry per cell and piece; if there are too few, propositions are tested one by one.
-    pub goal_entries: &'t mut [TaskSet],
+    /// The goals' tables; if there are too few entries, propositions are tested one by one.
+    goals: GoalMemory<'t>,
+    /// The results' tables, and the state numbers of a hashed search.
+    pub plan: PlanMemory<'t>,
     /// First actions and the frontier.
-    pub marks: &'t mut [u64],
-    /// State numbers of a hashed search; may be empty.
-    pub hashed: &'t mut [u64],
-    /// The optimal set of each task.
-    pub optimal: &'t mut [ActionSet],
-    /// The distance of each task.
-    pub distances: &'t mut [u32],
+    marks: &'t mut [u64],
     /// The tasks, if some have ways; see [`with_ways`](Self::with_ways).
-    pub ways: Ways<'t>,
+    ways: Ways<'t>,
 }
 
 impl<'t> PlanTables<'t> {
     /// The tables in these memories, with the marks at the front of the workspace.
     pub fn new(goals: GoalMemory<'t>, plan: PlanMemory<'t>, workspace: &'t mut [u64]) -> Self {
         let words = plan.search_words.len().min(workspace.len());
-        Self {
-            goal_parts: goals.goal_parts,
-            goal_entries: goals.goal_entries,
-            marks: workspace.get_mut(..words).unwrap_or(&mut []),
-            hashed: plan.hashed,
-            optimal: plan.optimal,
-            distances: plan.distances,
-            ways: Ways::default(),
-        }
+        Self { goals, plan, marks: workspace.get_mut(..words).unwrap_or(&mut []), ways: Ways::default() }
     }
 
     /// The same tables, with the planned tasks and the progress of their ways. Without this, a task with a way is unknown.
@@ -69,8 +55,8 @@ impl<'t> PlanTables<'t> {
 
     /// Splits the tables into the goals, the marks, the hash table, and the results.
     fn split<'s>(&'s mut self, table: &'s GoalTable, found: &'s mut Found) -> (Goals<'s>, &'s mut [u64], &'s mut [u64], Results<'s>) {
-        let goals = Goals { table, parts: self.goal_parts, entries: self.goal_entries };
-        (goals, self.marks, self.hashed, Results { found, optimal: self.optimal, distances: self.distances })
+        let goals = Goals { table, parts: self.goals.goal_parts, entries: self.goals.goal_entries };
+        (goals, self.marks, self.plan.hashed, Results { found, optimal: self.plan.optimal, distances: self.plan.distances })
     }
 }
 
@@ -194,7 +180,7 @@ impl Planner {
     /// # Errors
     /// A [`CapacityError`] if the tasks' distinct ground propositions do not fit, or if the domain's states do not fit and can
     /// neither be hashed nor planned for approximately. The planner then has no tasks.
-    pub fn set_tasks<D: Domain + ?Sized>(
+    pub fn set_tasks<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -202,9 +188,8 @@ impl Planner {
         tasks: &[GroundedTask],
     ) -> Result<(), CapacityError> {
         (self.goals, self.found, self.stage) = (GoalTable::EMPTY, Found::NOTHING, Stage::Done);
-        one_by_one::check(domain, tables.marks.len(), tables.hashed.len())?;
-        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
-        self.goals = GoalTable::list(&mut memory, domain, lifted, tasks)?;
+        one_by_one::check(domain, tables.marks.len(), tables.plan.hashed.len())?;
+        self.goals = GoalTable::list(&mut tables.goals, domain, lifted, tasks)?;
         self.with_ways = Ways { lifted, tasks }.all();
         Ok(())
     }
@@ -220,7 +205,7 @@ impl Planner {
     /// # Errors
     /// A [`CapacityError`] if the propositions do not fit into `goals`, or if the states cannot be counted and the domain cannot
     /// be planned for approximately.
-    pub(crate) fn needs<D: Domain + ?Sized>(
+    pub(crate) fn needs<D: Domain>(
         goals: &mut GoalMemory<'_>,
         domain: &D,
         lifted: &[LiftedTask],
@@ -262,7 +247,7 @@ impl Planner {
 
     /// Continues, with at most about `budget` expansions (at least one). `state` is the planned state, the same in all calls.
     #[inline(never)]
-    pub fn advance<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
+    pub fn advance<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, budget: u32) -> Progress {
         let mut left = budget.max(1);
         // The expansions that a look at every cell of a floor costs.
         let of_floor = D::Search::grid(domain).map_or(1, |grid| grid.floor().cells.len() as u32);
@@ -314,33 +299,32 @@ impl Planner {
 
     /// Finds the results that need no search.
     #[inline(never)]
-    fn look<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
-        tables.optimal.fill(ActionSet::EMPTY);
-        tables.distances.fill(u32::MAX);
+    fn look<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, wanted: TaskSet, dead: TaskSet) {
+        tables.plan.optimal.fill(ActionSet::EMPTY);
+        tables.plan.distances.fill(u32::MAX);
         let ways = tables.ways;
         // A task whose way is not given must not be planned as one without a way.
         let wanted = wanted.without(self.with_ways.without(ways.all()));
-        let goals = Goals { table: &self.goals, parts: tables.goal_parts, entries: tables.goal_entries };
+        let goals = Goals { table: &self.goals, parts: tables.goals.goal_parts, entries: tables.goals.goal_entries };
         self.found = Found::at(domain, &goals, state, wanted, dead.union(ways.broken(wanted)), ways.open(wanted));
         self.stage = if self.found.unknown.is_empty() { Stage::Done } else { Stage::Tabulate };
     }
 
     /// Continues the table of goals, if there is one to fill. Returns its work, in expansions.
     #[inline(never)]
-    fn tabulate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
-        let entries = tables.goal_entries.len();
+    fn tabulate<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: u32) -> u32 {
+        let entries = tables.goals.goal_entries.len();
         let Some(grid) = D::Search::grid(domain).filter(|grid| self.goals.is_to_tabulate(entries, *grid)) else {
             self.stage = Stage::RuleOut(None);
             return 0;
         };
-        let mut memory = GoalMemory { goal_parts: tables.goal_parts, goal_entries: tables.goal_entries };
-        let cells = self.goals.tabulate(&mut memory, grid, state, (left as usize).saturating_mul(CELLS_TABULATED_AN_EXPANSION));
+        let cells = self.goals.tabulate(&mut tables.goals, grid, state, (left as usize).saturating_mul(CELLS_TABULATED_AN_EXPANSION));
         cells.div_ceil(CELLS_TABULATED_AN_EXPANSION) as u32
     }
 
     /// Continues to find the deadlocks. All remaining tasks wait for an exact search.
     #[inline(never)]
-    fn rule_out<D: Domain + ?Sized>(
+    fn rule_out<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -381,7 +365,7 @@ impl Planner {
     /// Continues the bounds of distances. Tasks that stay open wait for an exact search.
     #[cfg(feature = "bounds")]
     #[inline(never)]
-    fn bound<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn bound<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let (Stage::Bound { with_ways }, Marked::Bounds(bounds)) = (self.stage, &mut self.marked) else { return };
         let before = *left;
         let (goals, marks, _, mut results) = tables.split(&self.goals, &mut self.found);
@@ -393,7 +377,7 @@ impl Planner {
     }
 
     /// Continues the current search. It ends once it seeks no task.
-    fn search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn search<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         let ways = tables.ways;
         let (goals, marks, hashed, mut results) = tables.split(&self.goals, &mut self.found);
         while *left > 0 {
@@ -442,7 +426,7 @@ impl Planner {
 
     /// Begins the next search after the current one has ended, if one is left.
     #[inline(never)]
-    fn next_search<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
+    fn next_search<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, state: &D::State, left: &mut u32) {
         if let Stage::Exact { waiting, with_ways } = self.stage {
             let searched = match &self.marked {
                 Marked::Rows(_, way) => Some(*way),
@@ -473,7 +457,7 @@ impl Planner {
     /// Continues to the next approximate search; planning is done if none is left.
     #[cfg(feature = "approximate")]
     #[inline(never)]
-    fn next_approximate<D: Domain + ?Sized>(&mut self, tables: &mut PlanTables<'_>, domain: &D, left: &mut u32) {
+    fn next_approximate<D: Domain>(&mut self, tables: &mut PlanTables<'_>, domain: &D, left: &mut u32) {
         let open = self.found.unknown.without(tables.ways.open(self.found.unknown));
         let (Stage::Approximate(approximation), Some(grid), false) = (&mut self.stage, D::Search::grid(domain), open.is_empty()) else {
             self.stage = Stage::Done;
@@ -496,7 +480,7 @@ impl Planner {
 
     /// Begins the exact search for the tasks without a way, or else for those that share the way of the first; `None` if none is left.
     #[inline(never)]
-    fn next_exact<D: Domain + ?Sized>(
+    fn next_exact<D: Domain>(
         &mut self,
         tables: &mut PlanTables<'_>,
         domain: &D,
@@ -543,7 +527,7 @@ impl Planner {
     }
 
     /// The tasks among `asked` whose goals hold in a state; for tasks whose ways are finished.
-    pub(crate) fn satisfied<D: Domain + ?Sized>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
+    pub(crate) fn satisfied<D: Domain>(&self, goals: GoalMemoryRef<'_>, domain: &D, state: &D::State, asked: TaskSet) -> TaskSet {
         Goals { table: &self.goals, parts: goals.goal_parts, entries: goals.goal_entries }.satisfied(domain, state, asked)
     }
 

@@ -43,7 +43,7 @@ impl View {
     }
 
     /// The moving pieces except the robot, one bit each.
-    fn pieces<G: PushGrid + ?Sized>(&self, grid: &G) -> u32 {
+    fn pieces<G: PushGrid>(&self, grid: &G) -> u32 {
         (1..grid.pieces()).map(|piece| Piece(piece as u8).bit()).fold(0, |pieces, piece| pieces | piece) & self.moving
     }
 }
@@ -148,7 +148,7 @@ struct WayPlanes {
 
 impl WayPlanes {
     /// The planes of a way, from `first` on; `None` if the robot's cell does not decide it.
-    fn new<G: PushGrid + ?Sized>(grid: &G, way: &Way<'_>, first: usize) -> Option<Self> {
+    fn new<G: PushGrid>(grid: &G, way: &Way<'_>, first: usize) -> Option<Self> {
         let is_decided = way.parts().all(|(_, part)| grid.piece_of(&part) == Some(Piece::ROBOT));
         let clauses = way.pending(WayState::START).count() as u8;
         is_decided.then(|| Self { first, clauses, stages: way.stages(), layers: usize::from(way.layers()) })
@@ -242,7 +242,7 @@ impl RowSearch {
     /// The layout of a search for these tasks in this many words; `None` if it does not fit, if an action does not cost 1, if a task
     /// depends on more than single pieces' cells, or if expanding states one by one is faster. `way` is shared by all these tasks.
     #[inline(never)]
-    pub(super) fn layout<G: PushGrid + ?Sized>(
+    pub(super) fn layout<G: PushGrid>(
         grid: &G,
         goals: &Goals<'_>,
         tasks: TaskSet,
@@ -304,7 +304,7 @@ impl RowSearch {
     }
 
     /// The number of words for a search of the whole floor for these tasks, `None` if rows cannot search for them.
-    pub(super) fn words_needed<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
+    pub(super) fn words_needed<G: PushGrid>(grid: &G, goals: &Goals<'_>, tasks: TaskSet) -> Option<usize> {
         let search = Self::layout(grid, goals, tasks, View::WHOLE, None, usize::MAX)?;
         let rows = search.bits.cells.checked_pow(search.pieces.count_ones())?;
         rows.checked_mul(search.stride)?.checked_add(search.rows_at)
@@ -399,7 +399,7 @@ impl RowSearch {
     /// Continues to lay out the marks, which held zeros, with at most `most` cells. `way` is the way of the layout, with its progress.
     /// Returns the number of cells. Call [`open_first`](Self::open_first) afterwards.
     #[inline(never)]
-    pub(super) fn lay_out<G: PushGrid + ?Sized>(
+    pub(super) fn lay_out<G: PushGrid>(
         &mut self,
         grid: &G,
         goals: &Goals<'_>,
@@ -443,7 +443,7 @@ impl RowSearch {
 
     /// Opens the successors of `state`, once the layout is complete.
     #[inline(never)]
-    pub(super) fn open_first<G: PushGrid + ?Sized>(
+    pub(super) fn open_first<G: PushGrid>(
         &mut self,
         grid: &G,
         state: &G::State,
@@ -487,7 +487,7 @@ impl RowSearch {
 
     /// The place of a state; `None` if a frozen piece has moved.
     #[inline]
-    fn spot<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, state: &G::State) -> Option<Spot> {
+    fn spot<G: PushGrid>(&self, grid: &G, now: &G::State, state: &G::State) -> Option<Spot> {
         let floor = grid.floor();
         let (mut row, mut weight) = (0_usize, 1_usize);
         for piece in self.pieces() {
@@ -506,7 +506,7 @@ impl RowSearch {
 
     /// A state of a row, with the robot on any cell, and the bits of the other moving pieces in the row's first word.
     #[inline]
-    fn state_of_row<G: PushGrid + ?Sized>(&self, grid: &G, now: &G::State, row: usize) -> (G::State, u64) {
+    fn state_of_row<G: PushGrid>(&self, grid: &G, now: &G::State, row: usize) -> (G::State, u64) {
         let (mut state, mut rest, mut occupied, cells) = (*now, self.row_in_layer(row) as u64, 0, grid.floor().cells);
         let last = self.pieces.checked_ilog2().unwrap_or(0);
         for piece in self.pieces() {

@@ -61,26 +61,26 @@ impl<'t> Ways<'t> {
     }
 
     /// The world with the layers of a task's way, and the present state of the way.
-    pub(super) fn product<'d, D: Domain + ?Sized>(&self, domain: &'d D, task: usize) -> Option<(Product<'d, 't, D>, WayState)> {
+    pub(super) fn product<'d, D: Domain>(&self, domain: &'d D, task: usize) -> Option<(Product<'d, 't, D>, WayState)> {
         self.of(task).map(|way| (Product { domain, layers: u64::from(way.layers()), way }, self.state(task)))
     }
 }
 
 /// The product of a world and the way of a task.
-pub(super) struct Product<'d, 't, D: ?Sized> {
+pub(super) struct Product<'d, 't, D> {
     domain: &'d D,
     way: Way<'t>,
     layers: u64,
 }
 
-impl<'t, D: ?Sized> Product<'_, 't, D> {
+impl<'t, D> Product<'_, 't, D> {
     /// The way.
     pub(super) const fn way(&self) -> &Way<'t> {
         &self.way
     }
 }
 
-impl<D: Domain + ?Sized> Domain for Product<'_, '_, D> {
+impl<D: Domain> Domain for Product<'_, '_, D> {
     type State = (D::State, WayState);
     type Search = OneByOne;
 

@@ -39,7 +39,6 @@ const LIKELY: f32 = 0.01;
 
 /// The agent's next action, and its task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub struct Decision {
     /// The action.
@@ -53,7 +52,6 @@ pub struct Decision {
 
 /// What happened to a piece of evidence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use]
 pub enum Evidence {
     /// It changed the belief.
@@ -227,7 +225,6 @@ impl<M: AgentMemory> Agent<M> {
         self.end_session();
         self.lifted = Vec::from_slice(lifted).map_err(|_| too_many)?;
         (self.options, self.language) = (options, LanguageState::new(options.language));
-        #[cfg(feature = "layer")]
         self.language_mut().forget_tasks();
         Ok(())
     }
@@ -297,7 +294,7 @@ impl<M: AgentMemory> Agent<M> {
     /// assert!(agent.task_text(&home, 1).is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn task_text<'a, D: Domain + ?Sized>(&'a self, domain: &'a D, task: usize) -> Option<TaskText<'a>> {
+    pub fn task_text<'a, D: Domain>(&'a self, domain: &'a D, task: usize) -> Option<TaskText<'a>> {
         let task = self.tasks().get(task)?;
         Some(TaskText::new(task, self.lifted.get(usize::from(task.lifted))?, domain.world()))
     }
@@ -322,7 +319,7 @@ impl<M: AgentMemory> Agent<M> {
     /// assert_eq!(agent.task_named(&home, "agentInRoom(agent0, room3)"), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn task_named<D: Domain + ?Sized>(&self, domain: &D, text: &str) -> Option<usize> {
+    pub fn task_named<D: Domain>(&self, domain: &D, text: &str) -> Option<usize> {
         (0..self.task_count).find(|&task| self.task_text(domain, task).is_some_and(|known| known == *text))
     }
 
@@ -346,12 +343,12 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Checks that a session is under way in this domain.
-    pub(crate) fn check_session<D: Domain + ?Sized>(&self, domain: &D) -> Result<(), AgentError> {
+    pub(crate) fn check_session<D: Domain>(&self, domain: &D) -> Result<(), AgentError> {
         self.check_under_way()?;
         if self.domain == digest(domain) { Ok(()) } else { Err(AgentError::OtherDomain) }
     }
 
-    pub(crate) fn check_planned<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+    pub(crate) fn check_planned<D: Domain>(&self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         self.check_session(domain)?;
         let planned = self.planned == Some(domain.key(state)) && self.planner.is_done();
         if planned { Ok(()) } else { Err(AgentError::NotPlanned) }
@@ -385,7 +382,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Makes the planner plan for the first `count` tasks.
-    pub(crate) fn plan_for<D: Domain + ?Sized>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
+    pub(crate) fn plan_for<D: Domain>(&mut self, domain: &D, count: usize) -> Result<(), CapacityError> {
         let AgentTables { session, workspace, .. } = self.memory.lend();
         let tasks = session.tasks.get(..count).unwrap_or(&[]);
         let mut tables = PlanTables::new(session.goals, session.plan, workspace);
@@ -399,7 +396,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::Domain`] if an action leads to a state whose number is not below the domain's `state_count`. The last is detected only
     /// if all states have room; [`check`](crate::oomdp::check) always detects it.
     #[inline(never)]
-    pub fn plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
+    pub fn plan<D: Domain>(&mut self, domain: &D, state: &D::State, budget: u32) -> Result<Progress, AgentError> {
         self.check_session(domain)?;
         let key = domain.key(state);
         if self.planned != Some(key) {
@@ -424,7 +421,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// A separate function, like every step that needs much stack: the stack of one step is free for the next.
     #[inline(never)]
-    fn begin_plan<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, key: StateKey) {
+    fn begin_plan<D: Domain>(&mut self, domain: &D, state: &D::State, key: StateKey) {
         // If others have moved things, goals that could not be reached may be reachable again.
         if self.expected != Some(key) {
             self.dead = TaskSet::EMPTY;
@@ -485,7 +482,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::NotPlanned`] if the plan for this state is not done.
-    pub fn decide<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
+    pub fn decide<D: Domain>(&mut self, domain: &D, state: &D::State) -> Result<Decision, AgentError> {
         self.decide_choosing(domain, state, &mut |_| 0)
     }
 
@@ -495,13 +492,13 @@ impl<M: AgentMemory> Agent<M> {
     /// As [`decide`](Self::decide).
     pub fn decide_with<D, R>(&mut self, domain: &D, state: &D::State, random: &mut R) -> Result<Decision, AgentError>
     where
-        D: Domain + ?Sized,
+        D: Domain,
         R: Rng + ?Sized,
     {
         self.decide_choosing(domain, state, &mut |count| below(count, random))
     }
 
-    fn decide_choosing<D: Domain + ?Sized>(
+    fn decide_choosing<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -573,7 +570,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`decide`](Self::decide), and [`AgentError::NotApplicable`] if the action cannot be done in this state.
-    pub fn acted<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
+    pub fn acted<D: Domain>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<D::State, AgentError> {
         self.check_planned(domain, state)?;
         let next = apply(domain, state, action).ok_or(AgentError::NotApplicable)?;
         #[cfg(feature = "learning")]
@@ -586,7 +583,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`plan`](Self::plan).
-    pub fn plan_fully<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+    pub fn plan_fully<D: Domain>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         while self.plan(domain, state, u32::MAX)? == Progress::Working {}
         Ok(())
     }
@@ -595,7 +592,7 @@ impl<M: AgentMemory> Agent<M> {
 #[cfg(feature = "learning")]
 impl<M: AgentMemory> Agent<M> {
     /// Records an action that the trainer may judge.
-    fn await_a_word<D: Domain + ?Sized>(&mut self, domain: &D, next: &D::State, action: Action) {
+    fn await_a_word<D: Domain>(&mut self, domain: &D, next: &D::State, action: Action) {
         let session = self.memory.lend().session;
         let plan = self.planner.plan(session.plan.optimal, session.plan.distances);
         let mut belief = Belief::new(session.belief, &mut self.belief);
@@ -639,7 +636,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`decide`](Self::decide), and [`AgentError::NothingDone`] if no action was done since the command.
-    pub fn trainer_ended<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<Evidence, AgentError> {
+    pub fn trainer_ended<D: Domain>(&mut self, domain: &D, state: &D::State) -> Result<Evidence, AgentError> {
         self.check_planned(domain, state)?;
         if !self.done.is_something() {
             return Err(AgentError::NothingDone);
@@ -662,7 +659,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`acted`](Self::acted).
-    pub fn demonstrated<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<Evidence, AgentError> {
+    pub fn demonstrated<D: Domain>(&mut self, domain: &D, state: &D::State, action: Action) -> Result<Evidence, AgentError> {
         self.acted(domain, state, action)?;
         // Nobody judges the trainer's own action.
         self.done = LastDone::NOTHING;
@@ -731,7 +728,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Capacities with room for the same experience again: [`most_used`](Self::most_used), an eighth of the vocabulary free, and exact
     /// plans for the last command's tasks. If the memory has too few states for these plans, the result keeps the memory's own states.
-    pub fn needed<D: Domain + ?Sized>(&mut self, domain: &D) -> Capacities {
+    pub fn needed<D: Domain>(&mut self, domain: &D) -> Capacities {
         let (most, rooms) = (self.most_used(), self.capacities());
         let mut session = self.memory.lend().session;
         let tasks = session.tasks.get(..self.task_count).unwrap_or(&[]);

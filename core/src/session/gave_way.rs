@@ -9,7 +9,6 @@ const MOST_TOLD: usize = 7;
 
 /// The sessions that gave way to a new one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GaveWay {
     count: u16,
     full: Option<Capacity>,

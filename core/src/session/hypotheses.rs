@@ -57,12 +57,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::Weight`] if a weight is negative or not a number, [`AgentError::EmptyCommand`] if there is no transcript, or all
     /// weights are 0, and as [`hear`](Self::hear) if none can be heard. No session is then under way.
-    pub fn hear_one_of<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        state: &D::State,
-        hypotheses: &[Hypothesis<'_>],
-    ) -> Result<usize, AgentError> {
+    pub fn hear_one_of<D: Domain>(&mut self, domain: &D, state: &D::State, hypotheses: &[Hypothesis<'_>]) -> Result<usize, AgentError> {
         for (position, hypothesis) in hypotheses.iter().enumerate() {
             if !(0.0..=f32::MAX).contains(&hypothesis.weight) {
                 return Err(AgentError::Weight { hypothesis: position.min(usize::from(u8::MAX)) as u8, value: hypothesis.weight });
@@ -95,7 +90,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Hears a command; `again` in the same session, so that the belief about the trainer does not drift twice.
-    fn hear_anew<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str, again: bool) -> Result<(), AgentError> {
+    fn hear_anew<D: Domain>(&mut self, domain: &D, state: &D::State, command: &str, again: bool) -> Result<(), AgentError> {
         if again {
             self.belief_mut().restart(core::iter::empty(), 0.0)?;
         }

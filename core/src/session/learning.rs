@@ -24,7 +24,6 @@ fn shares(candidates: CandidatesRef<'_>, least: f32) -> impl Iterator<Item = (&[
 
 /// The result of ending a session.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[must_use = "other sessions may have given way"]
 #[non_exhaustive]
 pub struct Finished {
@@ -60,7 +59,6 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Whether no complete model can be saved: the last session is in the training data, but its words and tokens do not count as learned
     /// yet, one that gives way is partly removed, or a model is being restored.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn is_between_models(&self) -> bool {
         matches!(self.progressed, Progressed::Tidying(_) | Progressed::Restoring(_)) || self.language().bitext().is_removing()
     }
@@ -106,7 +104,7 @@ impl<M: AgentMemory> Agent<M> {
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], or [`AgentError::Capacity`] if the session does not fit even alone: it is then
     /// forgotten, and all that was learned before is kept. If none of its words found room when they were heard, other sessions give way,
     /// so that the same command is heard whole when it is said again.
-    pub fn finish<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<Finished, AgentError> {
+    pub fn finish<D: Domain>(&mut self, domain: &D) -> Result<Finished, AgentError> {
         self.begin_finishing(domain)?;
         loop {
             if let Some(finished) = self.finish_on(domain, u32::MAX)? {
@@ -121,7 +119,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// As [`finish`](Self::finish); but no other session gives way: if there is no room, the result is [`AgentError::Capacity`], the
     /// session goes on, and [`finish`](Self::finish) makes room for it.
-    pub fn finish_for_later<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn finish_for_later<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
         if self.is_negated() {
             self.forget();
@@ -175,7 +173,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
-    pub fn begin_finishing<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn begin_finishing<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.check_session(domain)?;
         self.gave_way = GaveWay::NONE;
         self.begin_weighing(self.options.weights);
@@ -187,7 +185,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`finish`](Self::finish).
-    pub fn finish_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
+    pub fn finish_on<D: Domain>(&mut self, domain: &D, budget: u32) -> Result<Option<Finished>, AgentError> {
         if self.phase() != Phase::Finishing {
             return Err(AgentError::NotNow(self.phase()));
         }
@@ -205,7 +203,7 @@ impl<M: AgentMemory> Agent<M> {
         result
     }
 
-    fn finish_part<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
+    fn finish_part<D: Domain>(&mut self, domain: &D, mut left: u32) -> Result<Option<Finished>, AgentError> {
         while left > 0 {
             match self.progressed {
                 // The command "again" has no words for its task.
@@ -300,7 +298,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::Capacity`].
-    pub fn weigh<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub fn weigh<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         let progressed = self.progressed;
         self.begin_weighing(self.options.weights);
         let result = loop {
@@ -328,7 +326,7 @@ impl<M: AgentMemory> Agent<M> {
         self.progressed = Progressed::Weighing(Position::of_task(0), weights);
     }
 
-    fn weigh_on<D: Domain + ?Sized>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
+    fn weigh_on<D: Domain>(&mut self, domain: &D, left: &mut u32) -> Result<Progress, AgentError> {
         let mut scene = self.scene(domain);
         while let Progressed::Weighing(mut position, weights) = self.progressed {
             if position.task >= self.task_count {

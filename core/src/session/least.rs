@@ -121,7 +121,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::Capacity`] if the agent's own memory is too small for one session, or if the states cannot be counted: such a domain
     /// is searched with `hashed_states`, as many as you like.
-    pub fn least_capacities<D: Domain + ?Sized>(&mut self, domain: &D, lessons: &Lessons) -> Result<Capacities, AgentError> {
+    pub fn least_capacities<D: Domain>(&mut self, domain: &D, lessons: &Lessons) -> Result<Capacities, AgentError> {
         self.least_capacities_of_all(core::iter::once(domain), lessons)
     }
 
@@ -152,7 +152,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`least_capacities`](Self::least_capacities).
-    pub fn least_capacities_of_all<'d, D: Domain + ?Sized + 'd>(
+    pub fn least_capacities_of_all<'d, D: Domain + 'd>(
         &mut self,
         worlds: impl IntoIterator<Item = &'d D>,
         lessons: &Lessons,
@@ -167,7 +167,7 @@ impl<M: AgentMemory> Agent<M> {
         result.map(|()| survey.least)
     }
 
-    fn sum_up<D: Domain + ?Sized>(
+    fn sum_up<D: Domain>(
         &mut self,
         domain: &D,
         lessons: &Lessons,
@@ -189,23 +189,17 @@ impl<M: AgentMemory> Agent<M> {
             tasks,
             strategies,
             beliefs: tasks.saturating_mul(strategies),
-            candidates: commands.candidates,
-            candidate_tokens: commands.candidate_tokens,
             ground_propositions,
             states,
             words: with_free_part(lessons.different_words),
             word_bytes: with_free_part(lessons.word_bytes),
             tokens: with_free_part(tokens),
             token_bytes: with_free_part(token_bytes),
-            commands: commands.commands,
-            command_tokens: commands.command_tokens,
             sessions: lessons.sessions,
             sentence_words: lessons.sessions.saturating_mul(lessons.heard_words()),
             pairs: lessons.sessions.saturating_mul(commands.candidates),
             translations: tokens.saturating_add(1).saturating_mul(lessons.different_words),
-            alignments: commands.alignments,
-            length_pairs: commands.length_pairs,
-            ..Capacities::NONE
+            ..commands
         };
         domain.world().objects.usage(&mut least);
         survey.least = before.at_least(least);
@@ -213,6 +207,6 @@ impl<M: AgentMemory> Agent<M> {
     }
 }
 
-fn cells<G: crate::oomdp::PushGrid + ?Sized>(grid: &G) -> usize {
+fn cells<G: crate::oomdp::PushGrid>(grid: &G) -> usize {
     grid.floor().cells.len()
 }

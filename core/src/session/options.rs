@@ -90,9 +90,3 @@ impl Options {
         sound(!cfg!(feature = "learning") || self.ending.is_sound(), SettingError::Ending)
     }
 }
-
-impl Default for Options {
-    fn default() -> Self {
-        Self::DEFAULT
-    }
-}

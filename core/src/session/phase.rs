@@ -14,7 +14,6 @@ use core::fmt;
 ///                              +----------------------- hear_again -------------------+
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Phase {
     /// Waiting for a command: [`Agent::hear`](crate::Agent::hear).
@@ -71,7 +70,6 @@ pub(crate) enum Progressed {
     Tidying(Step),
     Ended,
     /// A model is being restored. The number identifies the model and its progress.
-    #[cfg(feature = "snapshot")]
     Restoring(u32),
 }
 
@@ -83,7 +81,6 @@ impl Progressed {
             Self::Weighing(..) | Self::Keeping(_) | Self::Tidying(_) => Phase::Finishing,
             Self::Idle | Self::Ready | Self::Ended if is_training => Phase::Learning,
             Self::Idle => Phase::Idle,
-            #[cfg(feature = "snapshot")]
             Self::Restoring(_) => Phase::Restoring,
             Self::Ready => Phase::Ready,
             Self::Ended => Phase::Ended,

@@ -7,7 +7,7 @@ use crate::task::{LiftedTask, Way};
 
 impl<M: AgentMemory> Agent<M> {
     /// Advances every task's way: the robot has reached this state.
-    pub(super) fn follow_ways<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) {
+    pub(super) fn follow_ways<D: Domain>(&mut self, domain: &D, state: &D::State) {
         if !self.lifted.iter().any(LiftedTask::has_way) {
             return;
         }

@@ -144,7 +144,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`restore`](Self::restore).
-    pub fn restore_earlier<D: Domain + ?Sized>(&mut self, domain: &D, bytes: &[u8]) -> Result<(), RestoreError> {
+    pub fn restore_earlier<D: Domain>(&mut self, domain: &D, bytes: &[u8]) -> Result<(), RestoreError> {
         let mut restoring = Restoring::of(bytes);
         restoring.continue_vocabulary(&domain.world().schema);
         while self.restore_on(&mut restoring, u32::MAX)? == Progress::Working {}

@@ -74,12 +74,10 @@ impl LanguageMut<'_> {
     pub(super) fn join_contents(&mut self, contents: &Contents<'_>, beside: usize) -> Result<usize, CapacityError> {
         self.forget_unlearned();
         let (words, tokens, extent) = (self.words_mut().len(), self.tokens_mut().len(), self.bitext_mut().extent());
-        #[cfg(feature = "layer")]
         let tasks = self.possible_mut().map(|possible| possible.extent());
         let added = self.add_contents(contents, beside).and_then(|added| self.data_replaced().map(|()| added));
         if added.is_err() {
             self.bitext_mut().rewind(extent);
-            #[cfg(feature = "layer")]
             if let (Some(possible), Some(extent)) = (self.possible_mut(), tasks) {
                 possible.rewind(extent);
             }

@@ -2,16 +2,12 @@
 
 use super::checking::BYTES_PER_CELL;
 use super::error::SaveError;
-#[cfg(feature = "layer")]
-use super::record::LAYERED_VERSION;
-use super::record::{CHECK_BYTES, HEADER_BYTES, MAGIC, OPTIONS_BYTES, OptionsRecord, Sizes, VERSION};
+use super::record::{CHECK_BYTES, HEADER_BYTES, LAYERED_VERSION, MAGIC, OPTIONS_BYTES, OptionsRecord, Sizes, VERSION};
 use crate::capacity::Capacities;
 use crate::checksum::Running;
 use crate::feedback::BeliefRef;
-#[cfg(feature = "layer")]
-use crate::language::BitextRef;
 use crate::language::settings::is_weight;
-use crate::language::{LanguageRef, Pair};
+use crate::language::{BitextRef, LanguageRef, Pair};
 use crate::probability::Scaled;
 use crate::session::Options;
 use crate::symbols::Symbol;
@@ -39,11 +35,8 @@ enum Stage {
     Pairs(usize),
     HeardAgain(usize),
     Trainers,
-    #[cfg(feature = "layer")]
     PossibleCommands(usize),
-    #[cfg(feature = "layer")]
     PossibleCounts(usize),
-    #[cfg(feature = "layer")]
     Possible(usize),
     /// The checksum of the bytes, from this one on.
     Check(usize),
@@ -273,17 +266,14 @@ impl Model<'_> {
                 self.write_trainers(out);
                 self.after_trainers()
             }
-            #[cfg(feature = "layer")]
             Stage::PossibleCommands(at) => {
                 let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
                 list!(PossibleCommands(at) of possible.commands(), then Stage::PossibleCounts(0), out.symbols(possible.command(at as u16)))
             }
-            #[cfg(feature = "layer")]
             Stage::PossibleCounts(at) => {
                 let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
                 list!(PossibleCounts(at) of possible.sessions(), then Stage::Possible(0), out.count(possible.pairs_of(at as u16).len()))
             }
-            #[cfg(feature = "layer")]
             Stage::Possible(at) => {
                 let Some(possible) = self.possible() else { return Ok(Stage::Check(0)) };
                 list!(Possible(at) of possible.pairs().len(), then Stage::Check(0), {
@@ -340,30 +330,18 @@ impl Model<'_> {
     }
 
     /// The tasks of all sessions, if the model has the layer and memory for it. Without that memory it is saved as a role model.
-    #[cfg(feature = "layer")]
     fn possible(&self) -> Option<BitextRef<'_>> {
-        self.language.possible().filter(|_| self.options.language.layer)
+        let possible = self.language.possible();
+        #[cfg(feature = "layer")]
+        let possible = possible.filter(|_| self.options.language.layer);
+        possible
     }
 
-    #[cfg(feature = "layer")]
     fn after_trainers(&self) -> Stage {
         if self.possible().is_some() { Stage::PossibleCommands(0) } else { Stage::Check(0) }
     }
 
-    #[cfg(not(feature = "layer"))]
-    #[expect(clippy::unused_self, reason = "as with the feature")]
-    const fn after_trainers(&self) -> Stage {
-        Stage::Check(0)
-    }
-
-    #[cfg(feature = "layer")]
     fn version(&self) -> u16 {
         if self.possible().is_some() { LAYERED_VERSION } else { VERSION }
-    }
-
-    #[cfg(not(feature = "layer"))]
-    #[expect(clippy::unused_self, reason = "as with the feature")]
-    const fn version(&self) -> u16 {
-        VERSION
     }
 }

@@ -11,7 +11,7 @@ use crate::task::{GroundedTask, LiftedTask};
 /// outlives sessions, and is about one home: in another it is empty.
 ///
 /// It is a value: a shell that undoes a task restores an earlier copy.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Conversation {
     /// The digest of its domain.
     domain: u32,
@@ -22,15 +22,8 @@ pub struct Conversation {
     robot_was: Option<ObjectId>,
 }
 
-impl Default for Conversation {
-    fn default() -> Self {
-        Self::NEW
-    }
-}
-
 /// A reference of words that need the earlier sentences.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Fact {
     /// The thing that the last task was about: "it".
@@ -78,14 +71,14 @@ impl Conversation {
 
     /// The same conversation if it is about this domain, else an empty one.
     #[must_use]
-    pub fn here<D: Domain + ?Sized>(self, domain: &D) -> Self {
+    pub fn here<D: Domain>(self, domain: &D) -> Self {
         if self.is_empty() || self.domain == digest(domain) { self } else { Self::NEW }
     }
 
     /// A conversation from a record: the last task, and the object of each fact. The object of [`Fact::OtherOfItsKind`] follows from the
     /// thing.
     #[must_use]
-    pub fn recorded<D: Domain + ?Sized>(domain: &D, last: Option<GroundedTask>, object: impl Fn(Fact) -> Option<ObjectId>) -> Self {
+    pub fn recorded<D: Domain>(domain: &D, last: Option<GroundedTask>, object: impl Fn(Fact) -> Option<ObjectId>) -> Self {
         Self {
             domain: digest(domain),
             last,
@@ -120,7 +113,7 @@ impl Conversation {
     /// The conversation after a task that was begun in the state `before`; `lifted` are the agent's lifted tasks. If the task was done
     /// already, the conversation names its objects, but nothing has moved.
     #[must_use]
-    pub fn after<D: Domain + ?Sized>(self, domain: &D, lifted: &[LiftedTask], before: &D::State, task: &GroundedTask) -> Self {
+    pub fn after<D: Domain>(self, domain: &D, lifted: &[LiftedTask], before: &D::State, task: &GroundedTask) -> Self {
         let Some(kind) = lifted.get(usize::from(task.lifted)) else { return self };
         let (world, mut after) = (domain.world(), self.here(domain));
         (after.domain, after.last) = (digest(domain), Some(*task));
@@ -149,7 +142,7 @@ impl Conversation {
     }
 
     /// Whether a fact holds of an object.
-    pub fn holds<D: Domain + ?Sized>(&self, domain: &D, fact: Fact, object: ObjectId) -> bool {
+    pub fn holds<D: Domain>(&self, domain: &D, fact: Fact, object: ObjectId) -> bool {
         match fact {
             Fact::MovedLast => self.thing == Some(object),
             Fact::NamedLast => self.place == Some(object),
@@ -160,13 +153,13 @@ impl Conversation {
     }
 
     /// Whether a fact holds of any object.
-    pub fn knows<D: Domain + ?Sized>(&self, domain: &D, fact: Fact) -> bool {
+    pub fn knows<D: Domain>(&self, domain: &D, fact: Fact) -> bool {
         domain.world().objects.iter().any(|(object, _)| self.holds(domain, fact, object))
     }
 
     /// Passes each fact of an object to `tell`.
     #[cfg(feature = "ways")]
-    pub(crate) fn tell<D: Domain + ?Sized>(&self, domain: &D, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+    pub(crate) fn tell<D: Domain>(&self, domain: &D, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         if !self.is_empty() {
             Fact::ALL.into_iter().filter(|&fact| self.holds(domain, fact, object)).for_each(|fact| tell(fact.name()));
         }
@@ -174,13 +167,13 @@ impl Conversation {
 }
 
 /// The place in a proposition about a subject and its place: the last argument.
-pub(super) fn place_of<D: Domain + ?Sized>(domain: &D, part: &GroundProposition) -> Option<ObjectId> {
+pub(super) fn place_of<D: Domain>(domain: &D, part: &GroundProposition) -> Option<ObjectId> {
     let last = domain.world().schema.parameters(part.proposition).len().checked_sub(1).filter(|&last| last > 0)?;
     part.arguments.get(last).copied()
 }
 
 /// The place of a subject in this state, by this proposition.
-fn where_was<D: Domain + ?Sized>(domain: &D, proposition: PropositionId, subject: ObjectId, state: &D::State) -> Option<ObjectId> {
+fn where_was<D: Domain>(domain: &D, proposition: PropositionId, subject: ObjectId, state: &D::State) -> Option<ObjectId> {
     let world = domain.world();
     let [_, class] = *world.schema.parameters(proposition) else { return None };
     world
@@ -190,7 +183,7 @@ fn where_was<D: Domain + ?Sized>(domain: &D, proposition: PropositionId, subject
 }
 
 /// The robots, with the propositions for their place: objects that no words tell apart.
-fn robots<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask]) -> impl Iterator<Item = (PropositionId, ObjectId)> {
+fn robots<D: Domain>(domain: &D, lifted: &[LiftedTask]) -> impl Iterator<Item = (PropositionId, ObjectId)> {
     let world = domain.world();
     lifted.iter().flat_map(LiftedTask::propositions).filter_map(move |part| {
         let [class, _] = *world.schema.parameters(part.proposition) else { return None };
@@ -200,7 +193,7 @@ fn robots<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask]) -> impl Iterato
 }
 
 /// Whether an object is the other one of a thing's kind: of its class, and at least as many values in common with it as any other.
-fn is_other<D: Domain + ?Sized>(domain: &D, thing: ObjectId, object: ObjectId) -> bool {
+fn is_other<D: Domain>(domain: &D, thing: ObjectId, object: ObjectId) -> bool {
     let world = domain.world();
     let class = |object| world.objects.get(object).map(|object| object.class);
     let values = || 0..world.schema.attributes.len();
@@ -248,12 +241,12 @@ impl<M: AgentMemory> Agent<M> {
     /// assert!(agent.conversation().holds(&home, Fact::RobotWasThereBefore, room));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn remember<D: Domain + ?Sized>(&mut self, domain: &D, before: &D::State, task: &GroundedTask) {
+    pub fn remember<D: Domain>(&mut self, domain: &D, before: &D::State, task: &GroundedTask) {
         self.conversation = self.conversation.after(domain, &self.lifted, before, task);
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::home::{Area, Cell, HomeBuilder, Moves, paper_tasks};

@@ -76,7 +76,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`corrected`](Self::corrected).
-    pub fn correct<D: Domain + ?Sized>(
+    pub fn correct<D: Domain>(
         &mut self,
         domain: &D,
         words: &str,
@@ -100,7 +100,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`] and [`AgentError::OtherDomain`], and as [`hear`](Self::hear) if there are too many words or one is too long.
-    pub fn corrected<D: Domain + ?Sized>(
+    pub fn corrected<D: Domain>(
         &mut self,
         domain: &D,
         words: &str,
@@ -146,7 +146,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The probability of the change from one of the corrected tasks to this task, by what they have in common.
-    fn kept<D: Domain + ?Sized>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
+    fn kept<D: Domain>(&self, domain: &D, task: usize, turned: TaskSet) -> f32 {
         let Some(other) = turned.iter().next() else { return 1.0 };
         let (one, another) = (self.task(task), self.task(other));
         match () {
@@ -157,7 +157,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// How well each task fits words that name something, relative to the best one; `None` if all fit alike.
-    fn fits<D: Domain + ?Sized>(
+    fn fits<D: Domain>(
         &mut self,
         domain: &D,
         words: &[Heard],

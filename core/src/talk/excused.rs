@@ -159,7 +159,7 @@ fn mark_present_place(words: &mut [Heard]) {
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::super::taught::for_each;
     use super::*;

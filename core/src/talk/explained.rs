@@ -142,7 +142,7 @@ impl Explained {
 
 impl<M: AgentMemory> Agent<M> {
     /// How well the tasks here explain these words, some of which may refer to earlier sentences. The most probable reading is taken.
-    pub(super) fn explain_all<D: Domain + ?Sized>(
+    pub(super) fn explain_all<D: Domain>(
         &mut self,
         domain: &D,
         words: Words<'_>,
@@ -158,7 +158,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// How well the tasks explain words with a reference: the remaining words, with the prior of the reading.
     #[inline(never)]
-    fn explain_recalled<D: Domain + ?Sized>(
+    fn explain_recalled<D: Domain>(
         &mut self,
         domain: &D,
         (words, rest, prior): (Words<'_>, Words<'_>, f32),
@@ -190,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// How well the tasks explain these words; with `recalled`, only the tasks that other words refer to.
-    pub(super) fn explain_words<D: Domain + ?Sized>(
+    pub(super) fn explain_words<D: Domain>(
         &mut self,
         domain: &D,
         words: Words<'_>,

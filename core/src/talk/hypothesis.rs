@@ -32,7 +32,6 @@ const AGAIN: f32 = 1.0;
 
 /// A hypothesis about an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Hypothesis {
     /// A command for one task.
@@ -181,7 +180,7 @@ fn add_talk(weighed: &mut Weighed, words: Words<'_>, context: Context<'_>) {
 impl<M: AgentMemory> Agent<M> {
     /// The hypotheses about words with their probabilities, and the probability of a plain command.
     #[inline(never)]
-    pub(super) fn hypotheses<D: Domain + ?Sized>(
+    pub(super) fn hypotheses<D: Domain>(
         &mut self,
         domain: &D,
         words: Words<'_>,

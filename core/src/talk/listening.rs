@@ -71,7 +71,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
-    pub fn listen<D: Domain + ?Sized>(
+    pub fn listen<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -87,7 +87,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear), and [`AgentError::Stopped`]: no session is then under way.
-    pub fn listen_in_parts<D: Domain + ?Sized>(
+    pub fn listen_in_parts<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -103,7 +103,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`listen_in_parts`](Self::listen_in_parts).
-    pub fn listen_and_show<D: Domain + ?Sized>(
+    pub fn listen_and_show<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -128,7 +128,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
-    pub fn listen_on<D: Domain + ?Sized>(
+    pub fn listen_on<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -143,7 +143,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear).
-    pub fn listen_after<D: Domain + ?Sized>(
+    pub fn listen_after<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -156,7 +156,7 @@ impl<M: AgentMemory> Agent<M> {
         self.listen_to(domain, state, rest, words, earlier, (&|| true, &|_| ()))
     }
 
-    fn listen_to<D: Domain + ?Sized>(
+    fn listen_to<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -187,7 +187,7 @@ impl<M: AgentMemory> Agent<M> {
         result
     }
 
-    fn listen_here<D: Domain + ?Sized>(
+    fn listen_here<D: Domain>(
         &mut self,
         domain: &D,
         utterance: &str,
@@ -244,7 +244,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Takes another wording of the words if it is more probable. Leaves the explanation of the taken words in `explained`.
-    fn try_wording<'w, D: Domain + ?Sized>(
+    fn try_wording<'w, D: Domain>(
         &mut self,
         domain: &D,
         words: &mut Words<'w>,
@@ -264,7 +264,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The tasks of the session that hold in its start state: for these the robot rests.
-    pub fn done<D: Domain + ?Sized>(&self, domain: &D) -> TaskSet {
+    pub fn done<D: Domain>(&self, domain: &D) -> TaskSet {
         let Some(state) = self.started_from(domain) else { return TaskSet::EMPTY };
         let holds = |task: usize| {
             let task = self.task(task);
@@ -278,7 +278,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`].
-    pub fn leave_out_done<D: Domain + ?Sized>(&mut self, domain: &D, listened: &Listened) -> Result<(), AgentError> {
+    pub fn leave_out_done<D: Domain>(&mut self, domain: &D, listened: &Listened) -> Result<(), AgentError> {
         let done = self.done(domain);
         let may_be_of_all = matches!(listened.hypothesis, Hypothesis::All | Hypothesis::Several) && listened.verdict != Verdict::Done;
         if may_be_of_all && !done.is_empty() && !self.tasks().iter().any(GroundedTask::is_negated) {
@@ -288,7 +288,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Gives the share `done` of the prior to the tasks that hold already.
-    pub(super) fn share<D: Domain + ?Sized>(&mut self, domain: &D, done: f32) {
+    pub(super) fn share<D: Domain>(&mut self, domain: &D, done: f32) {
         if let Some(state) = self.started_from(domain) {
             let tasks = self.memory.lend().session.tasks.get_mut(..self.task_count).unwrap_or(&mut []);
             share_with_done(&self.lifted, tasks, done, |part| domain.holds(part, &state));
@@ -296,7 +296,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Begins the session with the words' likelihood under each task.
-    fn believe<D: Domain + ?Sized>(&mut self, domain: &D, words: Words<'_>, all: &Explained) -> Result<(), AgentError> {
+    fn believe<D: Domain>(&mut self, domain: &D, words: Words<'_>, all: &Explained) -> Result<(), AgentError> {
         self.share(domain, all.done);
         // The session is learned from the words that were meant.
         self.sentence.clear();

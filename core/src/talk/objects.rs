@@ -22,12 +22,12 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The place of a task of one proposition.
-    pub(super) fn goal<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<ObjectId> {
+    pub(super) fn goal<D: Domain>(&self, domain: &D, task: usize) -> Option<ObjectId> {
         place_of(domain, &self.proposition(task)?)
     }
 
     /// The kind of a task about one thing and its place, and this place.
-    pub(super) fn place_of_thing<D: Domain + ?Sized>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
+    pub(super) fn place_of_thing<D: Domain>(&self, domain: &D, task: usize) -> Option<(u8, ObjectId)> {
         let kind = self.task(task).lifted;
         let lifted = self.lifted.get(usize::from(kind))?;
         let is_about_thing = !lifted.has_way() && lifted.propositions().len() == 1 && is_thing(&domain.world(), self.thing(task)?);
@@ -35,7 +35,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The tasks that bring all fitting things to one place, and the probability of that place.
-    pub(super) fn all_that_fit<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
+    pub(super) fn all_that_fit<D: Domain>(&self, domain: &D, explained: &Explained) -> (TaskSet, f32) {
         let place = |task: usize| self.place_of_thing(domain, task);
         let weigh = |tasks: TaskSet| total(tasks.iter().map(|task| explained.weights.get(task).copied().unwrap_or(Scaled::ZERO)));
         let of_things: TaskSet = (0..self.task_count).filter(|&task| place(task).is_some()).collect();
@@ -45,7 +45,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Whether a task about a thing and its place is the only one that fits both names.
-    pub(super) fn is_only_one<D: Domain + ?Sized>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
+    pub(super) fn is_only_one<D: Domain>(&self, domain: &D, explained: &Explained, task: usize) -> bool {
         let place = self.place_of_thing(domain, task);
         let alike = || (0..self.task_count).filter(|&other| place.is_some() && self.place_of_thing(domain, other) == place);
         let fits = |task: &usize| explained.fitting.contains(*task);

@@ -179,7 +179,7 @@ fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: 
     with_it.map(|verb| (verb, true)).or_else(|| Some((before_polite(word)?, false)))
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::super::taught::for_each;
 

@@ -220,7 +220,7 @@ pub(super) fn may_turn(words: Words<'_>, has_new_verb: bool) -> bool {
     words.iter().filter(|word| word.is_new_word()).count() > usize::from(has_new_verb)
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::super::taught::{for_each, left};
     use super::*;

@@ -84,7 +84,7 @@ impl Recalled<'_> {
     }
 
     /// Whether a task fits the words that refer: it has one proposition, about a subject and its place, and no way.
-    pub fn fits<D: Domain + ?Sized>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
+    pub fn fits<D: Domain>(&self, domain: &D, all: &[LiftedTask], task: &GroundedTask) -> bool {
         let world = domain.world();
         let kind = all.get(usize::from(task.lifted)).filter(|kind| !kind.has_way() && kind.propositions().len() == 1);
         let Some(part) = kind.and_then(|kind| task.propositions(kind).next()) else { return false };

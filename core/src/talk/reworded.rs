@@ -309,7 +309,7 @@ pub(super) fn reversed<'w>(words: Words<'w>) -> Option<(Words<'w>, Words<'w>)> {
     of_both(words.from(start), words.before(begin))
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::super::taught::{for_each, left};
     use super::*;

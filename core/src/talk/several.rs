@@ -59,7 +59,7 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
 impl<M: AgentMemory> Agent<M> {
     /// The most probable split of the words into commands, with its probability.
     #[inline(never)]
-    pub(super) fn part<'w, D: Domain + ?Sized>(
+    pub(super) fn part<'w, D: Domain>(
         &mut self,
         domain: &D,
         words: Words<'w>,
@@ -118,7 +118,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The probability of some words as one command, over all its readings. A later clause may leave out the act word.
-    fn clause<D: Domain + ?Sized>(&mut self, domain: &D, clause: Words<'_>, context: Context<'_>) -> Result<Scaled, AgentError> {
+    fn clause<D: Domain>(&mut self, domain: &D, clause: Words<'_>, context: Context<'_>) -> Result<Scaled, AgentError> {
         let (mut explained, context) = (Explained::NEW, context.of_kind(None));
         // The state that the previous command leads to is not known yet.
         self.explain_all(domain, clause, View { done: EITHER, ..View::PLAIN }, context, &mut explained)?;

@@ -109,7 +109,7 @@ fn has_question_word(words: Words<'_>) -> bool {
     words.before(end).iter().any(|word| !core::mem::replace(&mut is_after_way, word.is_toward) && asks(word))
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::super::taught::for_each;
     use super::*;

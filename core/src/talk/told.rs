@@ -113,7 +113,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Leaves out the words that tell a place or a thing, and returns the tasks that fit them: those with the place where such things are,
     /// or with the things at this place. `None` if there are no such words, or no such thing or place.
     #[inline(never)]
-    pub(super) fn tell_apart<D: Domain + ?Sized>(
+    pub(super) fn tell_apart<D: Domain>(
         &mut self,
         domain: &D,
         words: &mut Words<'_>,

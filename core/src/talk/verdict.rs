@@ -80,7 +80,6 @@ pub struct Reading<'r> {
 
 /// The verdict on an utterance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Verdict {
     /// The most likely task is meant.
     Sure,
@@ -96,7 +95,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. Leaves the explanation of its words in
     /// `explained`.
     #[inline(never)]
-    pub(super) fn judge<'w, D: Domain + ?Sized>(
+    pub(super) fn judge<'w, D: Domain>(
         &mut self,
         domain: &D,
         (words, sorts): (Words<'w>, &Sorts<'_>),
@@ -121,7 +120,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Decides among the hypotheses. `explained` has the words as a command.
-    fn judge_parted<'w, D: Domain + ?Sized>(
+    fn judge_parted<'w, D: Domain>(
         &mut self,
         domain: &D,
         (words, sorts): (Words<'w>, &Sorts<'_>),
@@ -191,7 +190,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The tasks of words under a hypothesis, and what the first of several commands is. Leaves the explanation in `explained`.
-    fn read<'w, D: Domain + ?Sized>(
+    fn read<'w, D: Domain>(
         &mut self,
         domain: &D,
         reading: Judged<'w>,
@@ -219,7 +218,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// The tasks of words that are not several commands, under their likeliest hypothesis.
     #[inline(never)]
-    fn judge_one<'w, D: Domain + ?Sized>(
+    fn judge_one<'w, D: Domain>(
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,
@@ -244,7 +243,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The state that words forbid, or the one to keep if they negate twice.
-    fn judge_negated<'w, D: Domain + ?Sized>(
+    fn judge_negated<'w, D: Domain>(
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,
@@ -287,7 +286,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The tasks about all things of a kind.
-    fn judge_all<'w, D: Domain + ?Sized>(
+    fn judge_all<'w, D: Domain>(
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,

@@ -26,7 +26,7 @@ pub type Facts = Vec<Fact, FACTS_PER_TASK>;
 ///
 /// # Errors
 /// A [`CapacityError`] if there are more than [`FACTS_PER_TASK`].
-pub fn facts<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<Facts, CapacityError> {
+pub fn facts<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<Facts, CapacityError> {
     let mut facts = Facts::new();
     let (schema, objects) = (domain.world().schema, domain.world().objects);
     for &object in task.bindings.iter().take(lifted.variables.len()) {

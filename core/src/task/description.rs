@@ -290,7 +290,7 @@ impl<S> Scene<S> {
 ///
 /// # Errors
 /// A [`CapacityError`] if `tokens` has no room for the lifted task's own token, and any if the description was broken off.
-pub fn describe<D: Domain + ?Sized>(
+pub fn describe<D: Domain>(
     domain: &D,
     all: &[LiftedTask],
     task: &GroundedTask,
@@ -402,7 +402,7 @@ impl FromIterator<ObjectId> for Chosen {
 }
 
 /// The description of a task in its scene, under construction.
-struct Description<'a, 't, D: Domain + ?Sized> {
+struct Description<'a, 't, D: Domain> {
     domain: &'a D,
     world: World<'a>,
     scene: &'a mut Scene<D::State>,
@@ -415,7 +415,7 @@ struct Description<'a, 't, D: Domain + ?Sized> {
     description: &'a mut Tokens,
 }
 
-impl<'a, D: Domain + ?Sized> Description<'a, '_, D> {
+impl<'a, D: Domain> Description<'a, '_, D> {
     fn class(&self, object: ObjectId) -> Option<ClassId> {
         self.world.objects.get(object).map(|object| object.class)
     }

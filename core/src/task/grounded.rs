@@ -84,12 +84,7 @@ impl GroundedTask {
 ///
 /// # Errors
 /// A [`CapacityError`] if `tasks` is too small.
-pub fn ground<D: Domain + ?Sized>(
-    domain: &D,
-    lifted: &[LiftedTask],
-    state: &D::State,
-    tasks: &mut [GroundedTask],
-) -> Result<usize, CapacityError> {
+pub fn ground<D: Domain>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) -> Result<usize, CapacityError> {
     ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
         let holds = |part: &GroundProposition| domain.holds(part, state);
         if lifted.has_way() { Way::of(task, lifted).is_idle(holds) } else { task.propositions(lifted).all(|part| holds(&part)) }
@@ -101,7 +96,7 @@ pub fn ground<D: Domain + ?Sized>(
 ///
 /// # Errors
 /// As [`ground`].
-pub fn ground_with_done<D: Domain + ?Sized>(
+pub fn ground_with_done<D: Domain>(
     domain: &D,
     lifted: &[LiftedTask],
     state: &D::State,
@@ -162,7 +157,7 @@ pub(crate) fn is_thing(world: &World<'_>, object: ObjectId) -> bool {
 /// Makes tasks of [`ground`] less probable if they ask an object to stay where it is: a factor of a tenth for each such part. The sum over
 /// each lifted task stays. A command asks for a change; nobody needs to say that unmoved objects stay. This holds for objects with
 /// attributes, by which words tell them apart. The robot has none: it moves in any task, and coming back is worth a word.
-pub(crate) fn expect_change<D: Domain + ?Sized>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
+pub(crate) fn expect_change<D: Domain>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) {
     let world = domain.world();
     let stays =
         |part: &GroundProposition| part.arguments.first().is_some_and(|&object| is_thing(&world, object)) && domain.holds(part, state);

@@ -4,7 +4,6 @@ use super::way::{Clause, Part};
 use crate::capacity::{ARGUMENTS, Capacity, CapacityError, PROPOSITIONS_PER_TASK, VARIABLES_PER_TASK};
 use crate::oomdp::vocabulary::digest;
 use crate::oomdp::{ClassId, PropositionId, Schema};
-use core::fmt;
 use heapless::Vec;
 
 /// Fills the place of an argument that the propositional function does not have.
@@ -57,18 +56,23 @@ impl Parts {
 }
 
 /// A fault in the text of a lifted task.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TaskTextError {
     /// It is not of the form `name(?a, ?b) & name(?c)`.
+    #[error(
+        "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way follows it, like through agentInRoom(?a, ?v) \
+         or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then is between goals"
+    )]
     Form,
     /// The domain has no propositional function of this name.
+    #[error("the domain has no propositional function with the name that proposition {} has", nth(*.proposition))]
     UnknownProposition {
         /// The proposition, by its position among those given, from 0.
         proposition: u8,
     },
     /// A proposition has more or fewer arguments than its function.
+    #[error("proposition {} was given {given} arguments, and its function has {wanted}", nth(*.proposition))]
     ArgumentCount {
         /// The proposition, by its position among those given, from 0.
         proposition: u8,
@@ -78,6 +82,11 @@ pub enum TaskTextError {
         wanted: u8,
     },
     /// One variable is used for objects of two classes.
+    #[error(
+        "argument {} of proposition {} is a variable for objects of another class; use another name",
+        nth(*.argument),
+        nth(*.proposition)
+    )]
     ClassConflict {
         /// The proposition with the second class, by its position among those given, from 0.
         proposition: u8,
@@ -85,56 +94,23 @@ pub enum TaskTextError {
         argument: u8,
     },
     /// A way goes through something that the goal requires anyway, or requires the same thing twice.
+    #[error("the same is asked for twice; give what a way goes through a variable of its own")]
     SaysNothing,
     /// A way avoids something that the task requires.
+    #[error("what is to be avoided is asked for as well; give what is avoided a variable of its own")]
     AvoidsGoal,
     /// It has a way, and the library was built without the feature `ways`.
+    #[error("this robot knows no ways (through, avoiding, then); build it with the feature ways")]
     NoWays,
     /// A table was full.
-    Capacity(CapacityError),
-}
-
-impl From<CapacityError> for TaskTextError {
-    fn from(error: CapacityError) -> Self {
-        Self::Capacity(error)
-    }
-}
-
-impl fmt::Display for TaskTextError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match *self {
-            Self::Form => {
-                "a lifted task reads like agentInRoom(?a, ?r1) & blockInRoom(?o, ?r2); a way follows it, like through agentInRoom(?a, ?v) \
-                 or agentInRoom(?a, ?w), and avoiding agentInRoom(?a, ?x); then is between goals"
-            }
-            Self::UnknownProposition { proposition } => {
-                return write!(f, "the domain has no propositional function with the name that proposition {} has", nth(proposition));
-            }
-            Self::ArgumentCount { proposition, given, wanted } => {
-                return write!(f, "proposition {} was given {given} arguments, and its function has {wanted}", nth(proposition));
-            }
-            Self::ClassConflict { proposition, argument } => {
-                return write!(
-                    f,
-                    "argument {} of proposition {} is a variable for objects of another class; use another name",
-                    nth(argument),
-                    nth(proposition)
-                );
-            }
-            Self::SaysNothing => "the same is asked for twice; give what a way goes through a variable of its own",
-            Self::AvoidsGoal => "what is to be avoided is asked for as well; give what is avoided a variable of its own",
-            Self::NoWays => "this robot knows no ways (through, avoiding, then); build it with the feature ways",
-            Self::Capacity(error) => return error.fmt(f),
-        })
-    }
+    #[error(transparent)]
+    Capacity(#[from] CapacityError),
 }
 
 /// Counted from 1.
 const fn nth(position: u8) -> u16 {
     position as u16 + 1
 }
-
-impl core::error::Error for TaskTextError {}
 
 impl LiftedTask {
     /// The task that one propositional function holds, each argument a variable of its own.

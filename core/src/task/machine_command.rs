@@ -40,7 +40,7 @@ impl Expression {
     ///
     /// # Errors
     /// A [`CapacityError`] if `tokens` has no room for the task's own propositions and classes, or the task has too many facts.
-    pub fn new<D: Domain + ?Sized>(
+    pub fn new<D: Domain>(
         domain: &D,
         lifted: &LiftedTask,
         task: &GroundedTask,
@@ -154,7 +154,7 @@ fn parts(lifted: &LiftedTask) -> impl Iterator<Item = (Option<&'static str>, Lif
 }
 
 /// The first proposition with a fact's object as an argument: the number of tokens up to its end, and the argument's position.
-fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
+fn place<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> (u8, u8) {
     let mut end = 0_usize;
     for (connective, part) in parts(lifted) {
         let parameters = domain.world().schema.parameters(part.proposition).len();
@@ -169,7 +169,7 @@ fn place<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTas
 
 /// The number of tokens before a fact, if a task has a way and facts are ordered by attribute: those of the goal, or those up to the part
 /// of the way in which its object first occurs.
-fn after_goal<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
+fn after_goal<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask, fact: &Fact) -> u8 {
     let parameters = |part: &LiftedProposition| domain.world().schema.parameters(part.proposition).len() + 1;
     let goal: usize = lifted.propositions().iter().map(parameters).sum();
     place(domain, lifted, task, fact).0.max(goal as u8)

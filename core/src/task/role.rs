@@ -171,16 +171,9 @@ impl FromStr for Marker {
 }
 
 /// A text is no marker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a marker is @ and four hexadecimal digits, 8000 or more")]
 pub struct NoMarker;
-
-impl fmt::Display for NoMarker {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a marker is @ and four hexadecimal digits, 8000 or more")
-    }
-}
-
-impl core::error::Error for NoMarker {}
 
 /// Whether a symbol is a marker: it has no text, and keeps its number when others are forgotten.
 pub const fn is_marker(symbol: Symbol) -> bool {

@@ -7,7 +7,6 @@ use core::fmt;
 
 /// A closed class of words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(u8)]
 pub enum Class {
     /// "not", "never", "except".
@@ -459,10 +458,11 @@ fn parted(line: &str) -> Option<(&str, &str)> {
 }
 
 /// Why a text is no table of closed classes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ClosedWordsError<'t> {
     /// There is no class with this name.
+    #[error("line {line}: {name:?} is no class of words")]
     NoSuchClass {
         /// The name.
         name: &'t str,
@@ -470,6 +470,7 @@ pub enum ClosedWordsError<'t> {
         line: usize,
     },
     /// A line has no class before its words.
+    #[error("line {line}: write a class and a colon before {word:?}")]
     NoClass {
         /// Its first word.
         word: &'t str,
@@ -477,6 +478,7 @@ pub enum ClosedWordsError<'t> {
         line: usize,
     },
     /// A word is not in the form in which commands are heard: in lower case, without punctuation.
+    #[error("line {line}: write {word:?} in lower case and without punctuation")]
     NotAWord {
         /// The word.
         word: &'t str,
@@ -484,6 +486,7 @@ pub enum ClosedWordsError<'t> {
         line: usize,
     },
     /// A word is praise or a yes, and also blame or a no.
+    #[error("line {line}: {word:?} praises or agrees, and another line has it for the opposite; leave it in one of them")]
     Opposites {
         /// The word.
         word: &'t str,
@@ -491,21 +494,6 @@ pub enum ClosedWordsError<'t> {
         line: usize,
     },
 }
-
-impl fmt::Display for ClosedWordsError<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoSuchClass { name, line } => write!(f, "line {line}: {name:?} is no class of words"),
-            Self::NoClass { word, line } => write!(f, "line {line}: write a class and a colon before {word:?}"),
-            Self::NotAWord { word, line } => write!(f, "line {line}: write {word:?} in lower case and without punctuation"),
-            Self::Opposites { word, line } => {
-                write!(f, "line {line}: {word:?} praises or agrees, and another line has it for the opposite; leave it in one of them")
-            }
-        }
-    }
-}
-
-impl core::error::Error for ClosedWordsError<'_> {}
 
 #[cfg(test)]
 mod tests {

@@ -154,7 +154,7 @@ impl Summary {
 
 impl<M: AgentMemory> Agent<M> {
     /// The stage of the conversation, by the actions reported to the agent; `state` is the present state.
-    pub fn stage<D: Domain + ?Sized>(&self, domain: &D, state: &D::State) -> Stage {
+    pub fn stage<D: Domain>(&self, domain: &D, state: &D::State) -> Stage {
         if self.check_session(domain).is_err() {
             return Stage::Between;
         }
@@ -287,7 +287,7 @@ fn act_of(class: Class, words: &Summary, stage: Stage, question: Option<&Questio
     }
 }
 
-#[cfg(all(test, feature = "alloc"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::{Capacities, HeapMemory, Options, home};

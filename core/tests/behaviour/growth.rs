@@ -207,7 +207,7 @@ const WORLDS: [World; 10] = [
 
 /// The description of a task, as a robot makes it.
 fn describe(model: &mut LanguageModel<AgentHeap>, scene: &Scene, task: Task) -> Vec<Symbol> {
-    let mut token = |text: String| model.tokens_mut().intern(&text).unwrap();
+    let mut token = |text: String| model.lend().tokens_mut().intern(&text).unwrap();
     let mut all = vec![token(format!("kind{}", task.kind))];
     let proposition = PropositionId::new(task.kind as u8);
     let mut tell = |role: Role, sort: u8, values: Vec<String>| {
@@ -282,30 +282,30 @@ fn curve(world: &World, settings: Settings, seed: u64, sizes: &[usize], asked: u
     for &size in sizes {
         for _ in learned..size {
             let (scene, meant, said) = draw(world, &mut random);
-            let words = model.hear(&said).unwrap();
+            let words = model.lend().hear(&said).unwrap();
             let tasks: Vec<Vec<Symbol>> = scene.tasks.iter().map(|&task| describe(&mut model, &scene, task)).collect();
-            model.add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+            model.lend().add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
             if settings.layer {
                 let share = 1.0 / tasks.len() as f32;
-                model.add_possible(tasks.iter().map(|task| (&task[..], share))).unwrap();
+                model.lend().add_possible(tasks.iter().map(|task| (&task[..], share))).unwrap();
             }
         }
         learned = size;
-        model.begin_training();
-        while model.train(u32::MAX) == Progress::Working {}
+        model.lend().begin_training();
+        while model.lend().train(u32::MAX) == Progress::Working {}
         let mut random = Pcg32::seed_from_u64(1_000 + seed);
         let mut right = 0;
         for _ in 0..asked {
             let (scene, meant, said) = draw(world, &mut random);
-            let words = model.hear(&said).unwrap();
+            let words = model.lend().hear(&said).unwrap();
             let tasks: Vec<Vec<Symbol>> = scene.tasks.iter().map(|&task| describe(&mut model, &scene, task)).collect();
             let prior = 1.0 / tasks.len() as f32;
-            let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(prior)).collect();
+            let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.read().likelihood(&words, task).scaled_by(prior)).collect();
             model.read().weigh_kinds(&words, |task| tasks[task][0], |_| prior, &mut scores);
             if settings.layer {
                 model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
             }
-            model.forget_unlearned();
+            model.lend().forget_unlearned();
             let whole = total(scores.iter().copied());
             let scores: Vec<f32> = scores.iter().map(|score| score.over(whole)).collect();
             right += usize::from(scores.iter().enumerate().all(|(task, &score)| task == meant || score < scores[meant]));

@@ -36,24 +36,24 @@ fn memory() -> AgentHeap {
 /// The task to go to the room of each color.
 fn tasks(model: &mut LanguageModel<AgentHeap>) -> Vec<[Symbol; 3]> {
     let goal = Marker { role: Role::of_argument(RoleKind::Goal, AGENT_IN_ROOM, 1), sort: 0 }.symbol();
-    let form = model.tokens_mut().intern("agentInRoom").unwrap();
-    COLORS.iter().map(|color| [form, goal, model.tokens_mut().intern(color).unwrap()]).collect()
+    let form = model.lend().tokens_mut().intern("agentInRoom").unwrap();
+    COLORS.iter().map(|color| [form, goal, model.lend().tokens_mut().intern(color).unwrap()]).collect()
 }
 
 fn with_lessons(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> LanguageModel<AgentHeap> {
     let mut model = LanguageModel::new(memory, settings).unwrap();
     for &(command, meant) in lessons {
-        let words = model.hear(command).unwrap();
+        let words = model.lend().hear(command).unwrap();
         let tasks = tasks(&mut model);
-        model.add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
-        model.add_possible(tasks.iter().map(|task| (&task[..], 0.25))).unwrap();
+        model.lend().add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+        model.lend().add_possible(tasks.iter().map(|task| (&task[..], 0.25))).unwrap();
     }
     model
 }
 
 fn train(model: &mut LanguageModel<AgentHeap>, budget: u32) {
-    model.begin_training();
-    while model.train(budget) == Progress::Working {}
+    model.lend().begin_training();
+    while model.lend().train(budget) == Progress::Working {}
 }
 
 fn taught(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> LanguageModel<AgentHeap> {
@@ -64,11 +64,11 @@ fn taught(memory: AgentHeap, settings: Settings, lessons: &[(&str, usize)]) -> L
 
 /// The probability of the room of each color.
 fn posterior(model: &mut LanguageModel<AgentHeap>, command: &str) -> Vec<f32> {
-    let (words, tasks) = (model.hear(command).unwrap(), tasks(model));
-    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(0.25)).collect();
+    let (words, tasks) = (model.lend().hear(command).unwrap(), tasks(model));
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.read().likelihood(&words, task).scaled_by(0.25)).collect();
     model.read().weigh_kinds(&words, |_| tasks[0][0], |_| 0.25, &mut scores);
     model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
-    model.forget_unlearned();
+    model.lend().forget_unlearned();
     let whole = total(scores.iter().copied());
     scores.into_iter().map(|score| score.over(whole)).collect()
 }
@@ -108,21 +108,21 @@ fn the_layer_is_silent_before_eight_lessons() {
 fn believed_of_a_new_kind(settings: Settings, was_possible: bool, command: &str) -> f32 {
     let mut model = LanguageModel::new(memory(), settings).unwrap();
     let both = |model: &mut LanguageModel<AgentHeap>| {
-        let take = model.tokens_mut().intern("blockInRoom").unwrap();
+        let take = model.lend().tokens_mut().intern("blockInRoom").unwrap();
         let goes = tasks(model);
         goes.iter().copied().chain(goes.iter().map(|&[_, goal, color]| [take, goal, color])).collect::<Vec<_>>()
     };
     for (position, color) in ["red", "green", "blue", "yellow"].into_iter().cycle().take(8).enumerate() {
-        let words = model.hear(&format!("go to the {color} room")).unwrap();
+        let words = model.lend().hear(&format!("go to the {color} room")).unwrap();
         let tasks = both(&mut model);
         let here = if was_possible { &tasks[..] } else { &tasks[..4] };
-        model.add_session(&words, [(&tasks[position % 4][..], 1.0)].into_iter()).unwrap();
-        model.add_possible(here.iter().map(|task| (&task[..], 1.0 / here.len() as f32))).unwrap();
+        model.lend().add_session(&words, [(&tasks[position % 4][..], 1.0)].into_iter()).unwrap();
+        model.lend().add_possible(here.iter().map(|task| (&task[..], 1.0 / here.len() as f32))).unwrap();
     }
     train(&mut model, u32::MAX);
-    let words = model.hear(command).unwrap();
+    let words = model.lend().hear(command).unwrap();
     let tasks = both(&mut model);
-    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(0.125)).collect();
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.read().likelihood(&words, task).scaled_by(0.125)).collect();
     model.read().weigh_kinds(&words, |task| tasks[task][0], |_| 0.125, &mut scores);
     model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
     total(scores[4..].iter().copied()).over(total(scores.iter().copied()))
@@ -146,8 +146,8 @@ fn a_kind_of_task_that_no_lesson_could_mean_is_meant_by_new_words() {
 /// The tasks to go to the room of each of these colors, and to do so avoiding another of these rooms.
 fn tasks_that_avoid(model: &mut LanguageModel<AgentHeap>, colors: &[&str]) -> Vec<Vec<Symbol>> {
     let role = |kind| Marker { role: Role::of_argument(kind, AGENT_IN_ROOM, 1), sort: 0 }.symbol();
-    let forms = ["agentInRoom", "agentInRoom01!agentInRoom02"].map(|form| model.tokens_mut().intern(form).unwrap());
-    let colors: Vec<Symbol> = colors.iter().map(|color| model.tokens_mut().intern(color).unwrap()).collect();
+    let forms = ["agentInRoom", "agentInRoom01!agentInRoom02"].map(|form| model.lend().tokens_mut().intern(form).unwrap());
+    let colors: Vec<Symbol> = colors.iter().map(|color| model.lend().tokens_mut().intern(color).unwrap()).collect();
     let goes = colors.iter().map(|&goal| vec![forms[0], role(RoleKind::Goal), goal]);
     let pairs = colors.iter().flat_map(|&goal| colors.iter().filter(move |&&other| other != goal).map(move |&other| (goal, other)));
     goes.chain(pairs.map(|(goal, other)| vec![forms[1], role(RoleKind::Goal), goal, role(RoleKind::Avoiding), other])).collect()
@@ -158,17 +158,17 @@ fn believed_to_say_no_way(settings: Settings, colors: &[&str], command: &str) ->
     let mut model = LanguageModel::new(memory(), settings).unwrap();
     let names = ["red", "green", "blue"];
     for (goal, other) in [(0, 1), (1, 2), (2, 0), (1, 0), (0, 2), (2, 1)].into_iter().cycle().take(18) {
-        let words = model.hear(&format!("go to the {} room but avoid the {} room", names[goal], names[other])).unwrap();
+        let words = model.lend().hear(&format!("go to the {} room but avoid the {} room", names[goal], names[other])).unwrap();
         let tasks = tasks_that_avoid(&mut model, &COLORS[..3]);
         let meant = tasks.iter().position(|task| task.len() == 5 && task[2] == tasks[goal][2] && task[4] == tasks[other][2]).unwrap();
-        model.add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
-        model.add_possible(tasks.iter().map(|task| (&task[..], 1.0 / 9.0))).unwrap();
+        model.lend().add_session(&words, [(&tasks[meant][..], 1.0)].into_iter()).unwrap();
+        model.lend().add_possible(tasks.iter().map(|task| (&task[..], 1.0 / 9.0))).unwrap();
     }
     train(&mut model, u32::MAX);
-    let words = model.hear(command).unwrap();
+    let words = model.lend().hear(command).unwrap();
     let tasks = tasks_that_avoid(&mut model, colors);
     let prior = 1.0 / tasks.len() as f32;
-    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.likelihood(&words, task).scaled_by(prior)).collect();
+    let mut scores: Vec<Scaled> = tasks.iter().map(|task| model.read().likelihood(&words, task).scaled_by(prior)).collect();
     model.read().weigh_kinds(&words, |task| tasks[task][0], |_| prior, &mut scores);
     model.read().weigh_parts(&words, |task| task, |task| &tasks[task], &mut scores);
     total(scores[..colors.len()].iter().copied()).over(total(scores.iter().copied()))
@@ -224,13 +224,13 @@ fn memory_that_another_model_had_is_as_good_as_new() {
 fn a_layer_that_is_full_says_so_and_learns_from_the_sessions_before() {
     let room = AgentHeap::new(&Capacities { pairs: 32, ..capacities() }).with_layer(32);
     let mut model = with_lessons(room, Settings::LAYERED, &LESSONS[..8]);
-    let words = model.hear(LESSONS[8].0).unwrap();
+    let words = model.lend().hear(LESSONS[8].0).unwrap();
     let tasks = tasks(&mut model);
-    model.add_session(&words, [(&tasks[LESSONS[8].1][..], 1.0)].into_iter()).unwrap();
-    let full = model.add_possible(tasks.iter().map(|task| (&task[..], 0.25)));
+    model.lend().add_session(&words, [(&tasks[LESSONS[8].1][..], 1.0)].into_iter()).unwrap();
+    let full = model.lend().add_possible(tasks.iter().map(|task| (&task[..], 0.25)));
     assert_eq!(full, Err(CapacityError::full(Capacity::Pairs, 32)));
     train(&mut model, u32::MAX);
-    assert_eq!(model.bitext().sessions(), 9);
+    assert_eq!(model.read().bitext().sessions(), 9);
     assert_ne!(bits(&mut model), bits(&mut taught(memory(), Settings::DEFAULT, &LESSONS[..9])));
 }
 
@@ -240,9 +240,9 @@ fn no_session_makes_a_belief_that_is_no_number() {
     for priors in [[f32::NAN, f32::INFINITY, -1.0, 0.0], [0.0; 4], [1e6; 4]] {
         let mut model = with_lessons(memory(), Settings::LAYERED, &LESSONS);
         for weight in [0.0, 1e6] {
-            let (words, tasks) = (model.hear(&long).unwrap(), tasks(&mut model));
-            model.add_session(&words, [(&tasks[0][..], weight)].into_iter()).unwrap();
-            model.add_possible(tasks.iter().zip(priors).map(|(task, prior)| (&task[..], prior))).unwrap();
+            let (words, tasks) = (model.lend().hear(&long).unwrap(), tasks(&mut model));
+            model.lend().add_session(&words, [(&tasks[0][..], weight)].into_iter()).unwrap();
+            model.lend().add_possible(tasks.iter().zip(priors).map(|(task, prior)| (&task[..], prior))).unwrap();
         }
         train(&mut model, u32::MAX);
         for command in [&long, "enter the red room"] {
@@ -253,7 +253,6 @@ fn no_session_makes_a_belief_that_is_no_number() {
     }
 }
 
-#[cfg(feature = "snapshot")]
 mod saved {
     use super::{LESSONS, bits, capacities, memory, taught, train, with_lessons};
     use goodbot::language::{LanguageModel, Settings};
@@ -262,7 +261,7 @@ mod saved {
     use goodbot::snapshot::{Contents, LAYERED_VERSION, Part, RestoreError, VERSION};
 
     fn go_on(model: &mut LanguageModel<AgentHeap>) {
-        while model.train(u32::MAX) == Progress::Working {}
+        while model.lend().train(u32::MAX) == Progress::Working {}
     }
 
     #[test]
@@ -279,11 +278,11 @@ mod saved {
     #[test]
     fn tasks_that_were_never_meant_may_speak_of_things_that_no_other_does() {
         let mut model = with_lessons(memory(), Settings::LAYERED, &LESSONS);
-        let words = model.hear("enter the red room").unwrap();
+        let words = model.lend().hear("enter the red room").unwrap();
         let meant = super::tasks(&mut model)[0];
-        model.add_session(&words, [(&meant[..], 1.0)].into_iter()).unwrap();
-        let pink = [meant[0], meant[1], model.tokens_mut().intern("colorPink").unwrap()];
-        model.add_possible([meant, pink].iter().map(|task| (&task[..], 0.5))).unwrap();
+        model.lend().add_session(&words, [(&meant[..], 1.0)].into_iter()).unwrap();
+        let pink = [meant[0], meant[1], model.lend().tokens_mut().intern("colorPink").unwrap()];
+        model.lend().add_possible([meant, pink].iter().map(|task| (&task[..], 0.5))).unwrap();
         train(&mut model, u32::MAX);
         let file = model.saved().unwrap();
         assert!(Contents::read(&file).unwrap().tokens.iter().any(|token| token == "colorPink"));
@@ -302,7 +301,7 @@ mod saved {
         assert_eq!(bits(&mut restored), bits(&mut taught(memory(), Settings::DEFAULT, &LESSONS)));
         let saved = restored.saved().unwrap();
         assert_eq!((version(&file), version(&saved)), (LAYERED_VERSION, VERSION));
-        assert!(!restored.settings().layer && !Contents::read(&saved).unwrap().options.language.layer);
+        assert!(!restored.read().settings().layer && !Contents::read(&saved).unwrap().options.language.layer);
     }
 
     #[test]

@@ -17,11 +17,11 @@ mod hypotheses;
 #[cfg(feature = "layer")]
 mod layer;
 mod lending_memory;
-#[cfg(all(feature = "alloc", feature = "snapshot"))]
+#[cfg(feature = "alloc")]
 mod migration;
 #[cfg(feature = "alloc")]
 mod on_a_host;
-#[cfg(all(feature = "alloc", feature = "snapshot"))]
+#[cfg(feature = "alloc")]
 mod role_model;
 mod sessions;
 mod settings;

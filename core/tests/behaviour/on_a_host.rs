@@ -25,11 +25,8 @@ fn every_error_is_one_of_the_standard_library() {
     is_error::<goodbot::oomdp::ObjectError>();
     is_error::<goodbot::task::NoMarker>();
     is_error::<goodbot::task::TaskTextError>();
-    #[cfg(feature = "snapshot")]
     is_error::<goodbot::snapshot::RestoreError>();
-    #[cfg(feature = "snapshot")]
     is_error::<goodbot::snapshot::SaveError>();
-    #[cfg(feature = "snapshot")]
     is_error::<goodbot::storage::StorageError<()>>();
     #[cfg(feature = "talk")]
     is_error::<goodbot::talk::ClosedWordsError<'static>>();

@@ -120,7 +120,7 @@ pub fn language<'m, 'q>(
     *memory = learner::memory(&room, &contents.options.language, room_for_tasks(&contents));
     let mut model = LanguageModel::new(memory, contents.options.language).map_err(|error| fault(&error))?;
     model.restore(&bytes).map_err(|error| fault(&error))?;
-    while model.train(u32::MAX) == Progress::Working {}
+    while model.lend().train(u32::MAX) == Progress::Working {}
     Ok(model)
 }
 

@@ -95,8 +95,8 @@ pub fn run(options: &LearnOptions) -> Result<(), Failure> {
     // A world names its own kinds of task.
     let file = if of_worlds { file } else { with_kinds(file, &lifted) };
     target.write(&file)?;
-    let numbers = model.bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
-    let (words, tokens, pairs) = (model.words().len(), model.tokens().len(), model.bitext().pairs().len());
+    let numbers = model.read().bitext().sessions() - lessons.iter().filter(|lesson| lesson.learn).count();
+    let (words, tokens, pairs) = (model.read().words().len(), model.read().tokens().len(), model.read().bitext().pairs().len());
     let mut out = output::text(&[Some(&target)])?;
     if options.json {
         let line = json!({

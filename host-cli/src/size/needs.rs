@@ -179,7 +179,7 @@ pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) ->
 fn train(capacities: &Capacities, log: &[Lesson], learner: &Options) -> Result<(usize, Capacities), Failure> {
     let mut memory = goodbot_console::learner::memory(capacities, &learner.language, training::tasks(log));
     let model = training::train(&mut memory, log.iter(), learner.language)?;
-    let data = model.bitext();
+    let data = model.read().bitext();
     let command_tokens = (0..data.commands() as u16).map(|command| data.command(command).len()).sum();
     Ok((data.sessions(), Capacities { commands: data.commands(), command_tokens, pairs: data.pairs().len(), ..Capacities::NONE }))
 }

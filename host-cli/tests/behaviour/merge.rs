@@ -17,9 +17,9 @@ fn model_with(sessions: &[(&str, &str)], capacities: &Capacities, options: Optio
     let mut memory = HeapMemory::new(capacities);
     let mut language = LanguageModel::new(&mut memory.agent, options.language).unwrap();
     for (english, machine) in sessions {
-        let command: Vec<Symbol> = machine.split(' ').map(|token| language.tokens_mut().intern(token).unwrap()).collect();
-        let sentence = language.hear(english).unwrap();
-        language.add_session(&sentence, std::iter::once((&command[..], 1.0))).unwrap();
+        let command: Vec<Symbol> = machine.split(' ').map(|token| language.lend().tokens_mut().intern(token).unwrap()).collect();
+        let sentence = language.lend().hear(english).unwrap();
+        language.lend().add_session(&sentence, std::iter::once((&command[..], 1.0))).unwrap();
     }
     let mut bytes = vec![0; 1 << 20];
     let length = language.save(&mut bytes).unwrap();

@@ -25,6 +25,6 @@ pub fn tokenizer(input: &[u8]) {
     assert_eq!(words(&found.join(" ")).map(|again| again.len()), Ok(found.len()));
     let mut memory = HeapMemory::new(&Capacities::SMALL);
     let mut model = LanguageModel::new(&mut memory.agent, Settings::PAPER).expect("settings to train with");
-    assert_eq!(model.hear(&text).map(|sentence| sentence.len()), Ok(found.len()));
-    assert!(model.words().len() <= Capacities::SMALL.words);
+    assert_eq!(model.lend().hear(&text).map(|sentence| sentence.len()), Ok(found.len()));
+    assert!(model.read().words().len() <= Capacities::SMALL.words);
 }

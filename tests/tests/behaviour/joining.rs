@@ -74,7 +74,7 @@ fn two_robots_that_learned_half_the_course_each_know_all_of_it_together() {
 fn a_common_past_is_kept_once_wherever_it_stands() {
     let lessons = school::lessons();
     // The role model keeps whole words and treats words with the same beginning as one; Model 2 cuts them, or keeps them whole.
-    for options in [Options::PAPER, Options { language: Settings::SMOOTHED, ..Options::PAPER }, Options::default()] {
+    for options in [Options::PAPER, Options { language: Settings::SMOOTHED, ..Options::PAPER }, Options::DEFAULT] {
         let past = model(&[&lessons[0], &lessons[5]], options, 1);
         let one = grown(&past, &[&lessons[2]], 2);
         let other = grown(&past, &[&lessons[3]], 3);

@@ -129,13 +129,13 @@ proptest! {
             let settings = Settings { smoothing, alignment_prior, rounds, ..Settings::PAPER };
             let mut model = LanguageModel::new(&mut memory.agent, settings).unwrap();
             for (tokens, words, weight) in &data {
-                let command: Vec<Symbol> = tokens.iter().map(|token| model.tokens_mut().intern(&format!("token{token}")).unwrap()).collect();
+                let command: Vec<Symbol> = tokens.iter().map(|token| model.lend().tokens_mut().intern(&format!("token{token}")).unwrap()).collect();
                 let english: Vec<String> = words.iter().map(|word| format!("word{word}")).collect();
-                let sentence = model.hear(&english.join(" ")).unwrap();
-                model.add_session(&sentence, std::iter::once((&command[..], *weight))).unwrap();
+                let sentence = model.lend().hear(&english.join(" ")).unwrap();
+                model.lend().add_session(&sentence, std::iter::once((&command[..], *weight))).unwrap();
             }
-            model.begin_training();
-            while model.train(u32::MAX) == Progress::Working {}
+            model.lend().begin_training();
+            while model.lend().train(u32::MAX) == Progress::Working {}
             let now = objective(model.read());
             prop_assert!(now >= last - 1e-4 * last.abs().max(1.0), "round {rounds}: {now} after {last}");
             last = now;

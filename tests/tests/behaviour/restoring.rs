@@ -186,11 +186,11 @@ fn a_model_needs_exactly_what_it_says_and_one_entry_less_is_refused_by_name_and_
 #[test]
 fn long_machine_commands_of_model_2_are_counted_like_short_ones() {
     let mut model = LanguageModel::new(AgentHeap::new(&Capacities::STANDARD), Settings::PAPER).unwrap();
-    let token = model.tokens_mut().intern("roomIsRed").unwrap();
-    let sentence = model.hear("go to the red room").unwrap();
+    let token = model.lend().tokens_mut().intern("roomIsRed").unwrap();
+    let sentence = model.lend().hear("go to the red room").unwrap();
     for length in [30, 40, 60] {
         let command = vec![token; length];
-        model.add_session(&sentence, core::iter::once((command.as_slice(), 1.0))).unwrap();
+        model.lend().add_session(&sentence, core::iter::once((command.as_slice(), 1.0))).unwrap();
     }
     let mut bytes = vec![0; 4_096];
     let length = model.save(&mut bytes).unwrap();

@@ -32,8 +32,8 @@ fn words_that_begin_alike_are_one_word_where_letters_count() {
     let words = |language| {
         let mut memory = HeapMemory::new(&Capacities::SMALL);
         let mut model = goodbot::language::LanguageModel::new(&mut memory.agent, language).unwrap();
-        model.hear("orange orangey oranges").unwrap();
-        model.words().len()
+        model.lend().hear("orange orangey oranges").unwrap();
+        model.read().words().len()
     };
     assert_eq!((words(Settings::SMOOTHED), words(Settings::PAPER)), (1, 3));
 }

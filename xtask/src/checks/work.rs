@@ -91,14 +91,13 @@ pub fn trust() -> Result<()> {
 }
 
 /// Sets of the core's features for clippy, beside the default ones: those of a controller that does without the rest.
-const CLIPPY_SETS: [&str; 4] = ["", "learning", "snapshot", "asking"];
+const CLIPPY_SETS: [&str; 3] = ["", "learning", "asking"];
 
 /// Runs clippy on everything; on the core with the features of a controller that learns, hears praise or only obeys, and without any; on the crates
 /// that use a part of the core, each alone; and on the C library with each of its kinds of robot alone.
 pub fn clippy() -> Result<()> {
     let sh = shell()?;
     cmd!(sh, "cargo clippy {WORKSPACE...} --all-targets -- -D warnings").run()?;
-    cmd!(sh, "cargo clippy --package goodbot --features defmt -- -D warnings").run()?;
     for features in CLIPPY_SETS {
         cmd!(sh, "cargo clippy --package goodbot --no-default-features --features={features} -- -D warnings").run()?;
     }
@@ -142,10 +141,10 @@ pub fn portable(run: &Run) -> Result<()> {
     Ok(())
 }
 
-/// Sets that follow from no other: code that is there for both features, which no other crate of the project has together without more.
-const PAIRS: [&str; 2] = ["alloc,unicode", "layer,snapshot"];
+/// Code that is there for both features, which no other crate of the project has together without more.
+const PAIR: &str = "alloc,unicode";
 
-/// All features together, each alone, and [`PAIRS`]. A feature alone shows what it uses of another without saying so; those that the step `clippy` checks
+/// All features together, each alone, and [`PAIR`]. A feature alone shows what it uses of another without saying so; those that the step `clippy` checks
 /// are left to it. What two features have in common is in the C library, the firmware and the command line, which other steps build.
 fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
     let metadata: Value = serde_json::from_str(&cmd!(sh, "cargo metadata --no-deps --format-version 1").quiet().read()?)?;
@@ -153,7 +152,7 @@ fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
     let core = packages.iter().find(|package| package["name"] == "goodbot").context("cargo tells of the core")?;
     let features: Vec<_> = core["features"].as_object().context("cargo tells features")?.keys().map(String::as_str).collect();
     let alone = features.iter().copied().filter(|feature| *feature != "default" && !CLIPPY_SETS.contains(feature));
-    Ok(std::iter::once(features.join(",")).chain(alone.chain(PAIRS).map(str::to_owned)).collect())
+    Ok(std::iter::once(features.join(",")).chain(alone.chain([PAIR]).map(str::to_owned)).collect())
 }
 
 /// Runs the tests by cargo-nextest if it is installed, otherwise by cargo. nextest runs the tests of several files at once and knows

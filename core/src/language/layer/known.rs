@@ -2,6 +2,7 @@
 //! there adds them all.
 
 use crate::capacity::{Capacity, CapacityError, TOKENS_PER_COMMAND};
+use crate::checksum::fnv;
 use crate::language::bitext::{Bitext, BitextRef};
 use crate::symbols::Symbol;
 use alloc::collections::BTreeSet;
@@ -40,9 +41,9 @@ impl CommandIndex {
     }
 }
 
-/// The FNV-1a hash, symbol by symbol.
+/// The hash of a description.
 pub(super) fn hash(tokens: &[Symbol]) -> u32 {
-    tokens.iter().fold(0x811c_9dc5, |hash, token| (hash ^ u32::from(token.0)).wrapping_mul(0x0100_0193))
+    fnv(tokens.iter().map(|token| u32::from(token.0)))
 }
 
 #[cfg(test)]

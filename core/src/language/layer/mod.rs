@@ -41,38 +41,20 @@
 
 mod tables;
 
-#[cfg(feature = "layer")]
 mod contexts;
-#[cfg(feature = "layer")]
 pub(crate) mod fold;
-#[cfg(feature = "layer")]
 mod known;
-#[cfg(feature = "layer")]
 mod learned;
-#[cfg(feature = "layer")]
 mod network;
-#[cfg(feature = "layer")]
 mod parts;
-#[cfg(feature = "layer")]
 mod posterior;
-#[cfg(feature = "layer")]
 mod scenes;
-#[cfg(feature = "layer")]
 mod speaking;
-#[cfg(feature = "layer")]
 pub(crate) mod training;
-#[cfg(feature = "layer")]
 mod unmet;
-#[cfg(feature = "layer")]
 mod weighed;
-#[cfg(feature = "layer")]
 mod weights;
 
-#[cfg(feature = "layer")]
 pub(in crate::language) use known::CommandIndex;
-#[cfg(feature = "layer")]
-pub use tables::LAYER_WEIGHTS;
-pub(in crate::language) use tables::Layer;
-pub use tables::LayerMemory;
-#[cfg(feature = "layer")]
-pub(in crate::language) use tables::LayerRef;
+pub(in crate::language) use tables::{FOLDS, Layer, LayerRef, LeftOut};
+pub use tables::{LAYER_WEIGHTS, LayerMemory};

@@ -1,35 +1,20 @@
-//! The memory of the layer. It is empty without the feature `layer`, and if a caller provides none.
+//! The memory of the layer. It is empty if a caller provides none.
 
-#[cfg(feature = "layer")]
 use super::learned::Learned;
-#[cfg(feature = "layer")]
 use super::network::Network;
-#[cfg(feature = "layer")]
 use super::speaking::Found;
-#[cfg(feature = "layer")]
 use super::weights::CELLS;
-#[cfg(feature = "layer")]
 use crate::capacity::TOKENS_PER_COMMAND;
-use crate::language::bitext::LeftOut;
-#[cfg(feature = "layer")]
 use crate::language::bitext::{Bitext, BitextRef, Extent, Pair, Span, close_up};
-#[cfg(feature = "layer")]
 use crate::language::settings::Settings;
-#[cfg(feature = "layer")]
 use crate::memory::{BitextTables, BitextTablesRef};
-#[cfg(feature = "layer")]
 use crate::symbols::Symbol;
-#[cfg(feature = "layer")]
 use alloc::{vec, vec::Vec};
-#[cfg(not(feature = "layer"))]
-use core::marker::PhantomData;
 
 /// Two numbers for each weight of the layer: the weight, and the sum of its squared gradients.
-#[cfg(feature = "layer")]
 pub const LAYER_WEIGHTS: usize = 2 * CELLS;
 
 /// The memory of the layer: the tasks of all sessions, and the trained weights.
-#[cfg(feature = "layer")]
 #[derive(Clone, Debug)]
 pub struct LayerMemory {
     /// The tasks of all sessions: each session's machine commands, with their prior as weight. The sessions have no words.
@@ -54,7 +39,6 @@ pub struct LayerMemory {
     found: Found,
 }
 
-#[cfg(feature = "layer")]
 impl LayerMemory {
     /// No memory.
     pub const NONE: Self = Self {
@@ -95,54 +79,49 @@ impl LayerMemory {
     }
 }
 
-/// The memory of the layer: none without the feature `layer`.
-#[cfg(not(feature = "layer"))]
-#[derive(Clone, Copy, Debug)]
-pub struct LayerMemory;
+/// Half of the sessions can be left out of a training: every second one.
+pub(in crate::language) const FOLDS: usize = 2;
 
-#[cfg(not(feature = "layer"))]
-impl LayerMemory {
-    /// No memory.
-    pub const NONE: Self = Self;
+/// The sessions that a training leaves out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::language) struct LeftOut(Option<u8>);
+
+impl LeftOut {
+    /// No session.
+    pub const NONE: Self = Self(None);
+    /// The first part.
+    pub const FIRST: Self = Self(Some(0));
+
+    /// The next part; no session after the last part.
+    pub fn next(self) -> Self {
+        Self(self.0.map(|part| part.saturating_add(1)).filter(|&part| usize::from(part) < FOLDS))
+    }
+
+    /// The first session left out.
+    pub fn first(self) -> Option<u16> {
+        self.0.map(u16::from)
+    }
+
+    pub fn has(self, session: u16) -> bool {
+        self.0.is_some_and(|part| usize::from(session) % FOLDS == usize::from(part))
+    }
 }
 
 /// The least number of sessions for a layer: with fewer it understands less than the role model alone.
-#[cfg(feature = "layer")]
 const LEAST_SESSIONS: usize = 8;
 
 /// The layer for training, if there is memory for it.
 #[derive(Debug)]
 pub(in crate::language) struct Layer<'t> {
-    #[cfg(feature = "layer")]
     pub room: Option<Room<'t>>,
-    #[cfg(not(feature = "layer"))]
-    lent: PhantomData<&'t mut ()>,
 }
 
 impl<'t> Layer<'t> {
     /// The layer in `memory`, a slice with one element or none.
-    #[cfg_attr(not(feature = "layer"), expect(clippy::missing_const_for_fn, unused_variables, reason = "as with the feature"))]
     pub fn new(memory: &'t mut [LayerMemory]) -> Self {
-        Self {
-            #[cfg(feature = "layer")]
-            room: Room::new(memory),
-            #[cfg(not(feature = "layer"))]
-            lent: PhantomData,
-        }
+        Self { room: Room::new(memory) }
     }
-}
 
-#[cfg(not(feature = "layer"))]
-#[expect(clippy::unused_self, reason = "as with the feature")]
-impl Layer<'_> {
-    /// The sessions that the role model in training must not see.
-    pub const fn left_out(&self) -> LeftOut {
-        LeftOut::NONE
-    }
-}
-
-#[cfg(feature = "layer")]
-impl Layer<'_> {
     /// The sessions that the role model in training must not see.
     pub fn left_out(&self) -> LeftOut {
         self.room.as_ref().map_or(LeftOut::NONE, |room| *room.left_out)
@@ -156,6 +135,18 @@ impl Layer<'_> {
         }
     }
 
+    /// Forgets the tasks of all sessions: another model may have used the memory before.
+    pub fn clear(&mut self) {
+        if let Some(room) = &mut self.room {
+            room.clear();
+        }
+    }
+
+    /// The tasks of all sessions.
+    pub fn possible_mut(&mut self) -> Option<&mut Bitext<'t>> {
+        self.room.as_mut().map(|room| &mut room.possible)
+    }
+
     /// The read-only layer, if there is memory for it.
     pub const fn read(&self) -> Option<LayerRef<'_>> {
         match &self.room {
@@ -166,7 +157,6 @@ impl Layer<'_> {
 }
 
 /// The layer in its memory.
-#[cfg(feature = "layer")]
 #[derive(Debug)]
 pub(in crate::language) struct Room<'t> {
     pub possible: Bitext<'t>,
@@ -182,7 +172,6 @@ pub(in crate::language) struct Room<'t> {
 }
 
 /// The read-only layer in its memory.
-#[cfg(feature = "layer")]
 #[derive(Clone, Copy, Debug)]
 pub(in crate::language) struct LayerRef<'t> {
     pub possible: BitextRef<'t>,
@@ -192,7 +181,6 @@ pub(in crate::language) struct LayerRef<'t> {
     pub(super) network: &'t Network,
 }
 
-#[cfg(feature = "layer")]
 impl<'t> LayerRef<'t> {
     /// The read-only layer in `memory`, a slice with one element or none.
     pub fn new(memory: &'t [LayerMemory]) -> Option<Self> {
@@ -212,9 +200,13 @@ impl<'t> LayerRef<'t> {
             network: &memory.network,
         })
     }
+
+    /// The tasks of all sessions.
+    pub const fn possible(self) -> BitextRef<'t> {
+        self.possible
+    }
 }
 
-#[cfg(feature = "layer")]
 impl<'t> Room<'t> {
     fn new(memory: &'t mut [LayerMemory]) -> Option<Self> {
         let memory = memory.first_mut()?;

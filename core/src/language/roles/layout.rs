@@ -148,7 +148,6 @@ impl Layout {
 
     /// The layout of another robot's parameters: for this many words and machine tokens, with its lifted tasks, its roles and its number of
     /// sessions.
-    #[cfg(feature = "snapshot")]
     pub(crate) fn of_others(
         words: usize,
         tokens: usize,
@@ -327,7 +326,6 @@ impl Layout {
     }
 
     /// The number of cells of `translations` in use.
-    #[cfg(feature = "snapshot")]
     pub(crate) const fn translations(&self) -> usize {
         self.tokens.saturating_add(1).saturating_mul(self.words)
     }

@@ -97,7 +97,7 @@ impl Share {
 /// Turns the counts into a token's row, once all pairs are weighed. The background's row must be set last.
 pub(super) fn set_row(layout: &Layout, token: Option<Symbol>, share: &Share, t: &mut Cells<'_>, common: &[f32]) {
     let Some(token) = token else {
-        get_mut(t.values, layout.row(None)).copy_from_slice_checked(common);
+        get_mut(t.values, layout.row(None)).iter_mut().zip(common).for_each(|(slot, value)| *slot = *value);
         return;
     };
     let &Share { with, all, .. } = share;
@@ -114,15 +114,5 @@ pub(super) fn set_row(layout: &Layout, token: Option<Symbol>, share: &Share, t: 
         if let Some(slot) = get_mut(t.values, of_token.clone()).get_mut(word) {
             *slot = value;
         }
-    }
-}
-
-trait CopyChecked {
-    fn copy_from_slice_checked(&mut self, from: &[f32]);
-}
-
-impl CopyChecked for [f32] {
-    fn copy_from_slice_checked(&mut self, from: &[f32]) {
-        self.iter_mut().zip(from).for_each(|(slot, value)| *slot = *value);
     }
 }

@@ -149,20 +149,12 @@ impl Senses<'_> {
         }
         let (layout, bitext) = (self.tables.layout(), self.bitext);
         let names = next.is_some_and(|next| self.of(next).value.is_some());
-        let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
-        for session in 0..bitext.sessions() as u16 {
+        let (with, all) = kinds_said(layout, bitext, &mut |session| {
             let second = bitext.sentence(session).iter().copied().skip_while(|&word| self.is_plain(word)).nth(1);
-            let follows = second.is_some_and(|word| {
+            second.is_some_and(|word| {
                 Some(word) == next || names && self.of(word).value.is_some() || is_alike.is_some_and(|is_alike| is_alike(word))
-            });
-            for pair in bitext.pairs_of(session) {
-                let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
-                if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
-                    *all += pair.weight;
-                    *with += if follows { pair.weight } else { 0.0 };
-                }
-            }
-        }
+            })
+        });
         let is_sign = |(with, all): (f32, f32)| all > 0.0 && with >= SIGN_BEFORE_NEXT * all;
         with.into_iter().zip(all).enumerate().fold(0, |acts, (row, counts)| acts | u8::from(is_sign(counts)) << row)
     }
@@ -331,11 +323,11 @@ fn is_of_things(bitext: BitextRef<'_>, word: Symbol, value: Symbol) -> bool {
     with > NAME * all
 }
 
-/// The kinds of task that a word is a sign of.
-fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
+/// How much each lifted task was meant in the sessions that have something, and in all.
+fn kinds_said(layout: &Layout, bitext: BitextRef<'_>, has: &mut dyn FnMut(u16) -> bool) -> ([f32; LIFTED_TASKS], [f32; LIFTED_TASKS]) {
     let (mut with, mut all) = ([0.0_f32; LIFTED_TASKS], [0.0_f32; LIFTED_TASKS]);
     for session in 0..bitext.sessions() as u16 {
-        let has = bitext.sentence(session).contains(&word);
+        let has = has(session);
         for pair in bitext.pairs_of(session) {
             let Some(row) = form(bitext.command(pair.command)).and_then(|token| layout.form(token)) else { continue };
             if let (Some(with), Some(all)) = (with.get_mut(row), all.get_mut(row)) {
@@ -344,6 +336,12 @@ fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
             }
         }
     }
+    (with, all)
+}
+
+/// The kinds of task that a word is a sign of.
+fn sign_of(layout: &Layout, bitext: BitextRef<'_>, word: Symbol) -> u8 {
+    let (with, all) = kinds_said(layout, bitext, &mut |session| bitext.sentence(session).contains(&word));
     let (sum_with, sum_all): (f32, f32) = (with.iter().sum(), all.iter().sum());
     let only_one = all.iter().filter(|&&count| count > 0.0).count() < 2;
     let is_sign = |(with, all): (f32, f32)| all > 0.0 && (only_one || (with + 0.5 * all / sum_all) / (sum_with + 0.5) >= SIGN);

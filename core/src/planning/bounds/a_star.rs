@@ -181,7 +181,7 @@ impl Reached {
 }
 
 /// The input of a search.
-pub(super) struct Scene<'d, G: PushGrid + ?Sized> {
+pub(super) struct Scene<'d, G: PushGrid> {
     pub(super) grid: &'d G,
     pub(super) goals: &'d Goals<'d>,
     pub(super) relaxation: &'d Relaxation,
@@ -244,7 +244,7 @@ fn pieces(mut bits: u32) -> impl Iterator<Item = Piece> {
 impl AStar {
     /// The search for a task with at least this distance, in at most `most` expansions; closed if there is no memory for one. It takes over
     /// the sharper lower bound of an earlier task.
-    pub(super) fn new<G: PushGrid + ?Sized>(
+    pub(super) fn new<G: PushGrid>(
         scene: &Scene<'_, G>,
         words: usize,
         (task, piece): (usize, Piece),
@@ -302,7 +302,7 @@ impl AStar {
     }
 
     /// Begins anew with a lower bound that knows more of the pieces in the way, if there is memory for it. Each of them doubles its words.
-    fn sharpen<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) {
+    fn sharpen<G: PushGrid>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>) {
         let (from, to) = (scene.relaxation.words(), marks.len());
         let times = to.checked_div(from).unwrap_or(0).saturating_sub(LEAST_ROOM.saturating_add(1));
         let fits = times.checked_ilog2().unwrap_or(0) as usize;
@@ -391,7 +391,7 @@ impl AStar {
     }
 
     /// Continues, with at most `left` expansions. At the end it is closed, and leaves zeros in its memory but for a lower bound of its own.
-    pub(super) fn advance<G: PushGrid + ?Sized>(
+    pub(super) fn advance<G: PushGrid>(
         &mut self,
         marks: &mut [u64],
         results: &mut Results<'_>,
@@ -426,7 +426,7 @@ impl AStar {
     }
 
     /// Continues the search with one lower bound.
-    fn go_on<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, left: &mut u32) -> Outcome {
+    fn go_on<G: PushGrid>(&mut self, marks: &mut [u64], scene: &Scene<'_, G>, left: &mut u32) -> Outcome {
         let Some(mut parts) = self.parts(marks) else { return Outcome::GivenUp };
         parts.bounds = scene.relaxation.distances(parts.relaxed);
         let (mut outcome, mut cells, mut least) = (Outcome::Working, self.cells_at_start(scene), self.sharpens_below().max(1));
@@ -444,7 +444,7 @@ impl AStar {
     }
 
     /// The planned state's cells of the pieces present, and of those removed.
-    fn cells_at_start<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>) -> [Cells; 2] {
+    fn cells_at_start<G: PushGrid>(&self, scene: &Scene<'_, G>) -> [Cells; 2] {
         let (mut present, mut removed) = (Cells::NONE, Cells::NONE);
         for piece in others(scene.grid, self.piece) {
             let cells = if self.present & piece.bit() == 0 { &mut removed } else { &mut present };
@@ -466,7 +466,7 @@ impl AStar {
     }
 
     /// Begins at the start: for the first time, with pieces that were in the way, or with the next threshold.
-    fn next_round<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>) -> Outcome {
+    fn next_round<G: PushGrid>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>) -> Outcome {
         // A bound that ends before all states are told says nothing.
         if !scene.relaxation.is_whole() {
             return Outcome::GivenUp;
@@ -503,13 +503,13 @@ impl AStar {
     }
 
     /// The cell of the task's piece; none if it is the robot.
-    fn cell_of_piece<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State) -> CellId {
+    fn cell_of_piece<G: PushGrid>(&self, grid: &G, state: &G::State) -> CellId {
         if self.piece == Piece::ROBOT { CellId::NONE } else { grid.cell(state, self.piece) }
     }
 
     /// Opens the successors of a state; `None` if there is no room for one.
     #[inline(never)]
-    fn expand<G: PushGrid + ?Sized>(
+    fn expand<G: PushGrid>(
         &mut self,
         parts: &mut Parts<'_>,
         scene: &Scene<'_, G>,
@@ -572,7 +572,7 @@ impl AStar {
 
     /// Opens the states that the other actions lead to: swaps of the robot with a piece. `None` if there is no room for one.
     #[inline(never)]
-    fn swap<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here) -> Option<()> {
+    fn swap<G: PushGrid>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here) -> Option<()> {
         let (grid, distance) = (scene.grid, ((from.key & DISTANCE) as u32).saturating_add(1));
         let (robot, piece) = (CellId((from.key >> 32) as u16), CellId((from.key >> 16) as u16));
         let (state, directions) = (self.state(scene, &from.cells.of, robot, piece), grid.floor().directions);
@@ -590,7 +590,7 @@ impl AStar {
     }
 
     /// The state with the pieces on these cells, and the removed ones in their own places.
-    fn state<G: PushGrid + ?Sized>(&self, scene: &Scene<'_, G>, cells: &[CellId; 32], robot: CellId, piece: CellId) -> G::State {
+    fn state<G: PushGrid>(&self, scene: &Scene<'_, G>, cells: &[CellId; 32], robot: CellId, piece: CellId) -> G::State {
         let put = |state: G::State, piece: Piece, cell: Option<CellId>| cell.map_or(state, |cell| scene.grid.put(&state, piece, cell));
         let state = pieces(self.present).fold(*scene.start, |state, other| put(state, other, cells.get(other.index()).copied()));
         let state = put(state, self.piece, Some(piece).filter(|_| self.piece != Piece::ROBOT));
@@ -599,7 +599,7 @@ impl AStar {
 
     /// Opens the state that an action leads to, or records its goal; `None` if there is no room for it.
     #[inline(never)]
-    fn open<G: PushGrid + ?Sized>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
+    fn open<G: PushGrid>(&mut self, parts: &mut Parts<'_>, scene: &Scene<'_, G>, from: &Here, to: &Ahead) -> Option<()> {
         let distance = (from.key & DISTANCE).wrapping_add(1);
         let reached = from.reached.by(to.action, distance as u32).through(to.hit);
         let mut cells = from.cells;
@@ -648,7 +648,7 @@ impl AStar {
     }
 
     /// The arrangement of pieces on these cells, added if it is new; `None` if there is no room for it.
-    fn arrange<G: PushGrid + ?Sized>(&mut self, arrangements: &mut [u64], scene: &Scene<'_, G>, cells: &Cells) -> Option<u16> {
+    fn arrange<G: PushGrid>(&mut self, arrangements: &mut [u64], scene: &Scene<'_, G>, cells: &Cells) -> Option<u16> {
         let mut arrangement = 0_u16;
         for other in pieces(self.present) {
             let cell = *cells.of.get(other.index())?;

@@ -60,18 +60,18 @@ pub(super) enum Bound {
 }
 
 /// The pieces, other than the robot and this one, that a search leaves out.
-pub(super) fn others<G: PushGrid + ?Sized>(grid: &G, piece: Piece) -> impl Iterator<Item = Piece> + Clone + use<G> {
+pub(super) fn others<G: PushGrid>(grid: &G, piece: Piece) -> impl Iterator<Item = Piece> + Clone + use<G> {
     (1..grid.pieces()).map(|other| Piece(other as u8)).filter(move |&other| other != piece)
 }
 
 /// The piece that moves besides the robot in a task's lower bound: the first that the task depends on and that is not at its goal. The
 /// robot, if the task depends on no other piece; `None` if no single pieces decide the task.
-pub(super) fn piece_of<G: PushGrid + ?Sized>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
+pub(super) fn piece_of<G: PushGrid>(grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Option<Piece> {
     goals.pieces_of(task).map(|asked| piece_among(asked, grid, goals, state, task))
 }
 
 /// The same, where these pieces decide the task.
-fn piece_among<G: PushGrid + ?Sized>(asked: u32, grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Piece {
+fn piece_among<G: PushGrid>(asked: u32, grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> Piece {
     let is_open = |piece: &Piece| !goals.allowed(grid, state, *piece, grid.cell(state, *piece)).contains(task);
     let mut blocks = others(grid, Piece::ROBOT).filter(|piece| asked & piece.bit() != 0);
     blocks.clone().find(is_open).or_else(|| blocks.next()).unwrap_or(Piece::ROBOT)
@@ -84,7 +84,7 @@ const fn blocks_of(pieces: u32) -> u32 {
 
 /// Finds the pieces that never move again, and marks their cells. In each line of such a piece, one of the cells beside it is a wall, or
 /// holds another such piece: so none of them can be the first that moves.
-fn freeze<G: PushGrid + ?Sized>(walls: &mut [u64], grid: &G, state: &G::State) {
+fn freeze<G: PushGrid>(walls: &mut [u64], grid: &G, state: &G::State) {
     if grid.can_pull() {
         return;
     }
@@ -141,7 +141,7 @@ impl Met<'_> {
 impl Relaxation {
     /// Lays out the marks, which hold zeros, and opens the goals of a task; `None` if they are too small, or if no single pieces decide the
     /// task. Of the pieces in `lasting`, one bit each, the first [`MOST_LASTING`] become lasting ones.
-    pub(super) fn begin<G: PushGrid + ?Sized>(
+    pub(super) fn begin<G: PushGrid>(
         marks: &mut [u64],
         grid: &G,
         goals: &Goals<'_>,
@@ -216,14 +216,7 @@ impl Relaxation {
     }
 
     /// Whether another task has the same goal cells, for the robot and for a piece that can take the place of this task's piece.
-    pub(super) fn is_shared_by<G: PushGrid + ?Sized>(
-        &self,
-        marks: &[u64],
-        grid: &G,
-        goals: &Goals<'_>,
-        state: &G::State,
-        task: usize,
-    ) -> bool {
+    pub(super) fn is_shared_by<G: PushGrid>(&self, marks: &[u64], grid: &G, goals: &Goals<'_>, state: &G::State, task: usize) -> bool {
         if !self.tabled || self.blocks > 1 {
             return false;
         }
@@ -339,7 +332,7 @@ impl Relaxation {
     }
 
     /// Continues, with at most `left` expansions. Returns whether it is complete.
-    pub(super) fn search<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
+    pub(super) fn search<G: PushGrid>(&mut self, marks: &mut [u64], grid: &G, left: &mut u32) -> bool {
         let (floor, is_sharp, size) = (grid.floor(), self.is_sharp(), self.cells);
         while !self.done && *left > 0 {
             let Some(mut parts) = self.parts(marks) else { return true };
@@ -453,7 +446,7 @@ impl Relaxation {
     }
 
     /// The bound of the distance from the planned state, if the task's piece is this one.
-    pub(super) fn bound<G: PushGrid + ?Sized>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
+    pub(super) fn bound<G: PushGrid>(&self, marks: &mut [u64], grid: &G, state: &G::State, piece: Piece) -> Bound {
         let number = |state: &G::State| self.number(0, grid.cell(state, Piece::ROBOT), grid.cell(state, piece));
         let Some(parts) = self.parts(marks).filter(|_| self.is_whole()) else { return Bound::Unknown };
         if !has(parts.met.closed, number(state)) {

@@ -10,7 +10,7 @@ impl RowSearch {
     /// Expands all states of one row at the current distance. Returns the number of expansions, at least the words of the row, or `None` if
     /// no row is left. `now` is the planned state.
     #[inline]
-    pub(in super::super) fn expand<G: PushGrid + ?Sized>(
+    pub(in super::super) fn expand<G: PushGrid>(
         &mut self,
         marks: &mut [u64],
         results: &mut Results<'_>,
@@ -92,7 +92,7 @@ impl RowSearch {
     /// Opens the states that the robot's moves reach within a row of one word, and moves the pieces that it can move from there. Returns
     /// the number of expansions.
     #[inline]
-    fn expand_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
+    fn expand_word<const ACTIONS: usize, G: PushGrid>(
         &mut self,
         marks: &mut [u64],
         grid: &G,
@@ -129,7 +129,7 @@ impl RowSearch {
     /// Pushes the pieces in a row of one word. `first` are the planes of the first actions, `here` the states at the current distance.
     #[inline]
     #[expect(clippy::too_many_arguments, reason = "what is known of the row")]
-    fn push_word<const ACTIONS: usize, G: PushGrid + ?Sized>(
+    fn push_word<const ACTIONS: usize, G: PushGrid>(
         &mut self,
         marks: &mut [u64],
         grid: &G,
@@ -164,7 +164,7 @@ impl RowSearch {
 
     /// The row after a push of the piece on this bit.
     #[inline]
-    fn row_after_push<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, row: usize, bit: usize, direction: usize) -> Option<usize> {
+    fn row_after_push<G: PushGrid>(&self, grid: &G, state: &G::State, row: usize, bit: usize, direction: usize) -> Option<usize> {
         let (floor, mut weight) = (grid.floor(), 1_usize);
         for piece in self.pieces() {
             let from = grid.cell(state, piece);
@@ -179,7 +179,7 @@ impl RowSearch {
 
     /// Opens the states that the robot's moves reach within a row of several words.
     #[inline(never)]
-    fn spread_words<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) {
+    fn spread_words<G: PushGrid>(&mut self, marks: &mut [u64], grid: &G, row: usize, state: &G::State) {
         let (words, free_at) = (self.words, self.floor_plane_at(FREE));
         let Some((front, rows)) = marks.split_at_mut_checked(self.rows_at) else { return };
         let Some(free) = front.get_mut(free_at..free_at.wrapping_add(words)) else { return };
@@ -242,21 +242,13 @@ impl RowSearch {
     }
 
     #[inline]
-    fn bit_of<G: PushGrid + ?Sized>(&self, grid: &G, state: &G::State, piece: Piece) -> Option<usize> {
+    fn bit_of<G: PushGrid>(&self, grid: &G, state: &G::State, piece: Piece) -> Option<usize> {
         grid.floor().cells.get(grid.cell(state, piece).index()).map(|cell| self.bits.of(cell))
     }
 
     /// Finds the tasks that hold in the row's states at the current distance.
     #[inline]
-    fn meet<G: PushGrid + ?Sized>(
-        &self,
-        marks: &mut [u64],
-        results: &mut Results<'_>,
-        grid: &G,
-        goals: &Goals<'_>,
-        state: &G::State,
-        row: usize,
-    ) {
+    fn meet<G: PushGrid>(&self, marks: &mut [u64], results: &mut Results<'_>, grid: &G, goals: &Goals<'_>, state: &G::State, row: usize) {
         let (words, actions, sought) = (self.words, self.actions, results.found.sought);
         // A goal holds only in the last layer.
         if self.way().is_some_and(|way| self.layer(row).wrapping_add(1) < way.layers) {
@@ -293,7 +285,7 @@ impl RowSearch {
 
     /// Moves the pieces that the robot can move from beside them. Returns the number of expansions.
     #[inline]
-    fn push<G: PushGrid + ?Sized>(&mut self, marks: &mut [u64], grid: &G, now: &G::State, state: &G::State, row: usize) -> u32 {
+    fn push<G: PushGrid>(&mut self, marks: &mut [u64], grid: &G, now: &G::State, state: &G::State, row: usize) -> u32 {
         let planes = self.row_at(row);
         let here_at = planes.wrapping_add(self.here.wrapping_mul(self.words));
         let mut expansions = 1_u32;

@@ -1,7 +1,7 @@
 //! A task as the paper's machine commands: one for each constraint that its objects satisfy (paper, section 3).
 
-use super::{Each, MachineCommands};
-use crate::capacity::TOKENS_PER_COMMAND;
+use super::Each;
+use crate::capacity::{Capacities, TOKENS_PER_COMMAND};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
 use crate::probability::Scaled;
@@ -15,12 +15,7 @@ use crate::task::machine_command::Tokens;
 
 impl<M: AgentMemory> Agent<M> {
     /// Continues the likelihood of the command for a task. Adds its machine commands to the candidates.
-    pub(super) fn read_constraints<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        position: &mut Position,
-        left: &mut u32,
-    ) -> Result<bool, AgentError> {
+    pub(super) fn read_constraints<D: Domain>(&mut self, domain: &D, position: &mut Position, left: &mut u32) -> Result<bool, AgentError> {
         let task = position.task;
         self.for_each_constraint(domain, position, left, &mut |candidates, language, sentence, tokens, _| {
             let found = match candidates.read().find(tokens) {
@@ -32,7 +27,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     #[inline(never)]
-    pub(super) fn for_each_constraint<D: Domain + ?Sized>(
+    pub(super) fn for_each_constraint<D: Domain>(
         &mut self,
         domain: &D,
         position: &mut Position,
@@ -62,12 +57,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// A task's machine commands do not depend on the state. Other worlds have other machine commands.
-    pub(super) fn most_constraints<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        lessons: &Lessons,
-        survey: &Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    pub(super) fn most_constraints<D: Domain>(&mut self, domain: &D, lessons: &Lessons, survey: &Survey) -> Result<Capacities, AgentError> {
         let (sessions, words, before) = (lessons.sessions, lessons.heard_words(), survey.least);
         self.candidates = CandidateCount::NONE;
         for task in 0..self.task_count {
@@ -91,13 +81,14 @@ impl<M: AgentMemory> Agent<M> {
         }
         let (count, tokens) = (candidates.entries().len(), candidates.all_tokens().len());
         let (commands, command_tokens) = if sessions == 0 { (0, 0) } else { (count, tokens) };
-        Ok(MachineCommands {
+        Ok(Capacities {
             candidates: count,
             candidate_tokens: tokens,
             commands: commands.saturating_add(before.commands),
             command_tokens: command_tokens.saturating_add(before.command_tokens),
             alignments,
             length_pairs,
+            ..Capacities::NONE
         })
     }
 }

@@ -1,7 +1,6 @@
 //! A task as one description, with all facts about it in the session's start state, for the role model.
 
-use super::MachineCommands;
-use crate::capacity::{CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
+use crate::capacity::{Capacities, CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAND};
 use crate::feedback::Belief;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
@@ -31,12 +30,12 @@ const LOOKED_FOR: u32 = 24;
 const AT_ONCE: u16 = u16::MAX;
 
 /// A domain in which every proposition holds, or none.
-struct Constant<'d, D: ?Sized> {
+struct Constant<'d, D> {
     domain: &'d D,
     holds: bool,
 }
 
-impl<D: Domain + ?Sized> Domain for Constant<'_, D> {
+impl<D: Domain> Domain for Constant<'_, D> {
     type State = ();
     type Search = OneByOne;
 
@@ -72,7 +71,7 @@ impl<M: AgentMemory> Agent<M> {
     /// that it has. Returns whether the description is whole.
     #[cfg_attr(feature = "ways", inline(never))]
     #[cfg_attr(not(feature = "ways"), inline(always))]
-    fn describe_on<D: Domain + ?Sized>(
+    fn describe_on<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Scene<D::State>,
@@ -119,7 +118,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Continues Pr(e|t) for the task at the position. The position keeps the progress: `constraint` counts the words read, `sum` is their
     /// probability. Returns whether it is done.
     #[inline(never)]
-    pub(super) fn read_description<D: Domain + ?Sized>(
+    pub(super) fn read_description<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Scene<D::State>,
@@ -180,7 +179,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Adds a task's description to the candidates, with Pr(e|t).
     #[cfg(feature = "talk")]
-    pub(crate) fn add_description<D: Domain + ?Sized>(
+    pub(crate) fn add_description<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Option<Scene<D::State>>,
@@ -200,7 +199,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     #[inline(never)]
-    pub(super) fn with_description<D: Domain + ?Sized>(
+    pub(super) fn with_description<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Scene<D::State>,
@@ -230,7 +229,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Weighs the kinds of task.
     #[inline(never)]
-    pub(super) fn weigh_kinds_of_descriptions<D: Domain + ?Sized>(&mut self, domain: &D) {
+    pub(super) fn weigh_kinds_of_descriptions<D: Domain>(&mut self, domain: &D) {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.called_with(language, workspace);
         let mut forms: Vec<Symbol, LIFTED_TASKS> = Vec::new();
@@ -252,7 +251,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// The candidate of each of the session's tasks, by its description; `None` if a task has none.
     #[cfg(feature = "layer")]
-    fn described<D: Domain + ?Sized>(&mut self, domain: &D) -> Option<alloc::vec::Vec<u16>> {
+    fn described<D: Domain>(&mut self, domain: &D) -> Option<alloc::vec::Vec<u16>> {
         let mut scene = self.scene(domain)?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
@@ -268,7 +267,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Replaces the tasks' weights by the layer's.
     #[cfg(feature = "layer")]
     #[inline(never)]
-    pub(in crate::session) fn weigh_parts<D: Domain + ?Sized>(&mut self, domain: &D) {
+    pub(in crate::session) fn weigh_parts<D: Domain>(&mut self, domain: &D) {
         if !self.options.language.has_layer() {
             return;
         }
@@ -288,7 +287,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Gives the layer the possible tasks of the session that joined the training data last. If it has no room for them, it learns nothing
     /// from the session.
     #[cfg(feature = "layer")]
-    pub(in crate::session) fn add_possible<D: Domain + ?Sized>(&mut self, domain: &D) {
+    pub(in crate::session) fn add_possible<D: Domain>(&mut self, domain: &D) {
         if !self.options.language.has_layer() {
             return;
         }
@@ -309,12 +308,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
-    pub fn explain<D: Domain + ?Sized>(
-        &mut self,
-        domain: &D,
-        task: usize,
-        tell: impl FnMut(usize, Meaning, f32),
-    ) -> Result<(), AgentError> {
+    pub fn explain<D: Domain>(&mut self, domain: &D, task: usize, tell: impl FnMut(usize, Meaning, f32)) -> Result<(), AgentError> {
         if self.domain != digest(domain) {
             return Err(AgentError::OtherDomain);
         }
@@ -335,13 +329,13 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// A description depends on the places of the robot and the objects in the start state: each session can have its own.
-    pub(super) fn most_descriptions<D: Domain + ?Sized>(
+    pub(super) fn most_descriptions<D: Domain>(
         &mut self,
         domain: &D,
         lessons: &Lessons,
         known: usize,
         survey: &mut Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    ) -> Result<Capacities, AgentError> {
         let (tasks, mut longest) = (self.task_count, 0);
         for task in 0..tasks {
             longest = longest.max(self.longest_description(domain, task, &mut survey.layout)?);
@@ -349,18 +343,18 @@ impl<M: AgentMemory> Agent<M> {
         survey.layout.see_length(lessons.heard_words());
         let tokens = self.language().tokens().len().saturating_sub(known);
         let descriptions = lessons.sessions.saturating_mul(tasks);
-        Ok(MachineCommands {
+        Ok(Capacities {
             candidates: tasks,
             candidate_tokens: tasks.saturating_mul(longest),
             commands: descriptions,
             command_tokens: descriptions.saturating_mul(longest),
             alignments: survey.layout.with(lessons.different_words, tokens).cells(),
-            length_pairs: 0,
+            ..Capacities::NONE
         })
     }
 
     /// The most symbols that a task's description can have in any start state. Adds the descriptions' parts to `layout`.
-    fn longest_description<D: Domain + ?Sized>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
+    fn longest_description<D: Domain>(&mut self, domain: &D, task: usize, layout: &mut Layout) -> Result<usize, AgentError> {
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
         let Some(task) = session.tasks.get(task) else { return Ok(0) };

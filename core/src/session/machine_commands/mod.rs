@@ -11,7 +11,7 @@ use super::candidates::Candidates;
 use super::error::AgentError;
 use super::least::{Lessons, Survey};
 use super::phase::Position;
-use crate::capacity::CapacityError;
+use crate::capacity::{Capacities, CapacityError};
 use crate::language::{LanguageRef, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::Domain;
@@ -25,26 +25,13 @@ use crate::task::machine_command::head;
 pub(super) type Each<'e> =
     dyn FnMut(&mut Candidates<'_>, LanguageRef<'_>, &[Option<Symbol>], &[Symbol], f32) -> Result<Scaled, CapacityError> + 'e;
 
-/// The capacities that the machine commands of all tasks take.
-#[derive(Clone, Copy, Default)]
-pub(super) struct MachineCommands {
-    /// The most of one session, and their tokens together.
-    pub candidates: usize,
-    pub candidate_tokens: usize,
-    /// The most of the training data, and their tokens together.
-    pub commands: usize,
-    pub command_tokens: usize,
-    pub alignments: usize,
-    pub length_pairs: usize,
-}
-
 impl<M: AgentMemory> Agent<M> {
     const fn model(&self) -> Model {
         self.options.language.model.in_use()
     }
 
     /// Lowers the priors of the session's tasks that ask a thing to stay where it is. Model 2 uses no such prior.
-    pub(super) fn expect_change<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, count: usize) {
+    pub(super) fn expect_change<D: Domain>(&mut self, domain: &D, state: &D::State, count: usize) {
         match self.model() {
             Model::Model2 => {}
             Model::Roles => {
@@ -57,7 +44,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Interns the tokens of the lifted tasks that the session's tasks ground: those of a machine command's propositions and classes, or of
     /// a description.
     #[inline(never)]
-    pub(super) fn intern_own_tokens<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), CapacityError> {
+    pub(super) fn intern_own_tokens<D: Domain>(&mut self, domain: &D) -> Result<(), CapacityError> {
         let (model, schema) = (self.model(), &domain.world().schema);
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.called_with(language, workspace);
@@ -75,7 +62,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Continues the likelihood of the command for the task at the position: the sum over its machine commands c of Pr(c|s,l,t) Pr(e|l,c).
     /// Adds them to the candidates. Returns whether all of the task's are done.
-    pub(super) fn read_candidates<D: Domain + ?Sized>(
+    pub(super) fn read_candidates<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Option<Scene<D::State>>,
@@ -91,7 +78,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Continues over the machine commands of a task: adds Pr(c|s,l,t), which is the last argument of `each`, times the result of `each` to
     /// the position's sum. Returns whether all of the task's are done.
-    pub(super) fn for_each_candidate<D: Domain + ?Sized>(
+    pub(super) fn for_each_candidate<D: Domain>(
         &mut self,
         domain: &D,
         scene: &mut Option<Scene<D::State>>,
@@ -107,22 +94,22 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// Weighs the kinds of task, once the likelihood of each task is known.
-    pub(super) fn weigh_kinds<D: Domain + ?Sized>(&mut self, domain: &D) {
+    pub(super) fn weigh_kinds<D: Domain>(&mut self, domain: &D) {
         match self.model() {
             Model::Model2 => {}
             Model::Roles => self.weigh_kinds_of_descriptions(domain),
         }
     }
 
-    /// The largest capacities that the machine commands of the grounded tasks take, together with those of earlier worlds. Interns their
-    /// tokens, besides the `known` ones.
-    pub(super) fn most_machine_commands<D: Domain + ?Sized>(
+    /// The largest capacities that the machine commands of the grounded tasks take, together with those of earlier worlds: candidates for
+    /// one session, commands for the training data. Interns their tokens, besides the `known` ones.
+    pub(super) fn most_machine_commands<D: Domain>(
         &mut self,
         domain: &D,
         lessons: &Lessons,
         known: usize,
         survey: &mut Survey,
-    ) -> Result<MachineCommands, AgentError> {
+    ) -> Result<Capacities, AgentError> {
         match self.model() {
             Model::Model2 => self.most_constraints(domain, lessons, survey),
             Model::Roles => self.most_descriptions(domain, lessons, known, survey),

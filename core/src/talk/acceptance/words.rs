@@ -7,6 +7,7 @@
 use super::clues::KINDS;
 use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
 use crate::capacity::WORDS_PER_COMMAND;
+use crate::checksum::fnv;
 use crate::language::{Word, for_each_piece};
 use heapless::Vec;
 
@@ -86,10 +87,9 @@ impl<'u> Spoken<'u> {
     }
 }
 
-/// The hash of two texts with a blank between them: FNV-1a, folded.
+/// The hash of two texts with a blank between them, folded.
 fn hash(texts: [&str; 2]) -> u32 {
-    let letters = texts.iter().flat_map(|text| text.bytes().chain([b' ']));
-    let hash = letters.fold(0x811c_9dc5_u32, |hash, letter| (hash ^ u32::from(letter)).wrapping_mul(0x0100_0193));
+    let hash = fnv(texts.iter().flat_map(|text| text.bytes().chain([b' '])).map(u32::from));
     (hash ^ hash >> 16) % HASHED as u32
 }
 

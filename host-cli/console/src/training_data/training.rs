@@ -116,8 +116,8 @@ pub fn train<'m, 'l>(
     settings: Settings,
 ) -> Result<LanguageModel<&'m mut AgentHeap>, AgentError> {
     let mut model = data(memory, lessons, settings)?;
-    model.begin_training();
-    while model.train(u32::MAX) == Progress::Working {}
+    model.lend().begin_training();
+    while model.lend().train(u32::MAX) == Progress::Working {}
     Ok(model)
 }
 
@@ -135,7 +135,7 @@ pub fn data<'m, 'l>(
     let lessons: Vec<&Lesson> = lessons.filter(|lesson| lesson.learn).collect();
     let numbers = if settings.model == Model::Roles { numbers(lessons.iter().copied(), |token, _| token) } else { vec![] };
     for lesson in lessons.into_iter().chain(&numbers) {
-        let sentence = model.hear(&lesson.command)?;
+        let sentence = model.lend().hear(&lesson.command)?;
         let pairs: Vec<(Vec<Symbol>, f32)> = lesson
             .pairs
             .iter()
@@ -145,10 +145,10 @@ pub fn data<'m, 'l>(
                 Ok((if settings.layer { in_order(lesson, command) } else { command }, *share))
             })
             .collect::<Result<_, CapacityError>>()?;
-        model.add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
+        model.lend().add_session(&sentence, pairs.iter().map(|(command, share)| (&command[..], *share)))?;
         if settings.layer {
             let possible = possible(&mut model, lesson, &mut interned)?;
-            model.add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
+            model.lend().add_possible(possible.iter().map(|(description, prior)| (&description[..], *prior)))?;
         }
     }
     Ok(model)
@@ -195,7 +195,7 @@ struct Interned {
 impl Interned {
     /// The symbols of a model.
     fn of(model: &LanguageModel<impl AgentMemory>) -> Self {
-        Self { symbols: model.tokens().iter().map(|(symbol, text)| (text.to_owned(), symbol)).collect() }
+        Self { symbols: model.read().tokens().iter().map(|(symbol, text)| (text.to_owned(), symbol)).collect() }
     }
 
     fn symbols(&mut self, model: &mut LanguageModel<impl AgentMemory>, command: &MachineCommand) -> Result<Vec<Symbol>, CapacityError> {
@@ -214,7 +214,7 @@ impl Interned {
 fn symbol(model: &mut LanguageModel<impl AgentMemory>, token: &str) -> Result<Symbol, CapacityError> {
     match token.parse::<Marker>() {
         Ok(marker) => Ok(marker.symbol()),
-        Err(_) => model.tokens_mut().intern(token),
+        Err(_) => model.lend().tokens_mut().intern(token),
     }
 }
 
@@ -228,7 +228,7 @@ pub fn symbols(model: &mut LanguageModel<impl AgentMemory>, command: &MachineCom
 /// # Errors
 /// A [`CapacityError`] if the command does not fit.
 pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -> Result<Vec<f32>, CapacityError> {
-    let sentence = model.hear(&lesson.command)?;
+    let sentence = model.lend().hear(&lesson.command)?;
     let (mut scores, mut forms, mut descriptions, mut interned) = (Vec::new(), Vec::new(), Vec::new(), Interned::of(model));
     for reading in &*lesson.readings {
         // The same order of operations as in a robot, so that both give the same bits.
@@ -239,7 +239,7 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
             if forms.len() == scores.len() {
                 forms.extend(command.first().copied());
             }
-            sum = sum.plus(model.likelihood(&sentence, &command).scaled_by(share));
+            sum = sum.plus(model.read().likelihood(&sentence, &command).scaled_by(share));
             description.get_or_insert_with(|| in_order(lesson, command));
         }
         scores.push(sum.scaled_by(reading.prior));
@@ -248,10 +248,10 @@ pub fn posterior(model: &mut LanguageModel<impl AgentMemory>, lesson: &Lesson) -
     let form = |task: usize| forms.get(task).copied().unwrap_or(Symbol::new(0));
     let prior = |task: usize| lesson.readings.get(task).map_or(0.0, |reading| reading.prior);
     model.read().weigh_kinds(&sentence, form, prior, &mut scores);
-    if model.settings().layer {
+    if model.read().settings().layer {
         weigh_parts(model.read(), &descriptions, &sentence, &mut scores);
     }
-    model.forget_unlearned();
+    model.lend().forget_unlearned();
     let whole = total(scores.iter().copied());
     Ok(scores.into_iter().map(|score| score.over(whole)).collect())
 }
