@@ -30,7 +30,7 @@ impl Intention {
     }
 
     /// Whether a task is the intended one.
-    pub fn is<D: Domain + ?Sized>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
+    pub fn is<D: Domain>(&self, domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> bool {
         let value = |object: ObjectId, attribute| domain.world().objects.value(object, attribute);
         let mut propositions = task.propositions(lifted);
         let (Some(only), None) = (propositions.next(), propositions.next()) else { return false };
@@ -41,7 +41,7 @@ impl Intention {
     }
 
     /// The position of the intended task among those of the agent's session.
-    pub fn find<D: Domain + ?Sized>(&self, agent: &Agent<impl AgentMemory>, domain: &D) -> Option<usize> {
+    pub fn find<D: Domain>(&self, agent: &Agent<impl AgentMemory>, domain: &D) -> Option<usize> {
         let lifted = |task: &GroundedTask| agent.lifted().get(usize::from(task.lifted));
         agent.tasks().iter().position(|task| lifted(task).is_some_and(|lifted| self.is(domain, lifted, task)))
     }
@@ -107,12 +107,7 @@ impl Exercise {
     ///
     /// # Errors
     /// [`AgentError`].
-    pub fn pose<D: Domain + ?Sized>(
-        &self,
-        agent: &mut Agent<impl AgentMemory>,
-        domain: &D,
-        state: &D::State,
-    ) -> Result<Option<usize>, AgentError> {
+    pub fn pose<D: Domain>(&self, agent: &mut Agent<impl AgentMemory>, domain: &D, state: &D::State) -> Result<Option<usize>, AgentError> {
         agent.hear(domain, state, self.command)?;
         Ok(self.intention.find(agent, domain))
     }

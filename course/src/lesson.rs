@@ -126,7 +126,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     /// [`CourseError::Agent`], and [`CourseError::NotPosed`] if the intended task is not possible in `start`.
     pub fn begin<D>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
     {
         agent.hear(domain, start, exercise.command)?;
         Self::heard(agent, domain, start, exercise)
@@ -138,7 +138,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
     /// [`CourseError::NotPosed`] if the intended task is not possible in `start`.
     pub fn heard<D>(agent: &Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
     {
         let intended = exercise.intention.find(agent, domain).ok_or(CourseError::NotPosed)?;
         Ok(Self::meaning(start, intended))
@@ -177,7 +177,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         random: &mut R,
     ) -> Result<Turn, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
         R: Rng + ?Sized,
     {
         agent.plan_fully(domain, &self.state)?;
@@ -196,7 +196,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         random: &mut R,
     ) -> Result<Turn, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
         R: Rng + ?Sized,
     {
         self.act_in(agent, domain, trainer, random, |_, _, expected, _| expected)
@@ -216,7 +216,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
     ) -> Result<Turn, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
         R: Rng + ?Sized,
         M: AgentMemory,
     {
@@ -237,7 +237,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         random: &mut R,
     ) -> Result<Turn, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
         R: Rng + ?Sized,
     {
         let right = right_for_any(&agent.planned(), meant);
@@ -257,7 +257,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
     ) -> Result<Turn, CourseError>
     where
-        D: Domain<State = S> + ?Sized,
+        D: Domain<State = S>,
         R: Rng + ?Sized,
         M: AgentMemory,
     {
@@ -322,7 +322,7 @@ pub fn run_lesson<D, R, M>(
     mut on_step: impl FnMut(&Agent<M>, &D::State, &Lesson<D::State>, Option<&Step>),
 ) -> Result<LessonReport, CourseError>
 where
-    D: Domain + ?Sized,
+    D: Domain,
     R: Rng + ?Sized,
     M: AgentMemory,
 {

@@ -58,7 +58,7 @@ impl Restraint {
     ///
     /// # Errors
     /// The errors of [`Agent::consider`].
-    pub fn consider<D: Domain + ?Sized>(
+    pub fn consider<D: Domain>(
         &mut self,
         agent: &mut Agent<AgentHeap>,
         domain: &D,

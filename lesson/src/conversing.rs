@@ -25,7 +25,7 @@ fn kept() -> impl Iterator<Item = Fact> {
 
 impl Conversing {
     /// The conversation as a record in a log; `None` if there is nothing to record.
-    pub fn recorded<D: Domain + ?Sized>(&self, domain: &D, lifted: &[LiftedTask]) -> Option<Vec<(String, String)>> {
+    pub fn recorded<D: Domain>(&self, domain: &D, lifted: &[LiftedTask]) -> Option<Vec<(String, String)>> {
         let mut record = Vec::new();
         record.extend(self.id.clone().map(|id| (ID.to_owned(), id)));
         if let Some(last) = self.facts.last() {
@@ -41,7 +41,7 @@ impl Conversing {
     ///
     /// # Errors
     /// The name of the field at fault, and the fault.
-    pub fn read<'r, D: Domain + ?Sized>(
+    pub fn read<'r, D: Domain>(
         domain: &D,
         record: &'r [(String, String)],
         task: impl Fn(&str) -> Option<GroundedTask>,

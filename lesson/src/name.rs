@@ -10,7 +10,7 @@ use goodbot_formats::task_text::{GroundTaskText, TaskTextError};
 ///
 /// # Errors
 /// A [`TaskTextError`] if the text could not be parsed again. Names from files always can.
-pub fn task_name<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<GroundTaskText, TaskTextError> {
+pub fn task_name<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> Result<GroundTaskText, TaskTextError> {
     TaskText::new(task, lifted, domain.world()).to_string().parse()
 }
 
@@ -63,7 +63,7 @@ pub fn object_in_words(home: &Home<impl HomeMemory>, object: ObjectId) -> String
 }
 
 /// A task of any world in words, by the names that its file or class gives: `lamp on: red kitchen lamp`.
-pub fn in_words_of_file<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
+pub fn in_words_of_file<D: Domain>(domain: &D, lifted: &LiftedTask, task: &GroundedTask) -> String {
     let told = |part: GroundProposition| {
         let schema = domain.world().schema;
         let count = schema.parameters(part.proposition).len();
@@ -76,7 +76,7 @@ pub fn in_words_of_file<D: Domain + ?Sized>(domain: &D, lifted: &LiftedTask, tas
 
 /// An object of any world by its values and its class, `red kitchen lamp`. If another looks alike, its name follows. An object without
 /// values has its name alone.
-pub fn looks<D: Domain + ?Sized>(domain: &D, id: ObjectId) -> String {
+pub fn looks<D: Domain>(domain: &D, id: ObjectId) -> String {
     let World { schema, objects } = domain.world();
     let values = |id: ObjectId| (0..schema.attributes.len()).map(move |at| objects.value(id, at)).filter(|value| !value.is_empty());
     let class = |id: ObjectId| objects.get(id).map(|object| object.class);

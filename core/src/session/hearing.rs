@@ -31,7 +31,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError`]; no session is then under way (except for [`AgentError::NotNow`], which changes nothing), and all that was learned is
     /// kept.
-    pub fn hear<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+    pub fn hear<D: Domain>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         self.begin_hearing(domain, state, command)?;
         while self.hear_on(domain, u32::MAX)? == Progress::Working {}
         Ok(())
@@ -44,7 +44,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear), but [`hear_on`](Self::hear_on) tells a command or a word that is too long, and a long command without a word.
-    pub fn begin_hearing<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
+    pub fn begin_hearing<D: Domain>(&mut self, domain: &D, state: &D::State, command: &str) -> Result<(), AgentError> {
         if self.open(domain, state, command, self.options.done, true)? {
             self.progressed = Progressed::Begun(core::mem::take(&mut self.task_count) as u8, command.len() as u32);
             return Ok(());
@@ -58,7 +58,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::NotNow`] if no command was begun, [`AgentError::OtherDomain`] if it was begun in another domain,
     /// [`AgentError::EmptyCommand`] and [`AgentError::Capacity`]; in the last two cases the session ends.
-    pub fn hear_on<D: Domain + ?Sized>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
+    pub fn hear_on<D: Domain>(&mut self, domain: &D, budget: u32) -> Result<Progress, AgentError> {
         if let Progressed::Begun(..) | Progressed::Words(..) | Progressed::Opened | Progressed::Hearing(..) = self.progressed {
             if self.domain != digest(domain) {
                 return Err(AgentError::OtherDomain);
@@ -82,7 +82,7 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// As [`hear`](Self::hear), [`AgentError::Prior`] if a prior is negative or not a number, and [`AgentError::NoPrior`] if all are 0.
-    pub fn hear_with_prior<D: Domain + ?Sized>(
+    pub fn hear_with_prior<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -116,7 +116,7 @@ impl<M: AgentMemory> Agent<M> {
     /// # Errors
     /// [`AgentError::NotNow`]: with [`Phase::Idle`] if the last session did not start in this state, and with the current phase while a
     /// command is being heard, or a session finished or learned from.
-    pub fn hear_again<D: Domain + ?Sized>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
+    pub fn hear_again<D: Domain>(&mut self, domain: &D, state: &D::State) -> Result<(), AgentError> {
         if self.start != Some(domain.key(state)) || self.domain != digest(domain) || self.tasks().is_empty() {
             return Err(AgentError::NotNow(Phase::Idle));
         }
@@ -133,7 +133,7 @@ impl<M: AgentMemory> Agent<M> {
     /// Opens a session. Returns whether the command is kept at the front of the workspace, to be heard in parts; otherwise it is heard. Only
     /// where `in_parts` is set it is kept, and if it fits there.
     #[inline(never)]
-    pub(crate) fn open<D: Domain + ?Sized>(
+    pub(crate) fn open<D: Domain>(
         &mut self,
         domain: &D,
         state: &D::State,
@@ -244,7 +244,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Prepares planning for the tasks, and understanding of the command.
     #[inline(never)]
-    pub(crate) fn take_up<D: Domain + ?Sized>(&mut self, domain: &D) -> Result<(), AgentError> {
+    pub(crate) fn take_up<D: Domain>(&mut self, domain: &D) -> Result<(), AgentError> {
         self.plan_for(domain, self.task_count)?;
         // The tasks' own tokens are interned first, then those of the objects' facts, as far as there is room.
         self.intern_own_tokens(domain)?;
@@ -254,7 +254,7 @@ impl<M: AgentMemory> Agent<M> {
 
     /// Continues to set each task's prior to Pr(l|s) Pr(t|s,l) times the sum over c of Pr(c|s,l,t) Pr(e|l,c). Fills the candidates.
     #[inline(never)]
-    fn understand_on<D: Domain + ?Sized>(&mut self, domain: &D, mut left: u32) -> Result<Progress, AgentError> {
+    fn understand_on<D: Domain>(&mut self, domain: &D, mut left: u32) -> Result<Progress, AgentError> {
         if matches!(self.progressed, Progressed::Opened) {
             self.take_up(domain)?;
             left = left.saturating_sub(self.task_count as u32);
@@ -294,7 +294,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The facts of the session's start state that its tasks' descriptions need.
-    pub(crate) fn scene<D: Domain + ?Sized>(&self, domain: &D) -> Option<Scene<D::State>> {
+    pub(crate) fn scene<D: Domain>(&self, domain: &D) -> Option<Scene<D::State>> {
         let scene = self.start.map(|start| Scene::new(domain.keyed(start)));
         #[cfg(all(feature = "ways", feature = "talk"))]
         let scene = scene.map(|scene| scene.of_conversation(self.conversation.here(domain)));
@@ -302,7 +302,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The start state of the session, `None` if none is under way in this domain.
-    pub fn started_from<D: Domain + ?Sized>(&self, domain: &D) -> Option<D::State> {
+    pub fn started_from<D: Domain>(&self, domain: &D) -> Option<D::State> {
         self.start.filter(|_| self.domain == digest(domain)).map(|key| domain.keyed(key))
     }
 }
