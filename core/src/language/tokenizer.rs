@@ -102,11 +102,14 @@ pub(crate) fn start_of_piece(command: &str, position: usize) -> Option<usize> {
     Some(pieces(command).nth(position)?.as_ptr().addr().saturating_sub(command.as_ptr().addr()))
 }
 
-/// Whether a command can have a word. Only the first letters are looked at.
+/// Whether a command can have a word. Only the first few letters are looked at, because other work at the beginning of a command has no
+/// parts: a longer one without a word is told while it is heard.
 pub(crate) fn may_have_pieces(command: &str) -> bool {
     let mut letters = command.chars();
-    letters.by_ref().take(LETTERS_AT_ONCE as usize).any(is_alphanumeric) || letters.next().is_some()
+    letters.by_ref().take(FIRST_LETTERS).any(is_alphanumeric) || letters.next().is_some()
 }
+
+const FIRST_LETTERS: usize = 8;
 
 /// With a small budget, a part of the work looks at this many letters. One beyond ASCII can take a controller 500 instructions.
 pub(super) const LETTERS_AT_ONCE: u32 = 32;
