@@ -30,11 +30,12 @@ pub fn intended(agent: &Agent<impl AgentMemory>, (lifted, objects): Meaning) -> 
     })
 }
 
-/// Hears each command. Returns the digest of all posteriors, and whether the last command, which was in no lesson, is understood.
+/// Hears each command without its first word, because the lessons that had one word for word tell more than parameters can. Returns the
+/// digest of all posteriors, and whether the last command, which was in no lesson, is understood.
 pub fn understanding(agent: &mut Agent<impl AgentMemory>, arm: &Arm<'_>) -> Result<(Digest, bool), AgentError> {
     let (mut digest, mut understood) = (Digest::EMPTY, false);
     for (command, meaning) in LESSONS.into_iter().chain([UNHEARD]) {
-        agent.hear(arm, &START, command)?;
+        agent.hear(arm, &START, command.split_once(' ').map_or(command, |(_, words)| words))?;
         (0..agent.tasks().len()).for_each(|task| digest.take(agent.belief().probability(task)));
         understood = intended(agent, meaning).is_some_and(|task| agent.most_likely() == Some(task));
     }

@@ -348,7 +348,8 @@ fn parameters_are_taken_over_whole_or_not_at_all() {
     hear_and_plan(robot, c"go to the green room");
     let probability = |robot| {
         let mut probability = 0.0;
-        hear_and_plan(robot, c"go to the green room");
+        // Not word for word what the lesson had: only the robot with the lesson can recall it.
+        hear_and_plan(robot, c"please go to the green room");
         assert_eq!(unsafe { goodbot_task_probability(robot, 0, &raw mut probability) }, GoodbotStatus::Ok);
         probability.to_bits()
     };

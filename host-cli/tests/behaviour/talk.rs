@@ -393,6 +393,30 @@ pub fn three_rooms() -> Home {
 }
 
 #[test]
+fn a_first_look_scores_sentences_by_what_the_robot_does_of_all_their_commands() {
+    let (folder, model) = taught(120, &ENGLISH);
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("a file");
+    write("home.json", &three_rooms().json().to_string());
+    let rows = [
+        ("plain", "go to the blue room", go(1)),
+        // The robot takes the bag to another room than this meaning says.
+        ("plain", "take the yellow bag to the red room", take(0, 1)),
+        ("sequence", "go to the green room and then to the blue room", then(&[go(2), go(1)])),
+        ("thanks", "thanks for going to the green room", "none".to_owned()),
+    ];
+    write("said.tsv", &rows.map(|(kind, words, meaning)| format!("{kind}\t{words}\t{meaning}\n")).concat());
+    write("sets.tsv", &format!("somebody\ten\t{model}\thome.json\tsaid.tsv\n"));
+    let sets = folder.path().join("sets.tsv");
+    let run = goodbot(&["acts", sets.to_str().expect("a name"), "--first-look", "--json"], b"");
+    assert_eq!(run.code, 0, "{}", run.messages);
+    let lines: Vec<Value> = run.output.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let of = |kind: &str| lines.iter().find(|line| line["kind"] == kind).unwrap_or_else(|| panic!("{lines:?}"));
+    assert_eq!((of("")["sentences"].as_u64(), of("")["meant"].as_u64()), (Some(4), Some(3)));
+    assert_eq!((of("plain")["helpful"].as_f64(), of("plain")["harmful"].as_f64()), (Some(0.5), Some(0.5)));
+    assert_eq!((of("sequence")["helpful"].as_f64(), of("thanks")["harmful"].as_f64()), (Some(1.0), Some(0.0)));
+}
+
+#[test]
 fn what_shall_not_be_is_a_task_of_its_own_and_planned_for() {
     let (_folder, model) = taught(120, &ENGLISH);
     let home = three_rooms();
