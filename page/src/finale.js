@@ -18,6 +18,8 @@ import { quoted } from './words.js';
 const FILE = 'my-robot.png';
 // Whether a meaning is so probable that a test counts as understood.
 const counts = p => Math.round(p * 100) > 50;
+// About as likely as not: a robot that guesses lessons without a word is a little surer of what it guessed.
+const isOpen = p => Math.round(p * 100) <= 55;
 /** @type {Promise<{ link: string, file: File, address: string }> | null} */
 let card = null;
 
@@ -104,7 +106,7 @@ export function renderFinale(over, score, stops) {
 function renderWorth(stops) {
   const isQuiet = !/"feedback":"[rp]|"type":"answer"/.test(logOf(state.robot));
   const all = sureness(stops);
-  const only = isQuiet ? [] : all.filter(({ sure, silent }) => counts(sure) && !counts(silent)).sort((a, b) => b.sure - b.silent - a.sure + a.silent).slice(0, 2);
+  const only = isQuiet ? [] : all.filter(({ sure, silent }) => counts(sure) && isOpen(silent)).sort((a, b) => b.sure - b.silent - a.sure + a.silent).slice(0, 2);
   const head = [t('card.sure'), t(isQuiet ? 'card.without' : 'card.with'), ...(isQuiet ? [] : [t('card.without')])];
   const row = ({ command, sure, silent }) => make('tr', {}, make('th', { scope: 'row' }, quoted(command)), ...[sure, silent].slice(0, head.length - 1).map(share => make('td', {}, percent(share))));
   $('worth').replaceChildren(make('summary', {}, t(isQuiet ? 'card.quiet' : 'card.silent')), make('table', {},
