@@ -40,8 +40,9 @@ fitted without the sentences of their author: \"read\" is the share of sentences
 the most probable, \"helpful\" is the share of sentences with a meaning that the robot would follow rightly, \"harmful\" the
 share of all sentences on which it would act wrongly.
 
-Example:
-  goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.rs")]
+Examples:
+  goodbot acts lab/acts/sets.tsv --weights core/src/talk/acceptance/weights.rs
+  goodbot acts lab/acts/first-looks.tsv --first-look")]
 pub struct ActsOptions {
     /// A list of sets of sentences
     #[arg(value_name = "SETS", value_hint = ValueHint::FilePath)]
