@@ -10,7 +10,8 @@
 //! m^2 / n and not m, because a command such as "again", which means another task each time, tells none. A task is the same if its kind and
 //! the values of its own objects are, wherever things start. Of twelve such code words in a home that stays, the role model understands all
 //! after one lesson with each, and without this half after four with each. The 2 was chosen among 2, 4, 8 and 16 with the recorded
-//! commands in view: they lose some accuracy with more, because people also say the same and mean another thing.
+//! commands in view: they lose some accuracy with more, because people also say the same and mean another thing. A lesson counts once it has
+//! joined the training data, trained on or not, and whatever its trainer said: what the robot guessed, it guesses a little more surely again.
 
 use crate::language::bitext::{BitextRef, LIGHT};
 use crate::symbols::Symbol;
