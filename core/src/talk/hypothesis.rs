@@ -124,8 +124,8 @@ impl Weighed {
         }
     }
 
-    /// Each hypothesis with its probability, and the probability of a plain command.
-    fn shares(self) -> (Shares, f32) {
+    /// Each hypothesis with its probability, the probability of a plain command, and that of all together.
+    fn shares(self) -> (Shares, f32, Scaled) {
         let whole = total(self.0.iter().map(|(_, weight)| *weight));
         let mut shares = Shares::new();
         // Not collected: that could panic, for all that the compiler knows.
@@ -133,7 +133,7 @@ impl Weighed {
             shares.push((hypothesis, weight.over(whole))).ok();
         });
         let command = shares.iter().find(|(it, _)| *it == Hypothesis::Command).map_or(0.0, |&(_, share)| share);
-        (shares, command)
+        (shares, command, whole)
     }
 }
 
@@ -187,7 +187,7 @@ impl<M: AgentMemory> Agent<M> {
         explained: &Explained,
         context: Context<'_>,
         parting: Option<Parting<'_>>,
-    ) -> Result<(Shares, f32), AgentError> {
+    ) -> Result<(Shares, f32, Scaled), AgentError> {
         let (wording, mut weighed) = (context.wording, Weighed(Vec::new()));
         // As probable as the command, and listed before it: waiting does no harm.
         if wording.closed.count(Class::Negation) < FEW && may_turn(words, explained.has_new_verb) {

@@ -37,6 +37,7 @@ mod objects;
 mod pieces;
 mod readings;
 mod recalled;
+mod repair;
 mod reworded;
 mod several;
 mod slips;
@@ -49,7 +50,7 @@ mod wording;
 mod words;
 
 pub use crate::voice::{Class, Classes, ClosedWords, ClosedWordsError, Said, Stage, for_each_open_word};
-pub use acceptance::{ACTS_FROM, CLUES, Clues, HASHED, KINDS, Spoken, clue_name};
+pub use acceptance::{ACTS_FROM, CLUES, Clues, HASHED, KINDS, KINDS_OF_WORDS, Spoken, clue_name};
 pub use conversation::{Conversation, Fact};
 pub use correction::Corrected;
 pub use hypothesis::Hypothesis;

@@ -1,10 +1,9 @@
 //! Simpler wordings of an utterance: its words in another order, or without those that say nothing about the task.
 
 use super::heard::Heard;
-use super::syntax::{begins_with_way, is_past, is_verbless, names_thing_and_way, stays_by_name};
+use super::syntax::{begins_with_way, is_past, names_thing_and_way, stays_by_name};
 use super::words::Words;
 use crate::voice::classes::Class;
-use core::ops::Range;
 
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
@@ -47,16 +46,8 @@ const OF_COMMANDS: [Class; 7] = [Class::Negation, Class::Out, Class::But, Class:
 pub(super) type Rewording = for<'w> fn(Words<'w>) -> Option<Words<'w>>;
 
 /// The simpler wordings, in the order in which they are tried. Each is tried on the result of those before it.
-pub(super) const REWORDINGS: [Rewording; 8] = [
-    without_asides,
-    corrected,
-    without_taking_up,
-    without_leaving,
-    without_demand,
-    without_polite_words,
-    without_other_clauses,
-    from_verb_on,
-];
+pub(super) const REWORDINGS: [Rewording; 7] =
+    [without_asides, without_taking_up, without_leaving, without_demand, without_polite_words, without_other_clauses, from_verb_on];
 
 /// The words without the phrases about no task: "hey buddy, go to the red room, the floor is wet there".
 fn without_asides(words: Words<'_>) -> Option<Words<'_>> {
@@ -117,72 +108,6 @@ fn is_care(words: Words<'_>, phrase: u8) -> bool {
     let phrase = words.of_phrase(phrase);
     let is_it = |word: &Heard| word.is_article || word.is(Class::It);
     is_last && phrase.has(Class::Negation) && phrase.any(&is_it) && phrase.any(&|word| word.is_new)
-}
-
-/// The words without those that a correction takes back. "Go to the red room, no, the green one" becomes "go to the room the green one",
-/// and "go to the green room, not the red one" becomes "go to the green room". A whole command after "no" replaces all: "no, go to the
-/// green room".
-fn corrected(words: Words<'_>) -> Option<Words<'_>> {
-    // "Not the blue chair, the red one to the green room".
-    let denied = words.of_phrase(0);
-    let other = words.only(|word| word.phrase != 0);
-    if words.begins_with(Class::Negation) && denied.has_name() && other.has_name() && is_verbless(denied) && !denied.has_way() {
-        return Some(other);
-    }
-    let Correction { at, is_no, is_at_comma, way, names } = correction(words)?;
-    // "Sorry" and "I meant" belong to the correction.
-    let of_command = |word: &Heard| word.is_of_lessons() || !word.is_any(&[Class::Meant, Class::Speaker]);
-    let behind = words.after(at).only(of_command);
-    let is_verb = |word: &Heard| word.may_be_verb() && !word.is_name;
-    let has_verb = behind.any(&is_verb);
-    // "With no chairs", "do not touch the bag".
-    let phrase = words.get(at).map_or(0, |word| word.phrase);
-    let is_determiner = behind.get(0).is_none_or(|word| word.is_name && !word.is_toward && word.phrase == phrase);
-    if is_determiner || !behind.has_name() || !is_no && has_verb {
-        return None;
-    }
-    if !is_no {
-        return Some(words.before(at));
-    }
-    // "To the red room, no, to the green one".
-    let way = way.filter(|_| behind.has_way());
-    let before = words.before(way.unwrap_or(names.start));
-    if has_verb {
-        // "La bolsa no entre" corrects nothing.
-        return Some(behind).filter(|_| is_at_comma && before.any(&is_verb));
-    }
-    let noun = words.part(names.end, at).only(|word| way.is_none() && word.is_open() && !word.is_new);
-    Some(before.with(noun).with(behind))
-}
-
-/// A word that corrects what was named before it.
-struct Correction {
-    at: usize,
-    /// Whether it is a word such as "no" rather than "not".
-    is_no: bool,
-    is_at_comma: bool,
-    /// The last direction before it.
-    way: Option<usize>,
-    /// The last names before it, one after another.
-    names: Range<usize>,
-}
-
-/// The first correction.
-fn correction(words: Words<'_>) -> Option<Correction> {
-    let (mut way, mut names, mut phrase, mut is_place) = (None, 0..0, 0, false);
-    for (at, word) in words.iter().enumerate() {
-        let is_no = names.end > 0 && word.is_any(&[Class::No, Class::Meant, Class::Blame]);
-        if is_no || is_place && word.is(Class::Negation) {
-            return Some(Correction { at, is_no, is_at_comma: word.phrase > phrase, way, names });
-        }
-        way = if word.is_toward { Some(at) } else { way };
-        if word.is_name {
-            let begin = if names.end < at { at } else { names.start };
-            (names, is_place) = (begin..at.saturating_add(1), way.is_some());
-        }
-        phrase = word.phrase;
-    }
-    None
 }
 
 /// The words without those that first take a thing: "pick up the bag and bring it to the red room" becomes "the bag bring to the red room".
@@ -316,20 +241,12 @@ mod tests {
     use std::string::String;
 
     /// Sentences with the rule for them and the words that it leaves; none if it does not apply.
-    const SIMPLER: [(&str, &str, (Rewording, &str)); 26] = [
+    const SIMPLER: [(&str, &str, (Rewording, &str)); 18] = [
         ("en", "I have to mop, go to the red room", (without_asides, "go to the red room")),
         ("en", "if you have time, go to the red room", (without_asides, "go to the red room")),
         ("en", "take the purple bag to the red room, don't touch it", (without_asides, "take the purple bag to the red room")),
         ("de", "he Kumpel, geh ins rote Zimmer", (without_asides, "geh ins rote zimmer")),
         ("es", "hola amigo, ve a la sala roja", (without_asides, "ve a la sala roja")),
-        ("en", "go to the red room, no, the green one", (corrected, "go to the room the green one")),
-        ("en", "go to the green room, not the red one", (corrected, "go to the green room")),
-        ("en", "go to the red room, no, go to the green room", (corrected, "go to the green room")),
-        ("en", "not the yellow chair, the purple bag to the green room", (corrected, "the purple bag to the green room")),
-        ("en", "go to the room with no chairs", (corrected, "")),
-        ("de", "geh ins rote Zimmer, nein, ins grüne", (corrected, "geh ins grüne")),
-        ("fr", "va dans la salle rouge, non, la verte", (corrected, "va dans la salle la verte")),
-        ("es", "ve a la sala roja, no, a la verde", (corrected, "ve a la verde")),
         ("fr", "prends le sac violet et apporte-le dans la salle rouge", (without_taking_up, "le sac violet apporte dans la salle rouge")),
         ("es", "coge el bolso morado y llévalo a la sala roja", (without_taking_up, "bolso morado llévalo a la sala roja")),
         ("en", "leave the purple bag in the red room", (without_leaving, "the purple bag in the red room")),

@@ -2,6 +2,7 @@
 
 use super::context::{Context, View};
 use super::explained::Explained;
+use super::heard::Heard;
 use super::readings::{CUE, EITHER, all, negated};
 use super::words::Words;
 use crate::capacity::WORDS_PER_COMMAND;
@@ -14,8 +15,8 @@ use heapless::Vec;
 
 /// The prior of several commands.
 pub(super) const SEVERAL: f32 = 0.05;
-/// The most clauses of one command; "the bag and the chair" has two.
-const CLAUSES_PER_COMMAND: usize = 2;
+/// The most clauses of one command; "take the bag from the red room to the blue room" has three.
+const CLAUSES_PER_COMMAND: usize = 3;
 /// The prior of two commands that share the place in the second: "the bag and the chair to the red room".
 const SHARED: f32 = 0.3;
 /// The probability of each word of a shared place. The place is said once but counts in both commands, so it is divided out once.
@@ -35,25 +36,43 @@ fn shared_place<'w>(clause: Words<'w>, next: Words<'w>) -> Option<Words<'w>> {
     (next.before(way).has_name() && clause.has_name() && !clause.has_way()).then(|| next.from(way))
 }
 
-/// The clauses of an utterance, between connectives or commas: "go to the red room, take the bag to the blue room".
+/// The clauses of an utterance, between connectives or commas: "go to the red room, take the bag to the blue room"; or after a name, if the
+/// words before and after it can be commands: "go to the red room after that take the bag to the blue room".
 fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     let mut clauses = Vec::new();
-    let (mut begin, mut phrase) = (0, 0);
+    let (mut begin, mut phrase, mut is_named) = (0, 0, false);
     let is_connective = |at: usize| words.get(at).is_some_and(|word| word.is(Class::Connective));
     let is_whole = |words: Words<'_>| words.has_name() && words.any(&|word| word.is_toward || word.is_of_task);
     for at in 0..=words.len() {
-        let of = words.get(at).map_or(phrase, |word| word.phrase);
-        let behind = || words.from(at).of_phrase(of);
-        let is_comma = of > phrase && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind());
+        let word = words.get(at);
+        let of = word.map_or(phrase, |word| word.phrase);
+        let behind = |is_comma: bool| if is_comma { words.from(at).of_phrase(of) } else { words.from(at) };
+        let is_comma = of > phrase;
+        // "Room" in "the red room" belongs to the name.
+        let is_of_name = word.is_some_and(|word| word.is_name && !word.is_toward || is_named && is_noun(word));
+        let ends_name = is_named && !is_of_name;
+        is_named = is_of_name;
+        let may_end = (is_comma || ends_name) && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind(is_comma));
         phrase = of;
-        if at == words.len() || is_connective(at) || is_comma {
+        if at == words.len() || is_connective(at) || may_end {
             if begin < at {
                 let _ = clauses.push((begin, at));
             }
-            begin = if is_comma { at } else { at.saturating_add(1) };
+            begin = if may_end { at } else { at.saturating_add(1) };
         }
     }
     clauses
+}
+
+/// Whether a word after a name may be its noun.
+fn is_noun(word: &Heard) -> bool {
+    word.is_of_lessons() && word.is_open() && word.is_plain() && !word.is_toward && !word.is_article
+}
+
+/// Whether a comma or another mark is before the word at a position.
+fn is_after_mark(words: Words<'_>, at: usize) -> bool {
+    let phrase = |at: usize| words.get(at).map(|word| word.phrase);
+    at.checked_sub(1).and_then(phrase) != phrase(at)
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -102,7 +121,8 @@ impl<M: AgentMemory> Agent<M> {
                     Some(&(next, _)) => match words.get(end).filter(|_| next > end) {
                         Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
                         // A comma is no word.
-                        None => Scaled::new(EITHER),
+                        None if is_after_mark(words, end) => Scaled::new(EITHER),
+                        None => Scaled::new(SEVERAL),
                     },
                 };
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);

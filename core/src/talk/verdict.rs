@@ -1,11 +1,12 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, Clues, DONE_FROM, Sorts, asks, clear_from, probability};
+use super::acceptance::{ACTS_FROM, Clues, DONE_FROM, KINDS, Sorts, asks, clear_from, odds};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
+use super::repair::{Repaired, WEIGHED, between_commands};
 use super::reworded::reversed;
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -16,9 +17,13 @@ use crate::probability::{Scaled, total};
 use crate::session::{Agent, AgentError};
 use crate::task::TaskSet;
 use crate::voice::classes::Class;
+use heapless::Vec;
 
 /// Readings with a smaller share are not weighed.
 const NEGLIGIBLE: f32 = 1e-4;
+
+/// The most readings of an utterance that are compared.
+const MEANINGS: usize = KINDS + WEIGHED;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -72,10 +77,22 @@ pub struct Reading<'r> {
     pub tasks: TaskSet,
     /// Whether it forbids them.
     pub is_negated: bool,
-    /// The probability that it is what was meant.
-    pub probability: f32,
+    /// How much more probable it is than that nothing was meant.
+    pub odds: f32,
     /// Why.
     pub clues: &'r Clues<'r>,
+}
+
+/// A reading while it is compared with others.
+struct Meaning<'w> {
+    reading: Judged<'w>,
+    /// Its tasks, whether they are forbidden, and whether others follow.
+    asked: (TaskSet, bool, bool),
+    odds: f32,
+    /// Its probability if it refers to an earlier sentence and is clear; else 0.
+    clear: f32,
+    /// The robot acts on it if it is more probable than this.
+    least: f32,
 }
 
 /// The verdict on an utterance.
@@ -128,7 +145,7 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
         parting: Option<Parting<'w>>,
     ) -> Result<Judged<'w>, AgentError> {
-        let (weighed, command) = self.hypotheses(domain, words, explained, context, parting)?;
+        let (weighed, command, whole) = self.hypotheses(domain, words, explained, context, parting)?;
         let (likeliest, most) = likeliest(&weighed, words, context.is_known());
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -136,20 +153,31 @@ impl<M: AgentMemory> Agent<M> {
             let is_accepted = judged.hypothesis == Hypothesis::Again && most >= clear_from(self.language().bitext().sessions());
             return Ok(Judged { is_accepted, ..judged });
         }
-        let mut best: Option<(Hypothesis, f32, f32, bool)> = None;
-        for &(hypothesis, share) in weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE) {
-            let reading = Judged::likely(hypothesis, words, share, command);
-            let (judged, first) = self.read(domain, reading, explained, context, parting)?;
+        let repairs = self.repairs(domain, words, explained, context)?;
+        let of_repair = |repair: &Repaired<'w>| (repair.weight.over(whole.plus(repair.weight)), Some(*repair));
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE);
+        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (hypothesis, (share, None)));
+        let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
+        for (hypothesis, (share, repair)) in of_hypotheses.chain(repairs.iter().map(|it| (Hypothesis::Command, of_repair(it)))) {
+            let reading = Judged::likely(hypothesis, repair.map_or(words, |repair| repair.judged.words), share, command);
+            let (judged, first) = match repair {
+                Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
+                None => self.read(domain, reading, explained, context, parting)?,
+            };
             if judged.tasks.is_empty() {
                 continue;
             }
-            let others = weighed.iter().filter(|&&(other, _)| other != hypothesis);
+            let others = weighed.iter().filter(|&&(other, _)| repair.is_some() || other != hypothesis);
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
+            let parted = parting.filter(|_| hypothesis == Hypothesis::Several).map(|parting| between_commands(words, parting.begin));
+            let between = repair.map(|repair| repair.between).or(parted).map(|words| sorts.between(words));
             let done = self.done(domain);
             let clues = Clues {
                 sorts,
                 hypothesis,
                 first,
+                repair: repair.map(|repair| repair.shape),
+                between: between.as_ref(),
                 share,
                 of_tasks: judged.probability / share,
                 rival,
@@ -161,26 +189,39 @@ impl<M: AgentMemory> Agent<M> {
                 doubts: judged.doubts,
             };
             // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-            let is_reference = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
-            let probability = probability(&clues).max(if is_reference { share * clues.of_tasks } else { 0.0 });
-            (context.wording.observe)(&Reading {
-                hypothesis,
-                tasks: judged.tasks,
-                is_negated: judged.is_negated,
-                probability,
-                clues: &clues,
-            });
-            if best.is_none_or(|(_, _, most, _)| probability > most) {
-                // After the first of several commands, the others follow.
-                let least = if clues.is_done && hypothesis != Hypothesis::Several { DONE_FROM } else { ACTS_FROM };
-                let is_possible = !judged.doubts.has(Doubt::Impossible as usize);
-                best = Some((hypothesis, share, probability, is_possible && (is_reference || probability > least)));
+            let is_reference = repair.is_none() && clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
+            let odds = odds(&clues);
+            (context.wording.observe)(&Reading { hypothesis, tasks: judged.tasks, is_negated: judged.is_negated, odds, clues: &clues });
+            // After the first of several commands, the others follow.
+            let is_several = hypothesis == Hypothesis::Several;
+            let meaning = Meaning {
+                reading,
+                asked: (judged.tasks, judged.is_negated, is_several),
+                odds,
+                clear: if is_reference { share * clues.of_tasks } else { 0.0 },
+                least: match () {
+                    () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
+                    () if clues.is_done && !is_several => DONE_FROM,
+                    () => ACTS_FROM,
+                },
+            };
+            let _ = meanings.push(meaning);
+        }
+        // Readings with the same tasks support each other, and the others compete.
+        let sum = 1.0 + meanings.iter().map(|meaning| meaning.odds).sum::<f32>();
+        let mut best: Option<(Judged<'w>, f32, bool)> = None;
+        for meaning in &meanings {
+            let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
+            let probability = (same / sum).max(meaning.clear);
+            if best.is_none_or(|(_, most, _)| probability > most) {
+                best = Some((meaning.reading, probability, meaning.clear > 0.0 || probability > meaning.least));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.
-        let (hypothesis, share, probability, is_accepted) =
-            best.filter(|&(_, _, probability, _)| probability > WORTH_ASKING || asks(likeliest)).unwrap_or((likeliest, most, 0.0, false));
-        let (judged, _) = self.read(domain, Judged::likely(hypothesis, words, share, command), explained, context, parting)?;
+        let (reading, probability, is_accepted) = best
+            .filter(|&(_, probability, _)| probability > WORTH_ASKING || asks(likeliest))
+            .unwrap_or((Judged::likely(likeliest, words, most, command), 0.0, false));
+        let (judged, _) = self.read(domain, reading, explained, context, parting)?;
         if judged.is_negated {
             self.negate(explained);
             self.plan_for(domain, self.task_count)?;
@@ -204,7 +245,7 @@ impl<M: AgentMemory> Agent<M> {
             return Ok((self.judge_one(domain, reading, explained, context)?, None));
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
-        let (weighed, command) = self.hypotheses(domain, parting.first, explained, context, None)?;
+        let (weighed, command, _) = self.hypotheses(domain, parting.first, explained, context, None)?;
         let (first, share) = likeliest(&weighed, parting.first, context.is_known());
         let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
         let several = Judged {
@@ -321,7 +362,7 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of a plain command, and any objections to it.
-    fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
+    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
         let (task, of_command) = explained.best();
         let doubts = Doubts::of(&[

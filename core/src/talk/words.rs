@@ -114,6 +114,11 @@ impl<'w> Words<'w> {
         Self { kept: self.kept | other.kept, ..self }
     }
 
+    /// These words without those of another part of the same utterance.
+    pub const fn without(self, other: Self) -> Self {
+        Self { kept: self.kept & !other.kept, ..self }
+    }
+
     /// The words from one position up to another.
     pub fn part(self, begin: usize, end: usize) -> Self {
         let mut at = 0_usize;

@@ -1,8 +1,8 @@
-//! Logistic regression that keeps the words that tell most. It is fitted twice, with all words and then with the kept ones, the readings one
+//! Logistic regression that keeps the words that tell most. It is fitted twice, with all words and then with the kept ones, the utterances one
 //! after another with a rate for each weight (Duchi, Hazan and Singer 2011, *Adaptive subgradient methods for online learning*). The same
 //! data give the same weights.
 
-use goodbot::talk::{CLUES, HASHED, KINDS};
+use goodbot::talk::{CLUES, HASHED, KINDS_OF_WORDS as KINDS};
 use std::collections::BTreeMap;
 
 /// How often each reading is seen.
@@ -33,6 +33,8 @@ pub struct Example<'e> {
     pub values: &'e [f32],
     /// The words of its utterance, as features.
     pub words: &'e [(u32, String)],
+    /// The words between two commands, or in a repair.
+    pub between: &'e [(u32, String)],
     /// Its kind, from 1.
     pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
@@ -47,7 +49,7 @@ impl Example<'_> {
         let both =
             |(&clue, &value): (&u16, &f32)| [clue, clue.saturating_add(self.to_kind)].map(|clue| (usize::from(clue), f64::from(value)));
         let of_word = |(hash, _): &(u32, String)| [0, self.kind].map(|kind| (WORDS + kind * HASHED + *hash as usize, WORD));
-        self.clues.iter().zip(self.values).flat_map(both).chain(self.words.iter().flat_map(of_word))
+        self.clues.iter().zip(self.values).flat_map(both).chain(self.words.iter().chain(self.between).flat_map(of_word))
     }
 }
 
@@ -76,12 +78,12 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// The probability of a reading.
-    pub fn probability(&self, example: &Example<'_>) -> f64 {
-        let of_words = example.words.iter().filter_map(|(hash, _)| self.words.get(hash));
+    /// The odds of a reading against nothing that is to be done.
+    pub fn odds(&self, example: &Example<'_>) -> f64 {
+        let of_words = example.words.iter().chain(example.between).filter_map(|(hash, _)| self.words.get(hash));
         let words: f64 = of_words.map(|weights| f64::from(weights[example.kind - 1])).sum();
         let clues: f64 = example.each().filter(|&(at, _)| at < WORDS).map(|(at, value)| f64::from(self.clues[at]) * value).sum();
-        1.0 / (1.0 + libm::exp(-(self.bias + words * self.scale_of_words + clues * self.scale)))
+        libm::exp(self.bias + words * self.scale_of_words + clues * self.scale)
     }
 }
 
@@ -103,13 +105,13 @@ impl Learned {
     }
 }
 
-/// Fits weights: about the least sum of the examples' negative log likelihoods and the prices of the weights. `may_count` tells whether a
-/// word may have weights.
-pub fn fit(examples: &[Example<'_>], may_count: &dyn Fn(u32) -> bool, prices: Prices) -> Fitted {
+/// Fits weights: about the least sum of the utterances' negative log likelihoods and the prices of the weights. An utterance is its readings;
+/// one without a right reading asks for nothing. `may_count` tells whether a word may have weights.
+pub fn fit(utterances: &[Vec<Example<'_>>], may_count: &dyn Fn(u32) -> bool, prices: Prices) -> Fitted {
     let mut heights = vec![0.0; SIZE];
-    examples.iter().flat_map(Example::each).for_each(|(at, value)| heights[at] += value * value);
+    utterances.iter().flatten().flat_map(Example::each).for_each(|(at, value)| heights[at] += value * value);
     let may = |at: usize| at < WORDS || may_count(((at - WORDS) % HASHED) as u32);
-    let all = fit_some(examples, &(0..SIZE).map(|at| heights[at] > 0.0 && may(at)).collect::<Vec<_>>(), prices.square);
+    let all = fit_some(utterances, &(0..SIZE).map(|at| heights[at] > 0.0 && may(at)).collect::<Vec<_>>(), prices.square);
     // What a word tells in all: how far its weights move the readings that have it.
     let of_word = |hash: usize| (0..=KINDS).map(move |kind| WORDS + kind * HASHED + hash);
     let tells = |hash: usize| of_word(hash).map(|at| all.0[at] * all.0[at] * heights[at]).sum::<f64>();
@@ -119,7 +121,7 @@ pub fn fit(examples: &[Example<'_>], may_count: &dyn Fn(u32) -> bool, prices: Pr
     let mut kept = vec![false; SIZE];
     kept[..WORDS].fill(true);
     words.iter().flat_map(|&(_, hash)| of_word(hash)).for_each(|at| kept[at] = true);
-    let (weights, bias) = fit_some(examples, &kept, prices.square);
+    let (weights, bias) = fit_some(utterances, &kept, prices.square);
 
     let rounded = |weight: f64, scale: f64, most: f64| (weight / scale).round().clamp(-most, most) as i8;
     let scale = weights[..WORDS].iter().fold(0.0, |most: f64, weight| most.max(weight.abs())).max(f64::MIN_POSITIVE) / MOST_OF_CLUE;
@@ -137,10 +139,10 @@ pub fn fit(examples: &[Example<'_>], may_count: &dyn Fn(u32) -> bool, prices: Pr
 }
 
 /// Fits these weights, and that of every reading.
-fn fit_some(examples: &[Example<'_>], kept: &[bool], price: f64) -> (Vec<f64>, f64) {
+fn fit_some(utterances: &[Vec<Example<'_>>], kept: &[bool], price: f64) -> (Vec<f64>, f64) {
     let price = price * ROUNDS as f64;
     let (mut learned, mut bias) = (vec![Learned::default(); kept.len()], Learned::default());
-    let mut order: Vec<usize> = (0..examples.len()).collect();
+    let mut order: Vec<usize> = (0..utterances.len()).collect();
     let mut random = 1_u64;
     for _ in 0..ROUNDS {
         for at in (1..order.len()).rev() {
@@ -148,11 +150,20 @@ fn fit_some(examples: &[Example<'_>], kept: &[bool], price: f64) -> (Vec<f64>, f
             random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             order.swap(at, (random >> 33) as usize % (at + 1));
         }
-        for example in order.iter().map(|&at| &examples[at]) {
-            let sum: f64 = example.each().map(|(clue, value)| learned[clue].weight * value).sum();
-            let slope = 1.0 / (1.0 + libm::exp(-(bias.weight + sum))) - f64::from(u8::from(example.holds));
-            bias.learn(slope, 0.0);
-            example.each().filter(|&(clue, _)| kept[clue]).for_each(|(clue, value)| learned[clue].learn(slope * value, price));
+        for readings in order.iter().map(|&at| &utterances[at]) {
+            let odds = |example: &Example<'_>| {
+                let sum: f64 = example.each().map(|(clue, value)| learned[clue].weight * value).sum();
+                libm::exp((bias.weight + sum).clamp(-30.0, 30.0))
+            };
+            let odds: Vec<f64> = readings.iter().map(odds).collect();
+            let all = 1.0 + odds.iter().sum::<f64>();
+            let right: f64 = odds.iter().zip(readings).filter(|(_, reading)| reading.holds).map(|(odds, _)| odds).sum();
+            for (odds, example) in odds.into_iter().zip(readings) {
+                let wanted = if example.holds { odds / right } else { 0.0 };
+                let slope = odds / all - wanted;
+                bias.learn(slope, 0.0);
+                example.each().filter(|&(clue, _)| kept[clue]).for_each(|(clue, value)| learned[clue].learn(slope * value, price));
+            }
         }
     }
     (learned.into_iter().map(|learned| learned.weight).collect(), bias.weight)
@@ -166,13 +177,13 @@ mod tests {
     fn a_clue_of_right_readings_gets_a_weight_and_one_without_meaning_gets_none() {
         let example = |at: usize| {
             let clues: &[u16] = if at.is_multiple_of(2) { &[0, 2] } else { &[1, 2] };
-            Example { clues, values: &[1.0, 1.0], words: &[], kind: 1, to_kind: 3, holds: at.is_multiple_of(2) }
+            Example { clues, values: &[1.0, 1.0], words: &[], between: &[], kind: 1, to_kind: 3, holds: at.is_multiple_of(2) }
         };
-        let examples: Vec<Example<'_>> = (0..80).map(example).collect();
-        let fitted = fit(&examples, &|_| true, Prices { square: 0.01, most: 4 });
-        let right_and_wrong = [fitted.probability(&example(0)), fitted.probability(&example(1))];
+        let utterances: Vec<Vec<Example<'_>>> = (0..80).map(|at| vec![example(at)]).collect();
+        let fitted = fit(&utterances, &|_| true, Prices { square: 0.01, most: 4 });
+        let right_and_wrong = [fitted.odds(&example(0)), fitted.odds(&example(1))];
         assert!(fitted.clues[0] > 60 && fitted.clues[1] < -60 && fitted.clues[2].abs() < 20, "{:?}", &fitted.clues[..6]);
-        assert!(right_and_wrong[0] > 0.8 && right_and_wrong[1] < 0.2, "{right_and_wrong:?}");
+        assert!(right_and_wrong[0] > 4.0 && right_and_wrong[1] < 0.25, "{right_and_wrong:?}");
     }
 
     #[test]
@@ -181,12 +192,12 @@ mod tests {
         let (go, paint) = (vec![word(7), word(1), word(5)], vec![word(8), word(2), word(5)]);
         let example = |at: usize| {
             let holds = at.is_multiple_of(2);
-            Example { clues: &[0], values: &[1.0], words: if holds { &go } else { &paint }, kind: 2, to_kind: 3, holds }
+            Example { clues: &[0], values: &[1.0], words: if holds { &go } else { &paint }, between: &[], kind: 2, to_kind: 3, holds }
         };
-        let examples: Vec<Example<'_>> = (0..80).map(example).collect();
-        let fitted = fit(&examples, &|hash| hash > 2, Prices { square: 0.01, most: 2 });
+        let utterances: Vec<Vec<Example<'_>>> = (0..80).map(|at| vec![example(at)]).collect();
+        let fitted = fit(&utterances, &|hash| hash > 2, Prices { square: 0.01, most: 2 });
         assert_eq!(fitted.words.keys().collect::<Vec<_>>(), [&7, &8]);
         assert!(fitted.words[&7][1] > 3 && fitted.words[&8][1] < -3, "{:?}", fitted.words);
-        assert!(fitted.probability(&example(0)) > 0.8 && fitted.probability(&example(1)) < 0.2);
+        assert!(fitted.odds(&example(0)) > 4.0 && fitted.odds(&example(1)) < 0.25);
     }
 }

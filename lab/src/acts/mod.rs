@@ -10,7 +10,7 @@ pub mod sets;
 
 use clap::{Args, ValueHint};
 use fit::{Example, Fitted, Prices};
-use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, clue_name};
+use goodbot::talk::{ACTS_FROM, CLUES, HASHED, KINDS, KINDS_OF_WORDS, clue_name};
 use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
@@ -25,7 +25,7 @@ use std::path::PathBuf;
 const FOR_TRAINING: char = '+';
 
 /// The probabilities above which robots are tried.
-const ABOVE: [f64; 9] = [0.6, 0.7, 0.76, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86, 0.9];
+const ABOVE: [f64; 9] = [0.6, 0.7, 0.75, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86, 0.9];
 
 /// The options of `goodbot acts`.
 #[derive(Debug, Args)]
@@ -163,9 +163,9 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
 
 /// Prints the weights, the largest first.
 fn explain(out: &mut impl Write, said: &[Said], fitted: &Fitted) -> Result<(), Failure> {
-    let texts: BTreeMap<u32, &str> = said.iter().flat_map(|it| &it.words).map(|(hash, text)| (*hash, text.as_str())).collect();
+    let texts: BTreeMap<u32, &str> = said.iter().flat_map(Said::features).map(|(hash, text)| (*hash, text.as_str())).collect();
     let of_clues = (0_u16..).zip(&fitted.clues).map(|(clue, &weight)| (f64::from(weight) * fitted.scale, clue_name(clue)));
-    let kinds = (1..=KINDS).map(|kind| clue_name((kind * (CLUES / (KINDS + 1))) as u16)[0]);
+    let kinds = [1, 2, 3, KINDS].into_iter().map(|kind| clue_name((kind * (CLUES / (KINDS + 1))) as u16)[0]);
     let of_words = fitted.words.iter().flat_map(|(hash, weights)| {
         let text = texts.get(hash).copied().unwrap_or("");
         kinds.clone().zip(weights).map(move |(kind, &weight)| (f64::from(weight) * fitted.scale_of_words, [kind, "word", text, ""]))
@@ -182,7 +182,7 @@ fn explain(out: &mut impl Write, said: &[Said], fitted: &Fitted) -> Result<(), F
 fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
     let mut by: Vec<Option<Result<&str, ()>>> = vec![None; HASHED];
     for it in said {
-        for (hash, _) in &it.words {
+        for (hash, _) in it.features() {
             let by = &mut by[*hash as usize];
             *by = match *by {
                 None => Some(Ok(it.author.as_str())),
@@ -197,9 +197,9 @@ fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
 /// Fits weights to the sentences of these people.
 fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool, prices: Prices) -> Fitted {
     let of = || said.iter().filter(|it| is_in(it));
-    let examples: Vec<Example<'_>> = of().flat_map(Said::examples).collect();
+    let utterances: Vec<Vec<Example<'_>>> = of().map(|said| said.examples().collect()).collect();
     let by_several = said_by_several(of());
-    fit::fit(&examples, &|hash| by_several[hash as usize], prices)
+    fit::fit(&utterances, &|hash| by_several[hash as usize], prices)
 }
 
 impl Figures {
@@ -237,7 +237,12 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
         figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
-        let weighed = sentence.examples().map(|example| fitted.probability(&example)).zip(&sentence.readings);
+        let odds: Vec<f64> = sentence.examples().map(|example| fitted.odds(&example)).collect();
+        let all = 1.0 + odds.iter().sum::<f64>();
+        let weighed = sentence.readings.iter().map(|reading| {
+            let same = odds.iter().zip(&sentence.readings).filter(|(_, other)| other.asked == reading.asked);
+            (same.map(|(odds, _)| odds).sum::<f64>() / all, reading)
+        });
         let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
         if probability > above {
@@ -309,7 +314,7 @@ fn text(fitted: &Fitted) -> String {
     let before = |block: usize| words.range(..(block * 256) as u32).count();
     let starts = rows((0..=blocks).map(|block| before(block).to_string()).collect());
     let hashes = rows(words.keys().map(|hash| (hash % 256).to_string()).collect());
-    let packed = |weights: &[i8; KINDS]| weights.iter().rev().fold(0_u16, |packed, &weight| packed << 4 | (weight as u16 & 15));
+    let packed = |weights: &[i8; KINDS_OF_WORDS]| weights.iter().rev().fold(0_u16, |packed, &weight| packed << 4 | (weight as u16 & 15));
     let of_words = rows(words.values().map(|weights| packed(weights).to_string()).collect());
     let clues = rows(clues.iter().map(ToString::to_string).collect());
     let blocks = blocks + 1;

@@ -5,7 +5,7 @@ use super::sets::{Meaning, Sentence, Set};
 use goodbot::home::{Home, HomeState, Moves, paper_tasks};
 use goodbot::memory::{AgentHeap, HomeHeap};
 use goodbot::oomdp::Domain;
-use goodbot::talk::{Hypothesis, Listened, Reading, Verdict};
+use goodbot::talk::{Hypothesis, Listened, Reading, Spoken, Verdict};
 use goodbot::task::{GroundedTask, TaskSet};
 use goodbot::{Agent, AgentError};
 use goodbot_console::load::input::{self, InputFile};
@@ -54,7 +54,11 @@ pub struct Read {
     pub clues: Vec<u16>,
     /// Their values.
     pub values: Vec<f32>,
-    /// Its kind, from 1.
+    /// The words between two commands, or in a repair.
+    pub between: Words,
+    /// The tasks that it asks for, and whether others follow.
+    pub asked: (Vec<String>, bool),
+    /// Its kind for words, from 1.
     pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
     pub to_kind: u16,
@@ -65,12 +69,18 @@ pub struct Read {
 }
 
 impl Said {
+    /// All its words, and those between names.
+    pub fn features(&self) -> impl Iterator<Item = &(u32, String)> {
+        self.words.iter().chain(self.readings.iter().flat_map(|reading| &reading.between))
+    }
+
     /// Its readings as examples to learn from.
     pub fn examples(&self) -> impl Iterator<Item = Example<'_>> {
-        self.readings.iter().map(|&Read { ref clues, ref values, kind, to_kind, is_right, .. }| Example {
+        self.readings.iter().map(|&Read { ref clues, ref values, ref between, kind, to_kind, is_right, .. }| Example {
             clues,
             values,
             words: &self.words,
+            between,
             kind,
             to_kind,
             holds: is_right,
@@ -80,6 +90,7 @@ impl Said {
 
 /// A reading before it is compared with the meaning.
 struct Weighed {
+    between: Words,
     clues: Vec<u16>,
     values: Vec<f32>,
     kind: usize,
@@ -133,26 +144,34 @@ fn readings(
             values.push(value);
         });
         if words.borrow().is_empty() {
-            let mut words = words.borrow_mut();
-            reading.clues.spoken().for_each(&mut |hash, texts| {
-                if words.iter().all(|(other, _)| *other != hash) {
-                    words.push((hash, texts.join(" ").trim().to_string()));
-                }
-            });
+            *words.borrow_mut() = features(reading.clues.spoken());
         }
         let &Reading { hypothesis, tasks, is_negated, .. } = reading;
-        let (kind, to_kind) = (reading.clues.kind(), reading.clues.to_kind());
-        weighed.borrow_mut().push(Weighed { clues, values, kind, to_kind, hypothesis, tasks, is_negated });
+        let (kind, to_kind) = (reading.clues.kind_of_words(), reading.clues.to_kind());
+        let between = reading.clues.between().map(features).unwrap_or_default();
+        weighed.borrow_mut().push(Weighed { between, clues, values, kind, to_kind, hypothesis, tasks, is_negated });
     };
     let listened = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
     let read = |weighed: Weighed| {
         let (asked, is_done) = asked(agent, home, &state, weighed.tasks, weighed.is_negated);
         let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        let Weighed { clues, values, kind, to_kind, .. } = weighed;
-        Read { clues, values, kind, to_kind, is_right, is_done }
+        let asked = (asked, weighed.hypothesis == Hypothesis::Several);
+        let Weighed { between, clues, values, kind, to_kind, .. } = weighed;
+        Read { asked, between, clues, values, kind, to_kind, is_right, is_done }
     };
     let readings = weighed.into_inner().into_iter().map(read).collect();
     Ok((words.into_inner(), readings, did(agent, home, state, sentence, listened)?))
+}
+
+/// The words as features.
+fn features(spoken: &Spoken<'_>) -> Words {
+    let mut words = Words::new();
+    spoken.for_each(&mut |hash, texts| {
+        if words.iter().all(|(other, _)| *other != hash) {
+            words.push((hash, texts.join(" ").trim().to_string()));
+        }
+    });
+    words
 }
 
 /// What the robot does of a sentence, one command after the other; `None` if it waits at the first or at a later one.

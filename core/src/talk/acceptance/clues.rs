@@ -3,7 +3,9 @@
 
 use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
+use super::super::repair::Shape;
 use super::super::verdict::Doubts;
+use super::super::words::Words;
 use super::words::Spoken;
 use crate::voice::classes::Class;
 
@@ -42,16 +44,20 @@ const STEPS_OF: usize = FIRST + RIVALS;
 /// The upper ends of the steps of a number, without the last.
 const ENDS: [f32; 9] = [-1.5, -1.0, -0.6, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5];
 const STEPS: usize = ENDS.len() + 2;
+/// The sorts of the words between two names.
+const BETWEEN: usize = STEPS_OF + NUMBERS * STEPS;
 /// The value of a feature of a step, of which many hold at once.
 const ONE_OF_MANY: f32 = 0.5;
 
 /// The number of features, each of which counts for all readings, and again for each [kind](kind) of reading.
-const FEATURES: usize = STEPS_OF + NUMBERS * STEPS;
+const FEATURES: usize = BETWEEN + SORTS;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
-/// The kinds of readings with weights of their own: a command, a prohibition, several, all.
-pub const KINDS: usize = 4;
+/// The kinds of readings with weights of their own: a command, a prohibition, several, all, a repair.
+pub const KINDS: usize = 5;
+/// The same for words: those of "all" are those of a command.
+pub const KINDS_OF_WORDS: usize = 4;
 const _: () = assert!(CLUES <= u16::MAX as usize);
 
 /// The kind of a reading that asks for something, from 1.
@@ -131,6 +137,12 @@ impl<'u> Sorts<'u> {
         let spoken = Spoken::of(utterance, taught);
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }
+
+    /// Of the words between two names.
+    pub fn between(&self, words: Words<'_>) -> Self {
+        let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
+        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece)), ..*self }
+    }
 }
 
 /// The sorts of a word.
@@ -155,6 +167,9 @@ pub struct Clues<'s> {
     pub(in super::super) hypothesis: Hypothesis,
     /// Of several commands, what the first is.
     pub(in super::super) first: Option<Hypothesis>,
+    /// Of a repair, what it takes back; and the words between two commands, or in a repair.
+    pub(in super::super) repair: Option<Shape>,
+    pub(in super::super) between: Option<&'s Sorts<'s>>,
     /// The probability of the hypothesis, and of its tasks if it holds.
     pub(in super::super) share: f32,
     pub(in super::super) of_tasks: f32,
@@ -177,7 +192,20 @@ impl Clues<'_> {
 
     /// The kind of the reading, from 1 to [`KINDS`].
     pub fn kind(&self) -> usize {
-        kind(self.hypothesis).unwrap_or(0)
+        if self.repair.is_some() { KINDS } else { kind(self.hypothesis).unwrap_or(0) }
+    }
+
+    /// The kind of the reading for words, from 1 to [`KINDS_OF_WORDS`].
+    pub fn kind_of_words(&self) -> usize {
+        match self.kind() {
+            4 => 1,
+            kind => kind.min(KINDS_OF_WORDS),
+        }
+    }
+
+    /// The words between two commands, or in a repair, each of which is a clue too.
+    pub fn between(&self) -> Option<&Spoken<'_>> {
+        self.between.map(|sorts| &sorts.spoken)
     }
 
     /// The distance from a clue to the same clue for this kind of reading alone: both are below [`CLUES`], and have weights of their own.
@@ -227,6 +255,13 @@ impl Clues<'_> {
         if let Some(first) = self.first {
             mark(FIRST + rival(first), true);
         }
+        if let Some(shape) = self.repair {
+            mark(FIRST + shape as usize, true);
+        }
+        let between = self.between.map_or(0, |sorts| sorts.places[0]);
+        for sort in 0..SORTS {
+            mark(BETWEEN + sort, between >> sort & 1 == 1);
+        }
         for (place, &sorts) in self.sorts.places.iter().enumerate() {
             for sort in 0..SORTS {
                 mark(WORDS + place * SORTS + sort, sorts >> sort & 1 == 1);
@@ -238,7 +273,7 @@ impl Clues<'_> {
 /// The name of a clue, in words: the kind of reading for which it counts, then for most clues the place of a word, what is there, and
 /// whether lessons had it.
 pub fn clue_name(clue: u16) -> [&'static str; 4] {
-    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all"];
+    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all", "repair"];
     const OTHERS: [&str; RIVALS] = ["command", "prohibition", "several", "all", "nothing", "absent", "talk"];
     const WHERE: [&str; PLACES] = ["before names", "between names", "after names", "first", "last"];
     const FEW: [&str; 7] = ["0", "1", "2", "3", "4", "5", "6"];
@@ -256,7 +291,14 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
     ];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
     let name = |names: &[&'static str], at: usize| names.get(at).copied().unwrap_or("");
-    let class = |at: usize| Class::ALL.get(at).map_or("", |class| class.name());
+    let sort_name = |sort: usize| match sort {
+        NAME => "a name",
+        ACT => "an act",
+        MENDED => "a slip",
+        NEW => "a new word",
+        KNOWN => "a known word",
+        _ => Class::ALL.get(sort % CLASSES).map_or("", |class| class.name()),
+    };
     let [place, what] = match feature {
         _ if feature <= TOP => ["", name(&SINGLE, feature)],
         _ if feature < TASKS => ["likelier is", name(&OTHERS, feature - TOP - 1)],
@@ -267,18 +309,11 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         _ if feature < WORDS => ["names", name(&FEW, feature - NAMES)],
         _ if feature < KIND => {
             let (place, sort) = ((feature - WORDS) / SORTS, (feature - WORDS) % SORTS);
-            let sort = match sort {
-                NAME => "a name",
-                ACT => "an act",
-                MENDED => "a slip",
-                NEW => "a new word",
-                KNOWN => "a known word",
-                _ => class(sort % CLASSES),
-            };
-            [name(&WHERE, place), sort]
+            [name(&WHERE, place), sort_name(sort)]
         }
         KIND => ["", "always"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
+        _ if feature >= BETWEEN => ["between", sort_name(feature - BETWEEN)],
         _ => {
             let (number, step) = ((feature - STEPS_OF) / STEPS, (feature - STEPS_OF) % STEPS);
             return [name(&READINGS, reading), "step", name(&SINGLE, number), name(&AT, step)];

@@ -2,8 +2,9 @@
 //!
 //! "Turn left after lunch" and "turn left after the table" differ in no rule that is short; what people mean by such words is learned from
 //! sentences instead. A log-linear model (Berger, Della Pietra and Della Pietra 1996, *A maximum entropy approach to natural language
-//! processing*) weighs each [reading](super::Reading) of an utterance: P = 1 / (1 + exp(-(b + sum of w f))), with the features f of
-//! [`Clues`] and of its [words](Spoken). The robot takes the most probable reading, and acts on it if P is above [`ACTS_FROM`].
+//! processing*) gives each [reading](super::Reading) r of an utterance its odds exp(s(r)), s(r) = b + sum of w f, with the features f of
+//! [`Clues`] and of its [words](Spoken), and "nothing is to be done" the odds 1. P(tasks) is the sum of the odds of all readings with these
+//! tasks, divided by the sum of all odds. The robot takes the most probable tasks, and acts on them if P is above [`ACTS_FROM`].
 //!
 //! - `clues`: the features that no word tells; `words`: those of words; `weights`: the trained weights, which `goodbot acts` writes.
 
@@ -11,7 +12,7 @@ mod clues;
 mod weights;
 mod words;
 
-pub use clues::{CLUES, Clues, KINDS, clue_name};
+pub use clues::{CLUES, Clues, KINDS, KINDS_OF_WORDS, clue_name};
 pub(super) use clues::{Sorts, asks, clear_from};
 use weights::{BIAS, SCALE, WEIGHTS};
 pub use words::{HASHED, Spoken};
@@ -20,18 +21,22 @@ pub use words::{HASHED, Spoken};
 /// costs less than asking. `docs/talk.md` tells how often it is wrong with people whom it never heard.
 pub const ACTS_FROM: f32 = 0.78;
 
+/// The largest log odds.
+const MOST: f32 = 30.0;
+
 /// The robot answers that all is done already if that is more probable than this: the answer moves nothing, so a wrong one costs as much
 /// as three questions.
 pub(super) const DONE_FROM: f32 = 0.67;
 
-/// The probability that a reading with these clues is what was meant: a number from 0 to 1.
-pub(super) fn probability(clues: &Clues<'_>) -> f32 {
+/// The odds of a reading with these clues against nothing that is to be done: a finite number above 0.
+pub(super) fn odds(clues: &Clues<'_>) -> f32 {
     let to_kind = clues.to_kind();
-    let mut sum = BIAS + clues.spoken().says(clues.kind());
+    let says = |spoken: &Spoken<'_>| spoken.says(clues.kind_of_words());
+    let mut sum = BIAS + says(clues.spoken()) + clues.between().map_or(0.0, says);
     clues.for_each(&mut |clue, value| {
         for clue in [clue, clue.saturating_add(to_kind)] {
             sum += f32::from(WEIGHTS.get(usize::from(clue)).copied().unwrap_or(0)) * SCALE * value;
         }
     });
-    1.0 / (1.0 + libm::expf(-sum))
+    libm::expf(sum.clamp(-MOST, MOST))
 }

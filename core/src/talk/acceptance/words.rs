@@ -4,7 +4,7 @@
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
 //! stored: 3 bytes for each feature that has weights, whatever its language.
 
-use super::clues::KINDS;
+use super::clues::KINDS_OF_WORDS as KINDS;
 use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::checksum::fnv;
@@ -21,6 +21,8 @@ const _: () = assert!(STARTS.len() == STARTS_OF + 1 && HASHES.len() == OF_WORDS.
 const LETTERS: usize = 4;
 /// What stands before the first word.
 const BORDER: &str = "^";
+/// What stands before each word between two names, which are other features.
+const BETWEEN: &str = "~";
 
 /// The words of an utterance.
 #[derive(Clone, Copy)]
@@ -28,6 +30,8 @@ pub struct Spoken<'u> {
     utterance: &'u str,
     /// The pieces that lessons had, one bit each.
     taught: u64,
+    /// Whether they are the words between two names.
+    is_between: bool,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
 }
@@ -36,9 +40,19 @@ impl<'u> Spoken<'u> {
     /// Of an utterance, and the numbers of its pieces that lessons had.
     pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
         let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
-        let mut spoken = Self { utterance, taught, says: [0; KINDS] };
+        Self { utterance, taught, is_between: false, says: [0; KINDS] }.weighed()
+    }
+
+    /// Of some pieces of the same utterance, between two names.
+    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>) -> Self {
+        let others = pieces.fold(u64::MAX, |others, piece| others & !1_u64.checked_shl(piece.into()).unwrap_or(0));
+        Self { taught: self.taught | others, is_between: true, ..*self }.weighed()
+    }
+
+    /// With what they say.
+    fn weighed(mut self) -> Self {
         let (mut says, mut heard) = ([0_i16; KINDS], Vec::<u32, WORDS_PER_COMMAND>::new());
-        spoken.for_each(&mut |feature, _| {
+        self.for_each(&mut |feature, _| {
             let weights = weights(feature);
             if weights == [0; KINDS] || heard.contains(&feature) {
                 return;
@@ -49,8 +63,8 @@ impl<'u> Spoken<'u> {
                 *sum = sum.saturating_add(weight);
             }
         });
-        spoken.says = says;
-        spoken
+        self.says = says;
+        self
     }
 
     /// What the words say for a kind of reading, from 1: a part of its log odds.
@@ -61,7 +75,8 @@ impl<'u> Spoken<'u> {
     /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice, and
     /// counts once.
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
-        let mut number = 0_u32;
+        let (mut number, of) = (0_u32, if self.is_between { BETWEEN } else { "" });
+        let mut take = |texts: [&str; 2]| take(hash(of, texts), texts);
         // The word before, if it is no such piece.
         let mut before = Word::try_from(BORDER).ok();
         let _ = for_each_piece(self.utterance, |piece| {
@@ -72,13 +87,13 @@ impl<'u> Spoken<'u> {
                     before = None;
                     continue;
                 }
-                take(hash([word, ""]), [word, ""]);
+                take([word, ""]);
                 if let Some((end, _)) = word.char_indices().nth(LETTERS) {
                     let beginning = word.get(..end).unwrap_or(word);
-                    take(hash([beginning, "*"]), [beginning, "*"]);
+                    take([beginning, "*"]);
                 }
                 if let Some(first) = &before {
-                    take(hash([first, word]), [first, word]);
+                    take([first, word]);
                 }
                 before = Word::try_from(word).ok();
             }
@@ -88,8 +103,8 @@ impl<'u> Spoken<'u> {
 }
 
 /// The hash of two texts with a blank between them, folded.
-fn hash(texts: [&str; 2]) -> u32 {
-    let hash = fnv(texts.iter().flat_map(|text| text.bytes().chain([b' '])).map(u32::from));
+fn hash(of: &str, texts: [&str; 2]) -> u32 {
+    let hash = fnv(of.bytes().map(u32::from).chain(texts.iter().flat_map(|text| text.bytes().chain([b' '])).map(u32::from)));
     (hash ^ hash >> 16) % HASHED as u32
 }
 

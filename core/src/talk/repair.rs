@@ -1,0 +1,189 @@
+//! Readings in which people repair a command while they say it: "take the bag, no, the basket to the red room".
+//!
+//! A repair has three parts (Shriberg 1994, *Preliminaries to a theory of speech disfluencies*): the reparandum, which is taken back ("the
+//! bag"), the interregnum ("no"), and the repair ("the basket"). No list has all words between the two, such as "I tell a lie", so each name
+//! that follows another one may repair it, and the [acceptance](super::acceptance) decides by the words between them.
+
+use super::context::{Context, View};
+use super::explained::Explained;
+use super::hypothesis::Judged;
+use super::words::Words;
+use crate::memory::AgentMemory;
+use crate::oomdp::Domain;
+use crate::probability::Scaled;
+use crate::session::{Agent, AgentError};
+use core::ops::Range;
+use heapless::Vec;
+
+/// The prior of a repair.
+const REPAIR: f32 = 0.02;
+/// The most names of an utterance that are looked at, and the most repairs that are weighed.
+const NAMES: usize = 6;
+pub(super) const WEIGHED: usize = 3;
+
+/// What a repair takes back.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    /// The name before it: "take the bag, no, the basket to the red room".
+    Name,
+    /// All from an earlier name on: "take the bag to the blue, no, the basket to the red room".
+    Clause,
+    /// An earlier name, but not those between: "take the bag to the red room, no, the basket".
+    Earlier,
+    /// All before it: "take the bag to the red room, no, go to the blue room".
+    All,
+}
+
+/// A repair: the words that stand, and those of the interregnum.
+#[derive(Clone, Copy)]
+struct Repair<'w> {
+    words: Words<'w>,
+    between: Words<'w>,
+    shape: Shape,
+}
+
+/// A repair with its task.
+#[derive(Clone, Copy)]
+pub(super) struct Repaired<'w> {
+    pub judged: Judged<'w>,
+    pub between: Words<'w>,
+    pub shape: Shape,
+    /// The probability of all words with it.
+    pub weight: Scaled,
+}
+
+/// The names of some words: runs of words that name something.
+fn names(words: Words<'_>) -> Vec<Range<usize>, NAMES> {
+    let mut names: Vec<Range<usize>, NAMES> = Vec::new();
+    for (at, _) in words.iter().enumerate().filter(|(_, word)| word.is_name && !word.is_toward) {
+        match names.last_mut() {
+            Some(last) if last.end == at => last.end = at.saturating_add(1),
+            _ => drop(names.push(at..at.saturating_add(1))),
+        }
+    }
+    names
+}
+
+/// The repair of the name `first` by the name `by`.
+fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize, shape: Shape) -> Option<Repair<'w>> {
+    let (first, by, before) = (names.get(first)?, names.get(by)?, names.get(by.checked_sub(1)?)?);
+    let is_next = first == before;
+    let stands = match shape {
+        Shape::Name if is_next => words.before(first.start).with(words.from(by.start)),
+        Shape::Clause if !is_next => words.before(first.start).with(words.from(by.start)),
+        Shape::Earlier if !is_next => words.before(first.start).with(words.part(first.end, before.end)).with(words.from(by.start)),
+        Shape::All if is_next => words.from(before.end),
+        _ => return None,
+    };
+    Some(Repair { words: stands, between: words.part(before.end, by.start), shape })
+}
+
+/// The words between two commands: from the last name before a position to the next name.
+pub(super) fn between_commands(words: Words<'_>, begin: usize) -> Words<'_> {
+    let last = words.before(begin).last_name().map_or(0, |last| last.saturating_add(1));
+    let next = words.from(begin).position(&|word| word.is_name).map_or(usize::MAX, |next| begin.saturating_add(next));
+    words.part(last, next)
+}
+
+impl<M: AgentMemory> Agent<M> {
+    /// The repairs of some words that are most probable, each for another task.
+    #[inline(never)]
+    pub(super) fn repairs<'w, D: Domain>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+    ) -> Result<Vec<Repaired<'w>, WEIGHED>, AgentError> {
+        let (names, mut best) = (names(words), Vec::<Repaired<'w>, WEIGHED>::new());
+        for by in 1..names.len() {
+            for first in 0..by {
+                for shape in [Shape::Name, Shape::Clause, Shape::Earlier, Shape::All] {
+                    let Some(repair) = repair(words, &names, first, by, shape) else { continue };
+                    let repaired = self.repaired(domain, words, repair, explained, context)?;
+                    let same = best.iter().position(|other| other.judged.task == repaired.judged.task);
+                    let least = (0..best.len()).reduce(|one, other| {
+                        let weight = |at: usize| best.get(at).map_or(Scaled::ZERO, |it| it.weight);
+                        if weight(one).exceeds(weight(other)) { other } else { one }
+                    });
+                    match same.or(least.filter(|_| best.is_full())).and_then(|at| best.get_mut(at)) {
+                        Some(other) if repaired.weight.exceeds(other.weight) => *other = repaired,
+                        Some(_) => {}
+                        None => drop(best.push(repaired)),
+                    }
+                }
+            }
+        }
+        Ok(best)
+    }
+
+    /// The task of a repair.
+    fn repaired<'w, D: Domain>(
+        &mut self,
+        domain: &D,
+        words: Words<'w>,
+        repair: Repair<'w>,
+        explained: &mut Explained,
+        context: Context<'_>,
+    ) -> Result<Repaired<'w>, AgentError> {
+        let Repair { words: stands, between, shape } = repair;
+        self.explain_all(domain, stands, View::PLAIN, context, explained)?;
+        let taken_back = words.without(stands);
+        let weight = taken_back.iter().fold(explained.here.scaled_by(REPAIR), |weight, word| weight.scaled_by(word.without_task));
+        let judged = self.judge_command(Judged::likely(super::Hypothesis::Command, stands, 1.0, 1.0), explained);
+        Ok(Repaired { judged, between, shape, weight })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::taught::{for_each, left};
+    use super::*;
+    use std::string::String;
+
+    #[test]
+    fn a_later_name_may_replace_an_earlier_one_and_what_is_between() {
+        let rows = [
+            ("en", "go to the red room, no, the green one", (Shape::Name, 0, 1), ["go to the green one", "room no the"]),
+            (
+                "en",
+                "take the purple bag, no, the yellow chair to the red room",
+                (Shape::Name, 0, 1),
+                ["take the yellow chair to the red room", "no the"],
+            ),
+            (
+                "en",
+                "take the purple bag to the blue, sorry, the yellow chair to the red room",
+                (Shape::Clause, 0, 2),
+                ["take the yellow chair to the red room", "sorry the"],
+            ),
+            (
+                "en",
+                "take the purple bag to the red room I mean the yellow chair",
+                (Shape::Earlier, 0, 2),
+                ["take the to the red yellow chair", "room i mean the"],
+            ),
+            (
+                "en",
+                "take the purple bag to the red room forget it go to the blue room",
+                (Shape::All, 1, 2),
+                ["room forget it go to the blue room", "room forget it go to the"],
+            ),
+            ("de", "geh ins rote Zimmer, nein, ins grüne", (Shape::Name, 0, 1), ["geh ins grüne", "zimmer nein ins"]),
+            ("en", "go to the red room", (Shape::Name, 0, 1), ["", ""]),
+        ];
+        for_each(&rows, &|sentence, words, ((shape, first, by), parts)| {
+            let repair = repair(words, &names(words), *first, *by, *shape);
+            let read = repair.map_or([(); 2].map(|()| String::new()), |it| [it.words, it.between].map(|part| left(sentence, part)));
+            assert_eq!(read, *parts, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn the_words_between_two_commands_are_those_between_their_names() {
+        let rows = [("en", "go to the red room and then take the purple bag to the blue room", "room and then take the")];
+        for_each(&rows, &|sentence, words, between| {
+            assert_eq!(left(sentence, between_commands(words, 6)), *between);
+        });
+    }
+}
