@@ -144,33 +144,29 @@ mod tests {
     #[test]
     fn a_later_name_may_replace_an_earlier_one_and_what_is_between() {
         let rows = [
-            ("en", "go to the red room, no, the green one", (Shape::Name, 0, 1), ["go to the green one", "room no the"]),
+            ("en", "go to the red room, no, the green one", ((Shape::Name, 0, 1), ["go to the green one", "room no the"])),
             (
                 "en",
                 "take the purple bag, no, the yellow chair to the red room",
-                (Shape::Name, 0, 1),
-                ["take the yellow chair to the red room", "no the"],
+                ((Shape::Name, 0, 1), ["take the yellow chair to the red room", "no the"]),
             ),
             (
                 "en",
                 "take the purple bag to the blue, sorry, the yellow chair to the red room",
-                (Shape::Clause, 0, 2),
-                ["take the yellow chair to the red room", "sorry the"],
+                ((Shape::Clause, 0, 2), ["take the yellow chair to the red room", "sorry the"]),
             ),
             (
                 "en",
                 "take the purple bag to the red room I mean the yellow chair",
-                (Shape::Earlier, 0, 2),
-                ["take the to the red yellow chair", "room i mean the"],
+                ((Shape::Earlier, 0, 2), ["take the to the red yellow chair", "room i mean the"]),
             ),
             (
                 "en",
                 "take the purple bag to the red room forget it go to the blue room",
-                (Shape::All, 1, 2),
-                ["room forget it go to the blue room", "room forget it go to the"],
+                ((Shape::All, 1, 2), ["room forget it go to the blue room", "room forget it go to the"]),
             ),
-            ("de", "geh ins rote Zimmer, nein, ins grüne", (Shape::Name, 0, 1), ["geh ins grüne", "zimmer nein ins"]),
-            ("en", "go to the red room", (Shape::Name, 0, 1), ["", ""]),
+            ("de", "geh ins rote Zimmer, nein, ins grüne", ((Shape::Name, 0, 1), ["geh ins grüne", "zimmer nein ins"])),
+            ("en", "go to the red room", ((Shape::Name, 0, 1), ["", ""])),
         ];
         for_each(&rows, &|sentence, words, ((shape, first, by), parts)| {
             let repair = repair(words, &names(words), *first, *by, *shape);
