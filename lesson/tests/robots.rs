@@ -237,3 +237,55 @@ fn values_that_a_variable_never_takes_make_no_states() {
         assert_eq!(robot.state_of(&robot.facts(next)), Ok(next));
     });
 }
+
+#[test]
+fn derived_facts_follow_from_what_holds_also_where_few_states_are_possible() {
+    let vacuum = |more: &str, derived: &str| {
+        let text = VACUUM.replace("\"actions\":[", &format!("\"derived\":[{derived}],\"actions\":[{more}"));
+        WorldFile::parse(&text).map_err(|error| error.to_string())
+    };
+    let told = |file: &WorldFile, task: &str| {
+        let Some(plan) = robot::plan(file, &task.parse().expect("a task")).expect("a robot") else { panic!("a plan") };
+        robot::with(file, |robot, start| {
+            let act = |state: u64, action: &String| {
+                let action = goodbot::oomdp::action_named(robot, action).expect("an action");
+                robot.step(&state, action).expect("a possible action")
+            };
+            let state = plan.iter().fold(start, act);
+            let mut told = Vec::new();
+            for (object, _) in robot.world().objects.iter() {
+                robot.tell_derived(&state, object, &mut |fact| told.push(format!("{} {fact}", robot.world().objects.name(object))));
+            }
+            told.join(", ")
+        })
+        .expect("a robot")
+    };
+    let derived = r#"{"name":"here","of":"?r","conditions":["vacuumIn(?v,?r)"]},
+        {"name":"near","of":"?r","conditions":["vacuumIn(?v,?other)","door(?other,?r)"]},
+        {"name":"clean","of":"?r","conditions":["roomClean(?r)"]},
+        {"name":"clean","of":"?r","conditions":["dockIn(?r)","!vacuumIn(vacuum0,?r)"]}"#;
+    // With 70 rooms beyond all doors there are too many states to number, so those that are impossible get no number.
+    let rooms: Vec<String> = (0..70).map(|room| format!(r#"{{"name":"cellar{room}","class":"room"}}"#)).collect();
+    let few = vacuum("", derived).expect("a world");
+    let many = WorldFile::parse(
+        &few.to_json_line()
+            .expect("JSON")
+            .replace(r#"{"name":"empty","class":"charge"}"#, &format!(r#"{{"name":"empty","class":"charge"}},{}"#, rooms.join(","))),
+    );
+    for file in [few, many.expect("a world")] {
+        assert_eq!(told(&file, "docked(vacuum0)"), "room0 here, room1 near, room2 near");
+        assert_eq!(told(&file, "roomClean(room1)"), "room0 near, room0 clean, room1 here, room1 clean");
+    }
+    let refused = |derived: &str| vacuum("", derived).map(|file| robot::with(&file, |_, _| ()).map_err(|flaw| flaw.to_string()));
+    assert!(refused(r#"{"name":"here","of":"?x","conditions":["vacuumIn(?v,?r)"]}"#).is_err_and(|it| it.contains("?x is in no condition")));
+    assert!(refused(r#"{"name":"here","of":"r","conditions":["vacuumIn(?v,?r)"]}"#).is_err_and(|it| it.contains("\"r\" is no variable")));
+    assert!(refused(r#"{"name":"here","of":"?r","conditions":[]}"#).is_err_and(|it| it.contains("conditions")));
+    let long = format!(r#"{{"name":"{}","of":"?r","conditions":["vacuumIn(?v,?r)"]}}"#, "h".repeat(47));
+    assert!(refused(&long).is_ok_and(|it| it.is_err_and(|it| it.contains("field \"derived[0]\": has a name of more than 46 bytes"))));
+    let four = r#""a":["room"],"b":["room"],"c":["room"],"name":["room"]"#;
+    let text = VACUUM.replace(r#""name":["room"]"#, four).replace("\"actions\":[", &format!("\"derived\":[{derived}],\"actions\":["));
+    let four = WorldFile::parse(&text).expect("a world");
+    assert!(robot::with(&four, |_, _| ()).is_err_and(|it| it.to_string().contains("have no room beside 4 attributes")));
+    let told = VACUUM.split("\"actions\"").next().unwrap_or_default().to_owned() + r#""derived":[],"task_kinds":["roomClean(?r)"]}"#;
+    assert!(WorldFile::parse(&told).is_err_and(|it| it.to_string().contains("belong to a world with actions")));
+}

@@ -11,6 +11,7 @@ use goodbot::oomdp::{
     Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables,
     ObjectTablesRef, Objects, OneByOne, PropositionId, Schema, World,
 };
+use goodbot_lesson::world::robot::LONGEST_DERIVED;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 use std::collections::{HashMap, HashSet};
@@ -32,6 +33,8 @@ pub struct Robot {
     state_count: u64,
     /// Whether the class tells at once all that is true in a state, by `true`.
     tells_all: bool,
+    /// Whether the class tells derived facts, by `derived`.
+    tells_derived: bool,
     known: Mutex<CachedAnswers>,
 }
 
@@ -42,6 +45,7 @@ struct CachedAnswers {
     steps: HashMap<(u64, u8), Option<u64>>,
     holds: HashMap<(u64, GroundProposition), bool>,
     truths: HashMap<u64, HashSet<GroundProposition>>,
+    derived: HashMap<u64, HashMap<ObjectId, Vec<String>>>,
     failed: Option<PyErr>,
 }
 
@@ -148,6 +152,12 @@ impl Robot {
         if !tells_all && !object.hasattr("holds")? {
             return Err(value("a robot of your own needs a method holds(proposition, objects, state), or true(state)"));
         }
+        let tells_derived = object.hasattr("derived")?;
+        if tells_derived && names.attributes.len() == ATTRIBUTES {
+            return Err(value(format!(
+                "derived facts have no room beside {ATTRIBUTES} attributes; leave out an attribute, or derived(state)"
+            )));
+        }
         if given.len() > MOST_OBJECTS {
             return Err(value(format!("a robot has at most {MOST_OBJECTS} objects, and {} are given", given.len())));
         }
@@ -172,7 +182,7 @@ impl Robot {
             None => u64::MAX,
         };
         let object = object.clone().unbind();
-        Ok(Self { object, names, objects, name_bytes, name_ends, count, state_count, tells_all, known: Mutex::default() })
+        Ok(Self { object, names, objects, name_bytes, name_ends, count, state_count, tells_all, tells_derived, known: Mutex::default() })
     }
 
     /// Whether this object describes it.
@@ -238,6 +248,40 @@ impl Robot {
         let strange =
             |text: &String| value(format!("true() told {text:?}, which is no proposition of these objects; write \"lampOn(lamp1)\""));
         told.iter().map(|text| read(text).ok_or_else(|| strange(text))).collect()
+    }
+
+    /// The derived facts of each object in a state.
+    fn ask_derived(&self, py: Python<'_>, number: u64) -> PyResult<HashMap<ObjectId, Vec<String>>> {
+        let mut all = HashMap::new();
+        let Some(state) = self.state(py, number) else { return Ok(all) };
+        let told = self.object.bind(py).call_method1("derived", (state,))?;
+        let told = told.cast_into::<PyDict>().map_err(|_| value("derived() must return a dict from objects to lists of words"))?;
+        for (name, facts) in told {
+            let (name, Items(facts)): (String, Items<String>) = (name.extract()?, facts.extract()?);
+            let Some(object) = self.objects().find(&name) else {
+                return Err(value(format!("derived() told of {name:?}, which is none of the objects")));
+            };
+            if let Some(strange) = facts.iter().find(|fact| fact.is_empty() || fact.len() > LONGEST_DERIVED) {
+                return Err(value(format!("derived() told {strange:?}; a derived fact is a word of 1 to {LONGEST_DERIVED} bytes")));
+            }
+            all.insert(object, facts);
+        }
+        Ok(all)
+    }
+
+    /// Passes the derived facts of an object on.
+    fn tell_derived(&self, state: u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        let known = self.known().derived.get(&state).map(|known| known.get(&object).cloned());
+        let facts = match known {
+            Some(facts) => facts,
+            None => {
+                let Some(told) = self.asked(|py| self.ask_derived(py, state)) else { return };
+                let facts = told.get(&object).cloned();
+                self.known().derived.insert(state, told);
+                facts
+            }
+        };
+        facts.iter().flatten().for_each(|fact| tell(fact));
     }
 
     /// Lends the robot to `call`, as a domain of the core.
@@ -335,5 +379,11 @@ impl Domain for Lent<'_> {
 
     fn numbered(&self, number: u64) -> u64 {
         number
+    }
+
+    fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        if self.robot.tells_derived {
+            self.robot.tell_derived(*state, object, tell);
+        }
     }
 }

@@ -166,3 +166,67 @@ def test_a_robot_has_at_most_255_actions() -> None:
         assert agent.decide(walker, meant).action == "noop"
     with pytest.raises(ValueError, match="a robot has 1 to 255 actions, and 256 are given; give several small ones one name"):
         goodbot.Agent(["at(?p)"], domain=Walker(256))
+
+
+class Corridor:
+    """Walks along places, of which the one under it and its neighbours have derived facts."""
+
+    actions = ["on", "back"]
+    propositions = {"at": ("place",), "swept": ("place",)}
+    objects = {f"place{number}": {"class": "place"} for number in range(5)}
+    state_count = 5
+
+    def step(self, state: int, action: str) -> int:
+        return min(max(state + (1 if action == "on" else -1), 0), 4)
+
+    def true(self, state: int) -> list[str]:
+        return [f"at(place{state})"]
+
+    def number(self, state: int) -> int:
+        return state
+
+    def derived(self, state: int) -> dict[str, list[str]]:
+        return {f"place{place}": [word] for place, word in [(state - 1, "behind"), (state + 1, "ahead")] if 0 <= place <= 4}
+
+
+def test_words_mean_what_a_class_tells_of_a_state() -> None:
+    corridor = Corridor()
+    for seed in range(5):
+        agent = goodbot.Agent(["at(?p)"], domain=corridor, seed=seed)
+        for state in (1, 2, 3, 1):
+            agent.told(corridor, state, "one further please", f"at(place{state + 1})")
+            agent.told(corridor, state, "one back please", f"at(place{state - 1})")
+        agent.hear(corridor, 0, "one further")
+        assert agent.most_likely == "at(place1)"
+        agent.hear(corridor, 4, "one back")
+        assert agent.most_likely == "at(place3)"
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        ([], "must return a dict"),
+        ({"place9": ["far"]}, "place9\", which is none of the objects"),
+        ({"place1": [""]}, "a derived fact is a word of 1 to 46 bytes"),
+        ({"place1": ["x" * 47]}, "a derived fact is a word of 1 to 46 bytes"),
+    ],
+)
+def test_what_is_no_derived_fact_is_told_so(told: Any, message: str) -> None:
+    class Wrong(Corridor):
+        def derived(self, state: int) -> dict[str, list[str]]:
+            checked: dict[str, list[str]] = told
+            return checked
+
+    wrong = Wrong()
+    agent = goodbot.Agent(["at(?p)"], domain=wrong)
+    with pytest.raises(ValueError, match=message):
+        agent.hear(wrong, 0, "go")
+
+
+def test_derived_facts_beside_four_attributes_are_refused() -> None:
+    class Full(Corridor):
+        attributes = {name: {"place": f"place{name}"} for name in "abcd"}
+
+    full = Full()
+    with pytest.raises(ValueError, match="no room beside 4 attributes"):
+        goodbot.Agent(["at(?p)"], domain=full).hear(full, 0, "go")

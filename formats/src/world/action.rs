@@ -1,9 +1,9 @@
-//! Reads the actions of a robot in a world, with conditions, effects and costs.
+//! Reads the actions of a robot in a world, with conditions, effects and costs, and the derived facts.
 
 use std::collections::BTreeMap;
 
 use super::classes::{WorldClasses, usable};
-use super::file::{ActionOfWorld, Literal, Term};
+use super::file::{ActionOfWorld, DerivedOfWorld, Literal, Term};
 use crate::error::{FormatError, not_in_world, wrong_class};
 use crate::json::Node;
 use crate::quoted::{excerpt, quoted};
@@ -25,14 +25,12 @@ impl ActionOfWorld {
         if let Some(node) = fields.optional("parameters") {
             for (variable, class) in node.object()?.entries() {
                 let text = class.text()?;
-                let Some(variable) = variable.strip_prefix('?').filter(|name| !name.is_empty()) else {
-                    return Err(class.error(format!("{} is no variable; begin it with ?, like \"?room\"", quoted(variable))));
-                };
+                let variable = named_variable(&class, variable)?;
                 if !known.world().classes.contains(&text) {
                     return Err(class.error(not_in_world("class", &text)));
                 }
-                classes.insert(variable.to_owned(), text.clone());
-                parameters.push((variable.to_owned(), text));
+                classes.insert(variable.clone(), text.clone());
+                parameters.push((variable, text));
             }
         }
         let mut conditions = Vec::new();
@@ -64,6 +62,31 @@ impl ActionOfWorld {
             },
         };
         Ok(Self { name, parameters, conditions, effects, cost })
+    }
+}
+
+/// The name of a variable, without its `?`.
+fn named_variable(node: &Node<'_>, text: &str) -> Result<String, FormatError> {
+    match text.strip_prefix('?').filter(|name| !name.is_empty()) {
+        Some(name) => Ok(name.to_owned()),
+        None => Err(node.error(format!("{} is no variable; begin it with ?, like \"?room\"", quoted(text)))),
+    }
+}
+
+impl DerivedOfWorld {
+    pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
+        let fields = node.clone().object()?;
+        fields.only(&["name", "of", "conditions"])?;
+        let name = usable(&fields.required("name")?)?;
+        let node = fields.required("of")?;
+        let of = named_variable(&node, &node.text()?)?;
+        let mut classes = BTreeMap::new();
+        let conditions = fields.required("conditions")?.filled_list()?;
+        let conditions = conditions.iter().map(|node| known.literal(node, &mut classes, true)).collect::<Result<_, _>>()?;
+        match classes.remove(&of) {
+            Some(class) => Ok(Self { name, of, class, conditions }),
+            None => Err(node.error(format!("?{of} is in no condition; write one about it"))),
+        }
     }
 }
 

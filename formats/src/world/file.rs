@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::writing::write_parameters;
+use super::writing::{write_parameters, write_variable};
 use crate::session::is_one;
 use crate::task_text::{GroundAtomText, LiftedTaskText};
 use crate::weights::in_order;
@@ -32,6 +32,9 @@ pub struct WorldFile {
     /// The actions of a robot.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<ActionOfWorld>,
+    /// Facts that follow from others, and that words can mean.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub derived: Vec<DerivedOfWorld>,
     /// The kinds of task that commands may mean.
     pub task_kinds: Vec<LiftedTaskText>,
 }
@@ -67,7 +70,22 @@ pub struct ActionOfWorld {
     pub cost: u8,
 }
 
-/// A proposition of an action, or its opposite.
+/// A fact about an object that follows from others, or one of its cases: it is so where the conditions of one of its entries hold.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DerivedOfWorld {
+    /// Its name, which words come to mean, such as `here`.
+    pub name: String,
+    /// The variable of the object, without its `?`.
+    #[serde(serialize_with = "write_variable")]
+    pub of: String,
+    /// The class of the object, which follows from the conditions.
+    #[serde(skip)]
+    pub class: String,
+    /// Propositions that must hold, or must not hold, with some objects for their other variables.
+    pub conditions: Vec<Literal>,
+}
+
+/// A proposition of an action or of a derived fact, or its opposite.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Literal {
     /// Whether the proposition is negated.
@@ -78,7 +96,7 @@ pub struct Literal {
     pub terms: Vec<Term>,
 }
 
-/// An argument of a proposition of an action.
+/// An argument of such a proposition.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Term {
     /// A variable, without its `?`: a parameter, or a variable with a value from a condition.

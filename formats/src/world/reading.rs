@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::classes::{WorldClasses, usable};
-use super::file::{ActionOfWorld, ObjectOfWorld, WorldFile};
+use super::file::{ActionOfWorld, DerivedOfWorld, ObjectOfWorld, WorldFile};
 use crate::error::{FormatError, not_in_world, twice, wrong_class};
 use crate::json::{Node, Object, Source};
 use crate::quoted::quoted;
@@ -22,6 +22,7 @@ const FIELDS: &[&str] = &[
     "source",
     "variables",
     "actions",
+    "derived",
 ];
 
 impl WorldFile {
@@ -55,6 +56,15 @@ impl WorldFile {
         }
         if let Some(actions) = fields.optional("actions") {
             world.read_actions(&actions)?;
+        }
+        if let Some(derived) = fields.optional("derived") {
+            if world.actions.is_empty() {
+                return Err(
+                    derived.error("belong to a world with actions: elsewhere words can mean each fact about one object; list it in facts")
+                );
+            }
+            let known = WorldClasses::of(&world);
+            world.derived = derived.list()?.iter().map(|node| DerivedOfWorld::read(node, &known)).collect::<Result<_, _>>()?;
         }
         for node in fields.required("task_kinds")?.filled_list()? {
             let kind: LiftedTaskText = node.task()?;

@@ -11,7 +11,7 @@
 use crate::home::full;
 use crate::name::task_name;
 use crate::place::Place;
-use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, LIFTED_TASKS};
+use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, LIFTED_TASKS, NAME_BYTES};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, Object, ObjectCount, ObjectError, ObjectId,
@@ -22,7 +22,7 @@ use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{ActionOfWorld, Literal, SessionInWorld, Term, WorldFile};
+use goodbot_formats::world::{ActionOfWorld, DerivedOfWorld, Literal, SessionInWorld, Term, WorldFile};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -51,6 +51,9 @@ const NAME_BYTES_TOGETHER: usize = 60_000;
 const MOST_DIGITS: usize = 1 << 16;
 /// The most choices of objects to try for the conditions and effects of all actions.
 const MOST_CASES: usize = 1 << 20;
+
+/// The bytes of the longest name of a derived fact: the core puts two letters before it.
+pub const LONGEST_DERIVED: usize = NAME_BYTES - 2;
 
 /// The tables of a robot from a world file.
 #[derive(Debug)]
@@ -118,6 +121,13 @@ impl Tables {
         }
         if let Some((name, _)) = file.propositions.iter().find(|(_, classes)| classes.len() > ARGUMENTS) {
             return flaw(format!("propositions.{name}"), format!("has more than {ARGUMENTS} arguments; give it fewer"));
+        }
+        if file.attributes.len() == ATTRIBUTES && !file.derived.is_empty() {
+            let message = format!("have no room beside {ATTRIBUTES} attributes; leave out an attribute, or these");
+            return flaw("derived", message);
+        }
+        if let Some(position) = file.derived.iter().position(|derived| derived.name.len() > LONGEST_DERIVED) {
+            return flaw(format!("derived[{position}]"), format!("has a name of more than {LONGEST_DERIVED} bytes; give it a shorter one"));
         }
         let prefix = |(name, classes): &(String, Vec<String>)| -> Vec<String> {
             classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect()
@@ -382,6 +392,17 @@ struct Mechanism {
     /// The facts that hold and cannot change.
     fixed: BTreeSet<Key>,
     actions: Vec<Grounded>,
+    /// The derived facts of objects, and when each is so.
+    derived: Vec<Derived>,
+}
+
+/// A derived fact of an object.
+#[derive(Clone, Debug)]
+struct Derived {
+    object: ObjectId,
+    name: String,
+    /// It is so if the conditions of one of them hold; they have no effects.
+    cases: Vec<Case>,
 }
 
 /// An action with objects for its parameters.
@@ -446,6 +467,9 @@ impl Mechanism {
         for position in 0..file.actions.len() {
             mechanism.ground(position, &file.actions, schema, objects)?;
         }
+        for (position, derived) in file.derived.iter().enumerate() {
+            mechanism.derive(position, derived, schema, objects)?;
+        }
         let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
         if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
             let start = mechanism.values_of(&file.facts, &file.variables, schema, objects)?;
@@ -501,7 +525,9 @@ impl Mechanism {
     /// actions that need them.
     fn keep_possible(&mut self, start: &[u64]) {
         let possible = self.possible(start);
-        self.actions.iter_mut().for_each(|action| action.cases.retain(|case| case.is_possible(&possible)));
+        let cases =
+            self.actions.iter_mut().map(|action| &mut action.cases).chain(self.derived.iter_mut().map(|derived| &mut derived.cases));
+        cases.for_each(|cases| cases.retain(|case| case.is_possible(&possible)));
         self.actions.retain(|action| !action.cases.is_empty());
         let is_kept = |digit: usize| possible.get(digit).is_some_and(|values| values.len() > 1);
         // The new positions of the digits and their values.
@@ -512,7 +538,7 @@ impl Mechanism {
             Some((*digits.get(digit)?, before as u64))
         };
         let is_value = |digit: usize, value: u64| possible.get(digit).is_some_and(|values| values.contains(&value));
-        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+        for case in self.cases_mut() {
             // Only possible cases are left, so a condition on an impossible value demands another value, and always holds.
             case.conditions.retain(|&(digit, value, _)| is_kept(digit) && is_value(digit, value));
             case.effects.retain(|&(digit, _)| is_kept(digit));
@@ -561,13 +587,19 @@ impl Mechanism {
                 (*digit, *value) = (place, if is_exchanged { exchanged(*value) } else { *value });
             }
         };
-        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+        for case in self.cases_mut() {
             case.conditions.iter_mut().for_each(|(digit, value, _)| at(digit, value));
             case.effects.iter_mut().for_each(|(digit, value)| at(digit, value));
         }
         self.places.values_mut().for_each(|(digit, value)| at(digit, value));
         let kept = std::mem::take(&mut self.digits).into_iter().zip(&joined).filter(|(_, (_, is_joined))| !is_joined);
         self.digits = kept.map(|(digit, _)| digit).collect();
+    }
+
+    /// The cases of all actions and derived facts.
+    fn cases_mut(&mut self) -> impl Iterator<Item = &mut Case> {
+        let of_actions = self.actions.iter_mut().flat_map(|action| &mut action.cases);
+        of_actions.chain(self.derived.iter_mut().flat_map(|derived| &mut derived.cases))
     }
 
     /// The possible values of each digit, and perhaps more: each effect counts as if the old value stayed possible too.
@@ -668,24 +700,13 @@ impl Mechanism {
         let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
         let earlier: HashMap<String, usize> = earlier.map(|(at, action)| (action.name.clone(), at)).collect();
         let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
-        let mut free: Vec<(&str, ClassId)> = Vec::new();
-        for literal in &action.conditions {
-            let classes = schema.proposition(&literal.proposition).map_or(&[][..], |proposition| schema.parameters(proposition));
-            for (term, &class) in literal.terms.iter().zip(classes) {
-                if let Term::Variable(name) = term
-                    && action.parameters.iter().all(|(known, _)| known != name)
-                    && free.iter().all(|(known, _)| known != name)
-                {
-                    free.push((name, class));
-                }
-            }
-        }
+        let free = free_variables(&action.conditions, |name| action.parameters.iter().any(|(known, _)| known == name), schema);
         let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
         let tries = Tries::new(format!("actions[{position}]"), "can be done with more objects than can be tried; give it fewer variables");
         let mut one = |binding: &Binding<'_>| -> Result<(), WorldFlaw> {
             let mut cases = Vec::new();
             each_binding(objects, &free, binding, &tries, &mut |binding| {
-                cases.extend(self.case(action, schema, objects, binding));
+                cases.extend(self.case(&action.conditions, &action.effects, schema, objects, binding));
                 Ok(())
             })?;
             if !cases.is_empty() {
@@ -702,8 +723,33 @@ impl Mechanism {
         each_binding(objects, &bound, &BTreeMap::new(), &tries, &mut one)
     }
 
-    /// The case of an action with these objects, if its fixed conditions hold.
-    fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &Binding<'_>) -> Option<Case> {
+    /// Adds a derived fact of each object, or further cases of one that is there.
+    fn derive(&mut self, position: usize, all: &DerivedOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
+        let free = free_variables(&all.conditions, |name| *name == all.of, schema);
+        let tries = Tries::new(format!("derived[{position}]"), "has more choices of objects than can be tried; give it fewer variables");
+        for object in objects.of_class(schema.class(&all.class).unwrap_or(ClassId::new(0))) {
+            let mut cases = Vec::new();
+            each_binding(objects, &free, &BTreeMap::from([(all.of.as_str(), object)]), &tries, &mut |binding| {
+                cases.extend(self.case(&all.conditions, &[], schema, objects, binding));
+                Ok(())
+            })?;
+            match self.derived.iter_mut().find(|known| known.object == object && known.name == all.name) {
+                Some(known) => known.cases.append(&mut cases),
+                None => self.derived.push(Derived { object, name: all.name.clone(), cases }),
+            }
+        }
+        Ok(())
+    }
+
+    /// The case of an action or a derived fact with these objects, if its fixed conditions hold.
+    fn case(
+        &self,
+        conditions: &[Literal],
+        effects: &[Literal],
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+        binding: &Binding<'_>,
+    ) -> Option<Case> {
         let key = |literal: &Literal| -> Option<Key> {
             let mut arguments = [ObjectId::new(0); ARGUMENTS];
             for (slot, term) in arguments.iter_mut().zip(&literal.terms) {
@@ -715,7 +761,7 @@ impl Mechanism {
             Some((schema.proposition(&literal.proposition)?, arguments))
         };
         let mut case = Case { conditions: vec![], effects: vec![] };
-        for condition in &action.conditions {
+        for condition in conditions {
             let key = key(condition)?;
             match self.places.get(&key) {
                 Some(&(digit, value)) => case.conditions.push((digit, value, !condition.negated)),
@@ -723,7 +769,7 @@ impl Mechanism {
                 None => {}
             }
         }
-        for effect in &action.effects {
+        for effect in effects {
             let &(digit, value) = self.places.get(&key(effect)?)?;
             case.effects.push((digit, if effect.negated { 0 } else { value }));
         }
@@ -733,6 +779,27 @@ impl Mechanism {
     fn has(&self, state: u64, digit: usize, value: u64) -> bool {
         self.digits.get(digit).is_some_and(|digit| digit.of(state) == value)
     }
+
+    fn is_so(&self, state: u64, case: &Case) -> bool {
+        case.conditions.iter().all(|&(digit, value, wanted)| self.has(state, digit, value) == wanted)
+    }
+}
+
+/// The variables of conditions that `is_bound` does not know, each with its class.
+fn free_variables<'c>(conditions: &'c [Literal], is_bound: impl Fn(&String) -> bool, schema: &Schema<'_>) -> Vec<(&'c str, ClassId)> {
+    let mut free: Vec<(&str, ClassId)> = Vec::new();
+    for literal in conditions {
+        let classes = schema.proposition(&literal.proposition).map_or(&[][..], |proposition| schema.parameters(proposition));
+        for (term, &class) in literal.terms.iter().zip(classes) {
+            if let Term::Variable(name) = term
+                && !is_bound(name)
+                && free.iter().all(|(known, _)| known != name)
+            {
+                free.push((name, class));
+            }
+        }
+    }
+    free
 }
 
 /// All choices of different objects of these classes.
@@ -826,8 +893,7 @@ impl Domain for Robot<'_> {
 
     fn step(&self, state: &u64, action: Action) -> Option<u64> {
         let cases = &self.mechanism.actions.get(action.index())?.cases;
-        let holds = |&(digit, value, wanted): &(usize, u64, bool)| self.mechanism.has(*state, digit, value) == wanted;
-        let case = cases.iter().find(|case| case.conditions.iter().all(holds))?;
+        let case = cases.iter().find(|case| self.mechanism.is_so(*state, case))?;
         let set =
             |state: u64, &(digit, value): &(usize, u64)| self.mechanism.digits.get(digit).map_or(state, |digit| digit.set(state, value));
         Some(case.effects.iter().fold(*state, set))
@@ -855,6 +921,11 @@ impl Domain for Robot<'_> {
 
     fn numbered(&self, number: u64) -> u64 {
         number
+    }
+
+    fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        let is_so = |derived: &&Derived| derived.cases.iter().any(|case| self.mechanism.is_so(*state, case));
+        self.mechanism.derived.iter().filter(|derived| derived.object == object).filter(is_so).for_each(|derived| tell(&derived.name));
     }
 }
 

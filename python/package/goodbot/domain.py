@@ -15,6 +15,9 @@ class Domain(Protocol):
     - `holds(proposition, objects, state)`: whether a proposition holds of a tuple of objects; or
     - `true(state)`: all propositions that hold, as texts such as `lampOn(lamp1)`. It is faster: a plan asks it once for each state.
 
+    It may have `derived(state)` too: a dict from objects to words for what follows from the state, such as `{"lamp1": ["nearest"]}`. Words of commands
+    come to mean them, as they mean values of attributes. With four attributes there is no room for them.
+
     >>> class Lamps:
     ...     '''Two lamps, and a robot that switches each by its button.'''
     ...     actions = ["left", "right"]
