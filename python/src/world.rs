@@ -121,6 +121,12 @@ impl World {
         pyo3::types::PyTuple::new(py, names)
     }
 
+    /// The propositions that an action can change, such as `lampOn(lamp0)`.
+    #[getter]
+    fn propositions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyTuple>> {
+        pyo3::types::PyTuple::new(py, self.0.lend(|robot| robot.changing()).iter().map(ToString::to_string))
+    }
+
     /// The objects by their names: `class`, and the values of their attributes.
     #[getter]
     fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

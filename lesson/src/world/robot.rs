@@ -279,7 +279,16 @@ impl<'w> Robot<'w> {
     /// The facts of a state, in the order of the propositions and their objects.
     pub fn facts(&self, state: u64) -> Vec<GroundAtomText> {
         let changing = self.mechanism.places.iter().filter(|&(_, &(digit, value))| self.mechanism.has(state, digit, value));
-        let all: BTreeSet<&Key> = changing.map(|(key, _)| key).chain(&self.mechanism.fixed).collect();
+        self.texts(changing.map(|(key, _)| key).chain(&self.mechanism.fixed))
+    }
+
+    /// The propositions that an action can change, in the same order.
+    pub fn changing(&self) -> Vec<GroundAtomText> {
+        self.texts(self.mechanism.places.keys())
+    }
+
+    fn texts<'k>(&self, keys: impl Iterator<Item = &'k Key>) -> Vec<GroundAtomText> {
+        let all: BTreeSet<&Key> = keys.collect();
         let text = |(proposition, arguments): &&Key| {
             let count = self.schema.parameters(*proposition).len();
             let names = arguments.iter().take(count).map(|&object| self.objects.name(object));
