@@ -289,3 +289,22 @@ fn derived_facts_follow_from_what_holds_also_where_few_states_are_possible() {
     let told = VACUUM.split("\"actions\"").next().unwrap_or_default().to_owned() + r#""derived":[],"task_kinds":["roomClean(?r)"]}"#;
     assert!(WorldFile::parse(&told).is_err_and(|it| it.to_string().contains("belong to a world with actions")));
 }
+
+#[test]
+fn a_dear_action_is_taken_only_where_the_others_cost_more() {
+    let plan = |cost: u16| {
+        let text = LIFT.replacen(
+            "\"actions\":[",
+            &format!(r#""actions":[{{"name":"leap","parameters":{{"?f":"floor"}},"effects":["liftAtFloor(lift0,?f)"],"cost":{cost}}},"#),
+            1,
+        );
+        let text = text.replacen(r#"{"name":"up","#, r#"{"name":"up","cost":100,"#, 1);
+        let file = WorldFile::parse(&text).map_err(|error| error.to_string())?;
+        robot::plan(&file, &"liftAtFloor(lift0,floor3)".parse().expect("a task")).map_err(|flaw| flaw.to_string())
+    };
+    assert_eq!(plan(199), Ok(Some(vec!["leap(floor3)".to_owned()])));
+    assert_eq!(plan(201), Ok(Some(vec!["up".to_owned(), "up".to_owned()])));
+    for cost in [0, 256] {
+        assert!(plan(cost).is_err_and(|it| it.contains("write a whole number from 1 to 255")));
+    }
+}

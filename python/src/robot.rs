@@ -59,7 +59,7 @@ fn pairs<'py>(object: &Bound<'py, PyAny>, name: &str) -> PyResult<Vec<(String, B
 /// The names of actions and their costs: a dict, or a list of names that cost 1 each.
 fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
     let given = object.getattr("actions")?;
-    let actions: Vec<(String, u8)> = match given.cast::<PyDict>() {
+    let actions: Vec<(String, i64)> = match given.cast::<PyDict>() {
         Ok(dict) => dict.iter().map(|(name, cost)| Ok((name.extract()?, cost.extract()?))).collect::<PyResult<_>>()?,
         Err(_) => given.extract::<Items<String>>()?.0.into_iter().map(|name| (name, 1)).collect(),
     };
@@ -68,14 +68,14 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
         return Err(value(format!("a robot has 1 to {} actions, and {} are given; {remedy}", Action::MOST, actions.len())));
     }
     for (position, (name, cost)) in actions.iter().enumerate() {
-        if !(1..=MOST_COST).contains(cost) {
+        if !(1..=i64::from(MOST_COST)).contains(cost) {
             return Err(value(format!("action {name:?} costs {cost}; the cost must be 1 to {MOST_COST}")));
         }
         if name.is_empty() || name == "noop" || actions.iter().take(position).any(|(other, _)| other == name) {
             return Err(value(format!("an action cannot be called {name:?}: names are unique, not empty, and noop is every robot's")));
         }
     }
-    Ok(actions)
+    Ok(actions.into_iter().map(|(name, cost)| (name, cost as u8)).collect())
 }
 
 /// The position of a class, which is added if it is new.

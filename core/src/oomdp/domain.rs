@@ -44,8 +44,11 @@ impl<'a> ActionKind<'a> {
     }
 }
 
-/// The largest cost of an action.
-pub const MOST_COST: u8 = 16;
+/// The largest cost of an action: [`MOST_COST_ON_CONTROLLERS`], and 255 with the feature `alloc`, where each unit of the highest cost takes a
+/// bit of each state and time in each step of a search. No action is free: one that undoes another would be on a cheapest way for ever.
+pub const MOST_COST: u8 = if cfg!(feature = "alloc") { u8::MAX } else { MOST_COST_ON_CONTROLLERS };
+/// The largest cost of an action without the feature `alloc`, as on controllers.
+pub const MOST_COST_ON_CONTROLLERS: u8 = 16;
 
 /// The vocabulary and the objects of a domain.
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@ use crate::task_text::{GroundAtomText, TaskTextError};
 const VARIABLE: &str = "\u{e000}";
 
 /// The costs that an action can have.
-const COSTS: std::ops::RangeInclusive<u64> = 1..=16;
+const COSTS: std::ops::RangeInclusive<u64> = 1..=255;
 
 impl ActionOfWorld {
     pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
@@ -58,7 +58,7 @@ impl ActionOfWorld {
             None => 1,
             Some(node) => match node.count()? {
                 cost if COSTS.contains(&cost) => cost as u8,
-                cost => return Err(node.error(format!("{cost} is no cost of an action; write a whole number from 1 to 16"))),
+                cost => return Err(node.error(format!("{cost} is no cost of an action; write a whole number from 1 to 255"))),
             },
         };
         Ok(Self { name, parameters, conditions, effects, cost })

@@ -65,7 +65,7 @@ pub struct ActionOfWorld {
     pub conditions: Vec<Literal>,
     /// Propositions that hold, or no longer hold, after it.
     pub effects: Vec<Literal>,
-    /// Its cost, 1 to 16.
+    /// Its cost, 1 to 255.
     #[serde(skip_serializing_if = "is_one")]
     pub cost: u8,
 }

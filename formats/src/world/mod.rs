@@ -18,7 +18,7 @@
 //! | `derived` | facts about an object that follow from others, and that words can mean; may be absent |
 //!
 //! An action has a `name`, `parameters` (from variables such as `?room` to classes), `conditions` and `effects` (lists of propositions with
-//! variables or objects; `!` negates a proposition) and a `cost` of 1 to 16. Only `name` and `effects` are required. If a variable of its
+//! variables or objects; `!` negates a proposition) and a `cost` of 1 to 255. Only `name` and `effects` are required. If a variable of its
 //! conditions is no parameter, it gets a value with which they hold. Further actions of the same name are further cases of it, of the same
 //! cost: the first case whose conditions hold takes effect.
 //!

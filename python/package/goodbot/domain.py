@@ -43,7 +43,7 @@ class Domain(Protocol):
 
     @property
     def actions(self) -> Sequence[str] | Mapping[str, int]:
-        """The names of at most 255 actions, each of cost 1; or a dict from names to costs, 1 to 16. `noop` is every robot's."""
+        """The names of at most 255 actions, each of cost 1; or a dict from names to costs, 1 to 255. `noop` is every robot's."""
 
     @property
     def objects(self) -> Mapping[str, Mapping[str, str]]:
