@@ -308,3 +308,70 @@ fn a_dear_action_is_taken_only_where_the_others_cost_more() {
         assert!(plan(cost).is_err_and(|it| it.contains("write a whole number from 1 to 255")));
     }
 }
+
+/// A robot that carries balls and boxes, and rolls balls alone.
+const THINGS: &str = r#"{"type":"world","name":"toys","classes":["object","robot","thing","ball","box","room"],
+    "parents":{"thing":"object","room":"object","ball":"thing","box":"thing"},"attributes":{"color":["object"]},
+    "propositions":{"holding":["robot","thing"],"rolled":["ball"],"lies":["thing"]},
+    "objects":[{"name":"robot0","class":"robot"},{"name":"ball0","class":"ball","attributes":{"color":"red"}},
+        {"name":"box0","class":"box","attributes":{"color":"red"}},{"name":"ball1","class":"ball","attributes":{"color":"blue"}},
+        {"name":"room0","class":"room","attributes":{"color":"blue"}}],
+    "facts":["lies(ball0)","lies(ball1)","lies(box0)"],
+    "actions":[{"name":"take","parameters":{"?x":"thing"},"conditions":["lies(?x)"],"effects":["holding(robot0,?x)","!lies(?x)"]},
+        {"name":"roll","parameters":{"?x":"thing"},"conditions":["holding(robot0,?x)","!rolled(?x)"],"effects":["rolled(?x)"]}],
+    "task_kinds":["holding(?r,?x)","rolled(?b) & holding(?r,?b)","rolled(?b)"]}"#;
+
+#[test]
+fn an_object_is_of_the_classes_above_its_own_and_tasks_of_a_lower_class_are_about_that_alone() {
+    use goodbot::task::{GroundedTask, ground};
+    let file = WorldFile::parse(THINGS).expect("a world");
+    assert_eq!(WorldFile::parse(&file.to_json_line().expect("JSON")), Ok(file.clone()));
+    robot::with(&file, |robot, start| {
+        assert!(check(robot, start, 1_000).is_ok_and(|checked| checked.all));
+        let actions: Vec<&str> = robot.actions().iter().map(|kind| kind.name).collect();
+        assert_eq!(actions, ["take(ball0)", "take(box0)", "take(ball1)", "roll(ball0)", "roll(ball1)"]);
+        let lifted = robot::tasks(&file, robot).expect("kinds");
+        let mut tasks = [GroundedTask::UNUSED; 64];
+        let count = ground(robot, &lifted, &start, &mut tasks).expect("room");
+        let name = |task: &GroundedTask| goodbot_lesson::name::task_name(robot, &lifted[usize::from(task.lifted)], task);
+        let names: Vec<String> = tasks[..count].iter().filter_map(|task| name(task).ok()).map(|name| name.to_string()).collect();
+        assert_eq!(
+            names,
+            [
+                "holding(robot0,ball0)",
+                "holding(robot0,box0)",
+                "holding(robot0,ball1)",
+                "rolled(ball0) & holding(robot0,ball0)",
+                "rolled(ball1) & holding(robot0,ball1)",
+                "rolled(ball0)",
+                "rolled(ball1)"
+            ]
+        );
+        assert_eq!(goodbot_lesson::world::count_tasks(&file), Ok(count));
+        let mut told = Vec::new();
+        for (object, _) in robot.world().objects.iter() {
+            robot.tell_derived(&start, object, &mut |fact| told.push(fact.to_owned()));
+        }
+        assert_eq!(told, ["ball", "box", "ball"], "nothing else is of one class with another");
+    })
+    .expect("a robot");
+    assert_eq!(
+        robot::plan(&file, &"rolled(ball1)".parse().expect("a task")),
+        Ok(Some(["take(ball1)", "roll(ball1)"].map(str::to_owned).to_vec()))
+    );
+}
+
+#[test]
+fn classes_above_others_that_contradict_are_refused() {
+    for (from, to, told) in [
+        (r#""box":"thing""#, r#""box":"thing","object":"ball""#, "\"ball\" is the class itself, or below it"),
+        (r#""box":"thing""#, r#""box":"toy""#, "the world has no class \"toy\""),
+        ("\"lies(box0)\"", "\"rolled(box0)\"", "\"box0\" is where an object of the class \"ball\" belongs"),
+        ("\"lies(box0)\"", "\"lies(room0)\"", "\"room0\" is where an object of the class \"thing\" belongs"),
+        (r#""conditions":["lies(?x)"]"#, r#""conditions":["lies(?x)","rolled(?y)","holding(?y,?x)"]"#, "\"?y\" is where an object of"),
+        (r#""effects":["holding(robot0,?x)""#, r#""effects":["rolled(?x)","holding(robot0,?x)""#, "\"?x\" is where an object of"),
+    ] {
+        let refused = WorldFile::parse(&THINGS.replacen(from, to, 1)).map_err(|error| error.to_string());
+        assert!(refused.as_ref().is_err_and(|it| it.contains(told)), "{told}: {refused:?}");
+    }
+}

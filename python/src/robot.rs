@@ -26,6 +26,8 @@ const NAME_BYTES: usize = 1 << 15;
 pub struct Robot {
     object: Py<PyAny>,
     names: Names,
+    /// The class of each object, of which `objects` has the core's.
+    classes: Vec<ClassId>,
     objects: Vec<Object>,
     name_bytes: Vec<u8>,
     name_ends: Vec<u16>,
@@ -111,6 +113,16 @@ fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
             names.attributes.push((name, carried));
         }
     }
+    if object.hasattr("parents")? {
+        for (name, above) in pairs(object, "parents")? {
+            let above: String = above.extract()?;
+            let (class, above_it) = (class_id(&mut names, &name), class_id(&mut names, &above));
+            if names.is_a(above_it, class) {
+                return Err(value(format!("parents has {above:?} above {name:?}, which is itself, or above it; name another one")));
+            }
+            names.parents.push((class, above_it));
+        }
+    }
     if names.attributes.len() > ATTRIBUTES {
         return Err(full(py, CapacityError::new(Capacity::Attributes, ATTRIBUTES, names.attributes.len())));
     }
@@ -140,6 +152,7 @@ fn described<'py>(object: &Bound<'py, PyAny>) -> PyResult<Described<'py>> {
         }
         objects.push((name, class, given));
     }
+    names.settle();
     Ok((names, objects))
 }
 
@@ -171,7 +184,7 @@ impl Robot {
                 texts.push(values.get_item(attribute)?.map(|text| text.extract::<String>()).transpose()?.unwrap_or_default());
             }
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            set.add(*class, name, &texts).map_err(|error| match error {
+            set.add(names.of_core(*class), name, &texts).map_err(|error| match error {
                 ObjectError::Capacity(error) => full(py, error),
                 error => value(format!("object {name:?}: {error}")),
             })?;
@@ -182,7 +195,20 @@ impl Robot {
             None => u64::MAX,
         };
         let object = object.clone().unbind();
-        Ok(Self { object, names, objects, name_bytes, name_ends, count, state_count, tells_all, tells_derived, known: Mutex::default() })
+        let classes = given.iter().map(|&(_, class, _)| class).collect();
+        Ok(Self {
+            object,
+            classes,
+            names,
+            objects,
+            name_bytes,
+            name_ends,
+            count,
+            state_count,
+            tells_all,
+            tells_derived,
+            known: Mutex::default(),
+        })
     }
 
     /// Whether this object describes it.
@@ -303,7 +329,18 @@ impl Robot {
         next
     }
 
+    /// Whether the objects are of the proposition's classes, or of classes below.
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        let wanted = self.names.wanted.get(proposition.proposition.index()).map_or(&[][..], Vec::as_slice);
+        let is_it =
+            |(&object, &above): (&ObjectId, &ClassId)| self.classes.get(object.index()).is_some_and(|&it| self.names.is_a(it, above));
+        self.names.parents.is_empty() || proposition.arguments.iter().zip(wanted).all(is_it)
+    }
+
     fn holds(&self, proposition: &GroundProposition, state: u64) -> bool {
+        if !self.admits(proposition) {
+            return false;
+        }
         if self.tells_all {
             return self.is_told(proposition, state);
         }
@@ -382,8 +419,17 @@ impl Domain for Lent<'_> {
     }
 
     fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        // Words tell the objects of one class of the core apart by their own class.
+        let class = self.robot.classes.get(object.index()).filter(|&&class| self.robot.names.of_core(class) != class);
+        if let Some(name) = class.and_then(|class| self.robot.names.classes.get(class.index())) {
+            tell(name);
+        }
         if self.robot.tells_derived {
             self.robot.tell_derived(*state, object, tell);
         }
+    }
+
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        self.robot.admits(proposition)
     }
 }

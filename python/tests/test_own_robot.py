@@ -230,3 +230,53 @@ def test_derived_facts_beside_four_attributes_are_refused() -> None:
     full = Full()
     with pytest.raises(ValueError, match="no room beside 4 attributes"):
         goodbot.Agent(["at(?p)"], domain=full).hear(full, 0, "go")
+
+
+class Toys:
+    """Takes any thing, and rolls a ball."""
+
+    parents = {"ball": "thing", "box": "thing"}
+    actions = [f"{verb} {toy}" for verb in ("take", "roll") for toy in ("ball0", "box0", "ball1")]
+    propositions = {"taken": ("thing",), "rolled": ("ball",)}
+    attributes = {"color": {"thing": "is"}}
+    objects = {
+        "ball0": {"class": "ball", "color": "red"},
+        "box0": {"class": "box", "color": "red"},
+        "ball1": {"class": "ball", "color": "blue"},
+    }
+    state_count = 64
+
+    def step(self, state: int, action: str) -> int | None:
+        number = self.actions.index(action)
+        return None if action == "roll box0" else state | 1 << number
+
+    def holds(self, proposition: str, objects: tuple[str, ...], state: int) -> bool:
+        assert proposition == "taken" or objects[0].startswith("ball"), "a box is no ball"
+        return bool(state >> self.actions.index(("take " if proposition == "taken" else "roll ") + objects[0]) & 1)
+
+    def number(self, state: int) -> int:
+        return state
+
+
+def test_an_object_is_of_the_classes_above_its_own_and_words_tell_which() -> None:
+    toys = Toys()
+    for seed in range(5):
+        agent = goodbot.Agent(["taken(?x)", "rolled(?b)"], domain=toys, seed=seed)
+        agent.told(toys, 0, "take the red ball", "taken(ball0)")
+        assert agent.tasks == ["taken(ball0)", "taken(box0)", "taken(ball1)", "rolled(ball0)", "rolled(ball1)"]
+        agent.told(toys, 0, "take the blue ball", "taken(ball1)")
+        agent.told(toys, 0, "roll the blue ball", "rolled(ball1)")
+        agent.told(toys, 0, "take the red box", "taken(box0)")
+        agent.told(toys, 0, "take the red ball", "taken(ball0)")
+        agent.hear(toys, 0, "the box please")
+        assert agent.most_likely == "taken(box0)"
+        agent.hear(toys, 0, "roll the red ball")
+        assert agent.most_likely == "rolled(ball0)"
+
+
+def test_classes_above_one_another_are_refused() -> None:
+    class Round(Toys):
+        parents = {"ball": "thing", "thing": "ball"}
+
+    with pytest.raises(ValueError, match="parents has \"ball\" above \"thing\", which is itself, or above it"):
+        goodbot.Agent(["taken(?x)"], domain=Round())

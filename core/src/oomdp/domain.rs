@@ -129,6 +129,13 @@ pub trait Domain: Sized {
     /// The role model treats them as values of one more attribute, if the schema has room for one more. A domain need not have any.
     #[cfg(feature = "ways")]
     fn tell_derived(&self, _state: &Self::State, _object: ObjectId, _tell: &mut dyn FnMut(&str)) {}
+
+    /// Whether a task may be about a proposition with these objects, which are of its classes. A domain that knows classes below others has
+    /// one class for all of them, and says here which of its objects are of the lower ones.
+    #[cfg(feature = "alloc")]
+    fn admits(&self, _proposition: &GroundProposition) -> bool {
+        true
+    }
 }
 
 /// The cost of an action, at least 1; 1 for an action that the domain does not have.

@@ -101,22 +101,25 @@ impl WorldClasses<'_> {
         for (argument, class) in atom.arguments().iter().zip(parameters) {
             let wrong = |name: &str| Err(node.error(wrong_class(name, &class)));
             if let Some(variable) = argument.strip_prefix(VARIABLE) {
-                match classes.get(variable) {
-                    Some(other) if *other != class => return wrong(&format!("?{variable}")),
+                let known = classes.get(variable);
+                let class = match known {
+                    Some(known) if self.world().is_a(known, &class) => known.clone(),
+                    // The lower of two classes counts. Where an effect needs it, a condition must have it.
+                    Some(known) if !(may_be_new && self.world().is_a(&class, known)) => return wrong(&format!("?{variable}")),
                     None if !may_be_new => {
                         return Err(node.error(format!(
                             "?{} has no value: it is no parameter and in no condition; add it to one of them",
                             excerpt(variable, 40)
                         )));
                     }
-                    Some(_) | None => {}
-                }
+                    Some(_) | None => class,
+                };
                 classes.insert(variable.to_owned(), class);
                 terms.push(Term::Variable(variable.to_owned()));
             } else {
                 match self.class_of(argument) {
                     None => return Err(node.error(not_in_world("object", argument))),
-                    Some(other) if other != class => return wrong(argument),
+                    Some(other) if !self.world().is_a(other, &class) => return wrong(argument),
                     Some(_) => terms.push(Term::Object(argument.clone())),
                 }
             }

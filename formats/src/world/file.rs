@@ -15,6 +15,9 @@ pub struct WorldFile {
     pub name: String,
     /// The classes of objects.
     pub classes: Vec<String>,
+    /// Classes below others, each with the one above it: an object of a class is also of those above.
+    #[serde(serialize_with = "in_order", skip_serializing_if = "Vec::is_empty")]
+    pub parents: Vec<(String, String)>,
     /// The attributes, each with the classes that carry it.
     #[serde(serialize_with = "in_order")]
     pub attributes: Vec<(String, Vec<String>)>,
@@ -37,6 +40,18 @@ pub struct WorldFile {
     pub derived: Vec<DerivedOfWorld>,
     /// The kinds of task that commands may mean.
     pub task_kinds: Vec<LiftedTaskText>,
+}
+
+impl WorldFile {
+    /// A class and those above it, the nearest first.
+    pub fn and_above<'w>(&'w self, class: &'w str) -> impl Iterator<Item = &'w str> {
+        std::iter::successors(Some(class), |class| self.parents.iter().find(|(below, _)| below == class).map(|(_, above)| above.as_str()))
+    }
+
+    /// Whether a class is another one, or below it.
+    pub fn is_a(&self, class: &str, above: &str) -> bool {
+        self.and_above(class).any(|known| known == above)
+    }
 }
 
 /// An object of a world.

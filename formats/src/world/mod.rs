@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `name` | the world's name |
 //! | `classes` | a list of names |
+//! | `parents` | from a class to the one above it: its objects serve where objects of that one are wanted; may be absent |
 //! | `attributes` | from each attribute to the list of classes that carry it |
 //! | `propositions` | from each proposition to the list of its arguments' classes |
 //! | `objects` | a list of objects with `name`, `class` and `attributes`: from attributes to values |

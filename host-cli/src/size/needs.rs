@@ -151,6 +151,11 @@ pub fn is_for_controllers(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
         );
         return Err(WorldFlaw { field: "actions".to_owned(), message });
     }
+    let file = robot.file();
+    let for_hosts = [("derived", file.derived.is_empty()), ("parents", file.parents.is_empty())];
+    if let Some((field, _)) = for_hosts.into_iter().find(|(_, is_empty)| !is_empty) {
+        return Err(WorldFlaw { field: field.to_owned(), message: "are for hosts, not for a controller; leave them out".to_owned() });
+    }
     let most = MOST_COST_ON_CONTROLLERS;
     if let Some(dear) = robot.actions().iter().find(|kind| kind.cost > most) {
         let message = format!("have {}, which costs {}, and {most} is the most for a controller; divide the costs", dear.name, dear.cost);

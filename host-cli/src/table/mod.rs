@@ -69,10 +69,6 @@ fn text(options: &TableOptions, robot: &Robot<'_>, start: u64) -> Result<String,
     // The kinds of task and the numbers of actions and states are checked before the states themselves, which take longer.
     let kinds = robot::tasks(robot.file(), robot)?;
     is_for_controllers(robot)?;
-    if !robot.file().derived.is_empty() {
-        let message = "are told by hosts alone; leave them out, or write Domain::tell_derived, in C the field derived, yourself";
-        return Err(WorldFlaw { field: "derived".to_owned(), message: message.to_owned() });
-    }
     check(robot, start, MOST_STATES_OF_WORLD).map_err(|error| WorldFlaw { field: "actions".to_owned(), message: error.to_string() })?;
     let capacities = least_of_world(robot, &Lessons::new(options.sessions, options.words), Learner::Roles.options())?;
     let source = Source::of(robot, start, kinds, capacities);

@@ -115,8 +115,11 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
     for atom in kind.atoms() {
         let parameters = world.propositions.iter().find(|(name, _)| name == atom.function()).map_or(&[][..], |(_, parameters)| parameters);
         for (variable, class) in atom.variables().iter().zip(parameters) {
-            if !variables.iter().any(|(known, _)| known == variable) {
-                variables.push((variable, class));
+            match variables.iter_mut().find(|(known, _)| known == variable) {
+                None => variables.push((variable, class)),
+                // The lower of two classes counts.
+                Some((_, known)) if world.is_a(class, known) => *known = class,
+                Some(_) => {}
             }
         }
     }
@@ -124,7 +127,7 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
     for (variable, class) in variables {
         let mut next = Vec::new();
         for before in &all {
-            for object in world.objects.iter().filter(|object| object.class == class) {
+            for object in world.objects.iter().filter(|object| world.is_a(&object.class, class)) {
                 if before.iter().all(|(_, other)| *other != object.name) {
                     let mut binding = before.clone();
                     binding.push((variable, &object.name));
@@ -152,7 +155,8 @@ impl<'w> Scene<'w> {
     fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>, before: &'w [Arc<Step>]) -> Self {
         // An odd sort belongs to objects at a goal, and training begins with no word for its values. So sorts are even, unless a class has
         // so many attributes that most would share the last one.
-        let carried = |class: &String| world.attributes.iter().filter(|(_, classes)| classes.contains(class)).count();
+        let carried =
+            |class: &String| world.attributes.iter().filter(|(_, classes)| classes.iter().any(|above| world.is_a(class, above))).count();
         let most = world.classes.iter().map(carried).max().unwrap_or(0);
         let step = if most <= VALUE_SORTS / 2 + 1 { 2 } else { 1 };
         let numbers = (0..).step_by(step);

@@ -22,7 +22,7 @@ use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{ActionOfWorld, DerivedOfWorld, Literal, SessionInWorld, Term, WorldFile};
+use goodbot_formats::world::{DerivedOfWorld, Literal, SessionInWorld, Term, WorldFile};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -59,8 +59,8 @@ pub const LONGEST_DERIVED: usize = NAME_BYTES - 2;
 #[derive(Debug)]
 pub struct Tables {
     file: Arc<WorldFile>,
-    /// The prefix of an attribute's values, for each class.
-    prefixes: Vec<Vec<String>>,
+    /// For each attribute: the classes that carry it, with the prefix of its values.
+    carriers: Vec<Vec<(ClassId, String)>>,
     parameters: Vec<Vec<ClassId>>,
     rows: Vec<Object>,
     name_bytes: Vec<u8>,
@@ -80,13 +80,11 @@ struct Names<'t> {
 
 impl<'t> Names<'t> {
     fn of(tables: &'t Tables) -> Self {
-        let Tables { file, prefixes, parameters, mechanism, .. } = tables;
-        let carriers = |((_, classes), prefixes): (&'t (String, Vec<String>), &'t Vec<String>)| {
-            classes.iter().zip(prefixes).map(|(name, prefix)| Carrier::new(class_of(file, name), prefix)).collect()
-        };
+        let Tables { file, carriers: carriers_of, parameters, mechanism, .. } = tables;
+        let carriers = |all: &'t Vec<(ClassId, String)>| all.iter().map(|(class, prefix)| Carrier::new(*class, prefix)).collect();
         Self {
             classes: file.classes.iter().map(|name| Class::new(name)).collect(),
-            carriers: file.attributes.iter().zip(prefixes).map(carriers).collect(),
+            carriers: carriers_of.iter().map(carriers).collect(),
             propositions: file.propositions.iter().zip(parameters).map(|((name, _), of)| Proposition::new(name, of)).collect(),
             kinds: mechanism.actions.iter().map(|action| ActionKind::new(&action.name, action.cost)).collect(),
         }
@@ -97,8 +95,30 @@ impl<'t> Names<'t> {
     }
 }
 
-fn class_of(file: &WorldFile, name: &String) -> ClassId {
+/// The core's class of a class. The core knows no classes above others: all below a class that an argument is of are one.
+fn class_of(file: &WorldFile, name: &str) -> ClassId {
+    let is_argument = |class: &&str| file.propositions.iter().any(|(_, classes)| classes.iter().any(|known| known == class));
+    let name = if file.parents.is_empty() { name } else { file.and_above(name).filter(is_argument).last().unwrap_or(name) };
     ClassId::new(file.classes.iter().position(|known| known == name).unwrap_or(0) as u8)
+}
+
+/// The objects of each class of the file, with those of the classes below it.
+struct Members<'w>(HashMap<&'w str, Vec<ObjectId>>);
+
+impl<'w> Members<'w> {
+    fn of(file: &'w WorldFile) -> Self {
+        let mut all: HashMap<&str, Vec<ObjectId>> = HashMap::new();
+        for (position, object) in file.objects.iter().enumerate() {
+            for class in file.and_above(&object.class) {
+                all.entry(class).or_default().push(ObjectId::new(position as u8));
+            }
+        }
+        Self(all)
+    }
+
+    fn of_class(&self, class: &str) -> &[ObjectId] {
+        self.0.get(class).map_or(&[], Vec::as_slice)
+    }
 }
 
 impl Tables {
@@ -129,11 +149,8 @@ impl Tables {
         if let Some(position) = file.derived.iter().position(|derived| derived.name.len() > LONGEST_DERIVED) {
             return flaw(format!("derived[{position}]"), format!("has a name of more than {LONGEST_DERIVED} bytes; give it a shorter one"));
         }
-        let prefix = |(name, classes): &(String, Vec<String>)| -> Vec<String> {
-            classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect()
-        };
         let mut tables = Self {
-            prefixes: file.attributes.iter().map(prefix).collect(),
+            carriers: file.attributes.iter().map(|(name, classes)| carriers(&file, name, classes)).collect(),
             parameters: file.propositions.iter().map(|(_, classes)| classes.iter().map(|name| class_of(&file, name)).collect()).collect(),
             rows: vec![Object::UNUSED; file.objects.len()],
             name_bytes: vec![0; NAME_BYTES_TOGETHER],
@@ -208,6 +225,19 @@ impl Tables {
 pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> Result<R, WorldFlaw> {
     let tables = Tables::of(Arc::new(file.clone()))?;
     Ok(tables.lend(|robot| use_it(robot, tables.start)))
+}
+
+/// The core's classes that carry an attribute, with the prefix of its values.
+fn carriers(file: &WorldFile, name: &str, classes: &[String]) -> Vec<(ClassId, String)> {
+    let mut all: Vec<(ClassId, String)> = Vec::new();
+    for of in classes.iter().flat_map(|above| file.classes.iter().filter(move |class| file.is_a(class, above))) {
+        let class = class_of(file, of);
+        if all.iter().all(|(known, _)| *known != class) {
+            let of = file.classes.get(class.index()).unwrap_or(of);
+            all.push((class, format!("{of}{}", capitalised(name))));
+        }
+    }
+    all
 }
 
 fn capitalised(name: &str) -> String {
@@ -443,14 +473,13 @@ impl Mechanism {
     fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, WorldFlaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
-        let mut mechanism = Self::default();
-        for (position, (name, _)) in file.propositions.iter().enumerate() {
+        let (mut mechanism, members) = (Self::default(), Members::of(file));
+        for (position, (name, classes)) in file.propositions.iter().enumerate() {
             let id = PropositionId::new(position as u8);
-            let classes = schema.parameters(id);
             if file.variables.contains(name) {
                 let Some((last, firsts)) = classes.split_last() else { continue };
-                let values: Vec<ObjectId> = objects.of_class(*last).collect();
-                for arguments in choices(objects, firsts)? {
+                let values = members.of_class(last);
+                for arguments in choices(&members, firsts)? {
                     let digit = mechanism.add_digit(name, values.len() as u64)?;
                     for (value, &object) in values.iter().enumerate() {
                         let mut arguments = arguments;
@@ -461,7 +490,7 @@ impl Mechanism {
                     }
                 }
             } else if changed.contains(name.as_str()) {
-                for arguments in choices(objects, classes)? {
+                for arguments in choices(&members, classes)? {
                     let digit = mechanism.add_digit(name, 2)?;
                     mechanism.places.insert((id, arguments), (digit, 1));
                 }
@@ -474,10 +503,17 @@ impl Mechanism {
             }
         }
         for position in 0..file.actions.len() {
-            mechanism.ground(position, &file.actions, schema, objects)?;
+            mechanism.ground(position, file, &members, schema, objects)?;
+        }
+        // Words tell the objects of one class of the core apart by their own class.
+        for (position, object) in file.objects.iter().enumerate() {
+            if schema.class_name(class_of(file, &object.class)) != object.class {
+                let always = Case { conditions: vec![], effects: vec![] };
+                mechanism.derived.push(Derived { object: ObjectId::new(position as u8), name: object.class.clone(), cases: vec![always] });
+            }
         }
         for (position, derived) in file.derived.iter().enumerate() {
-            mechanism.derive(position, derived, schema, objects)?;
+            mechanism.derive(position, derived, file, &members, schema, objects)?;
         }
         let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
         if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
@@ -703,18 +739,24 @@ impl Mechanism {
     }
 
     /// Adds one of the file's actions with each choice of objects, or its cases to those of an earlier action of the same name and objects.
-    fn ground(&mut self, position: usize, all: &[ActionOfWorld], schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
-        let Some((action, before)) = all.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
+    fn ground(
+        &mut self,
+        position: usize,
+        file: &WorldFile,
+        members: &Members<'_>,
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<(), WorldFlaw> {
+        let Some((action, before)) = file.actions.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
         let has_earlier_cases = before.iter().any(|other| other.name == action.name);
         let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
         let earlier: HashMap<String, usize> = earlier.map(|(at, action)| (action.name.clone(), at)).collect();
-        let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
-        let free = free_variables(&action.conditions, |name| action.parameters.iter().any(|(known, _)| known == name), schema);
-        let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
+        let free = free_variables(file, &action.conditions, |name| action.parameters.iter().any(|(known, _)| known == name));
+        let bound: Vec<(&str, &str)> = action.parameters.iter().map(|(name, of)| (name.as_str(), of.as_str())).collect();
         let tries = Tries::new(format!("actions[{position}]"), "can be done with more objects than can be tried; give it fewer variables");
         let mut one = |binding: &Binding<'_>| -> Result<(), WorldFlaw> {
             let mut cases = Vec::new();
-            each_binding(objects, &free, binding, &tries, &mut |binding| {
+            each_binding(members, &free, binding, &tries, &mut |binding| {
                 cases.extend(self.case(&action.conditions, &action.effects, schema, objects, binding));
                 Ok(())
             })?;
@@ -729,16 +771,24 @@ impl Mechanism {
             }
             Ok(())
         };
-        each_binding(objects, &bound, &BTreeMap::new(), &tries, &mut one)
+        each_binding(members, &bound, &BTreeMap::new(), &tries, &mut one)
     }
 
     /// Adds a derived fact of each object, or further cases of one that is there.
-    fn derive(&mut self, position: usize, all: &DerivedOfWorld, schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
-        let free = free_variables(&all.conditions, |name| *name == all.of, schema);
+    fn derive(
+        &mut self,
+        position: usize,
+        all: &DerivedOfWorld,
+        file: &WorldFile,
+        members: &Members<'_>,
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<(), WorldFlaw> {
+        let free = free_variables(file, &all.conditions, |name| *name == all.of);
         let tries = Tries::new(format!("derived[{position}]"), "has more choices of objects than can be tried; give it fewer variables");
-        for object in objects.of_class(schema.class(&all.class).unwrap_or(ClassId::new(0))) {
+        for &object in members.of_class(&all.class) {
             let mut cases = Vec::new();
-            each_binding(objects, &free, &BTreeMap::from([(all.of.as_str(), object)]), &tries, &mut |binding| {
+            each_binding(members, &free, &BTreeMap::from([(all.of.as_str(), object)]), &tries, &mut |binding| {
                 cases.extend(self.case(&all.conditions, &[], schema, objects, binding));
                 Ok(())
             })?;
@@ -795,16 +845,18 @@ impl Mechanism {
 }
 
 /// The variables of conditions that `is_bound` does not know, each with its class.
-fn free_variables<'c>(conditions: &'c [Literal], is_bound: impl Fn(&String) -> bool, schema: &Schema<'_>) -> Vec<(&'c str, ClassId)> {
-    let mut free: Vec<(&str, ClassId)> = Vec::new();
+fn free_variables<'c>(file: &'c WorldFile, conditions: &'c [Literal], is_bound: impl Fn(&String) -> bool) -> Vec<(&'c str, &'c str)> {
+    let mut free: Vec<(&str, &str)> = Vec::new();
     for literal in conditions {
-        let classes = schema.proposition(&literal.proposition).map_or(&[][..], |proposition| schema.parameters(proposition));
-        for (term, &class) in literal.terms.iter().zip(classes) {
-            if let Term::Variable(name) = term
-                && !is_bound(name)
-                && free.iter().all(|(known, _)| known != name)
-            {
-                free.push((name, class));
+        let classes = file.propositions.iter().find(|(name, _)| *name == literal.proposition).map_or(&[][..], |(_, classes)| classes);
+        for (term, class) in literal.terms.iter().zip(classes) {
+            let Term::Variable(name) = term else { continue };
+            match free.iter_mut().find(|(known, _)| known == name) {
+                None if is_bound(name) => {}
+                None => free.push((name, class)),
+                // The lower of two classes counts.
+                Some((_, known)) if file.is_a(class, known) => *known = class,
+                Some(_) => {}
             }
         }
     }
@@ -812,12 +864,12 @@ fn free_variables<'c>(conditions: &'c [Literal], is_bound: impl Fn(&String) -> b
 }
 
 /// All choices of different objects of these classes.
-fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; ARGUMENTS]>, WorldFlaw> {
+fn choices(members: &Members<'_>, classes: &[String]) -> Result<Vec<[ObjectId; ARGUMENTS]>, WorldFlaw> {
     let names = ["0", "1", "2"];
-    let variables: Vec<(&str, ClassId)> = names.iter().copied().zip(classes.iter().copied()).collect();
+    let variables: Vec<(&str, &str)> = names.iter().copied().zip(classes.iter().map(String::as_str)).collect();
     let mut all = Vec::new();
     let tries = Tries::new("objects".to_owned(), "give more propositions than can be told apart; leave out some");
-    each_binding(objects, &variables, &BTreeMap::new(), &tries, &mut |binding| {
+    each_binding(members, &variables, &BTreeMap::new(), &tries, &mut |binding| {
         let mut arguments = [ObjectId::new(0); ARGUMENTS];
         for (slot, (name, _)) in arguments.iter_mut().zip(&variables) {
             *slot = binding.get(name).copied().unwrap_or(ObjectId::new(0));
@@ -862,19 +914,19 @@ impl Tries {
 /// Calls `each` for each choice of objects for the variables, beside those that have objects already. Different variables have different
 /// objects.
 fn each_binding<'v>(
-    objects: Objects<'_>,
-    variables: &[(&'v str, ClassId)],
+    members: &Members<'_>,
+    variables: &[(&'v str, &str)],
     before: &Binding<'v>,
     tries: &Tries,
     each: &mut dyn FnMut(&Binding<'v>) -> Result<(), WorldFlaw>,
 ) -> Result<(), WorldFlaw> {
     let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
-    for object in objects.of_class(class) {
+    for &object in members.of_class(class) {
         tries.take()?;
         if before.values().all(|&taken| taken != object) {
             let mut binding = before.clone();
             binding.insert(name, object);
-            each_binding(objects, rest, &binding, tries, each)?;
+            each_binding(members, rest, &binding, tries, each)?;
         }
     }
     Ok(())
@@ -935,6 +987,15 @@ impl Domain for Robot<'_> {
     fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
         let is_so = |derived: &&Derived| derived.cases.iter().any(|case| self.mechanism.is_so(*state, case));
         self.mechanism.derived.iter().filter(|derived| derived.object == object).filter(is_so).for_each(|derived| tell(&derived.name));
+    }
+
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        let Some((_, classes)) = self.file.propositions.get(proposition.proposition.index()).filter(|_| !self.file.parents.is_empty())
+        else {
+            return true;
+        };
+        let class = |object: ObjectId| self.file.objects.get(object.index()).map_or("", |object| object.class.as_str());
+        proposition.arguments.iter().zip(classes).all(|(&object, above)| self.file.is_a(class(object), above))
     }
 }
 

@@ -18,6 +18,9 @@ class Domain(Protocol):
     It may have `derived(state)` too: a dict from objects to words for what follows from the state, such as `{"lamp1": ["nearest"]}`. Words of commands
     come to mean them, as they mean values of attributes. With four attributes there is no room for them.
 
+    It may have `parents` too, a dict from classes to those above them, such as `{"ball": "thing"}`: a ball then serves where a thing is wanted, and "ball"
+    can mean it.
+
     >>> class Lamps:
     ...     '''Two lamps, and a robot that switches each by its button.'''
     ...     actions = ["left", "right"]
