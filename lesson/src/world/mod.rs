@@ -182,6 +182,9 @@ impl<'w> Scene<'w> {
             for fact in alone.get(object.name.as_str()).into_iter().flatten() {
                 said.push((last, token("is", fact)));
             }
+            if world.parents.iter().any(|(below, _)| *below == object.class) {
+                said.push((last, token("is", &object.class)));
+            }
             said.extend(before::of_object(before, object).into_iter().map(|fact| (last, fact)));
             said.sort();
             said.dedup();
@@ -286,6 +289,19 @@ mod tests {
         let description = meanings(&world, &[], &[]).unwrap().remove(0).description;
         let markers = description.iter().filter_map(|token| token.parse::<Marker>().ok());
         markers.filter(|marker| marker.role.kind() == RoleKind::Goal).map(|marker| marker.sort).collect()
+    }
+
+    #[test]
+    fn a_task_of_a_class_is_about_objects_of_the_classes_below_too_and_their_class_tells_them_apart() {
+        let world = r#"{"type":"world","name":"hall","classes":["thing","ball","box"],"parents":{"ball":"thing","box":"thing"},"attributes":{},
+            "propositions":{"there":["thing"],"rolled":["ball"]},"objects":[{"name":"a","class":"ball"},{"name":"b","class":"box"}],
+            "task_kinds":["there(?x)","rolled(?x)","there(?x) & rolled(?x)"]}"#;
+        let world = WorldFile::parse(world).unwrap();
+        let meanings = meanings(&world, &[], &[]).unwrap();
+        let labels: Vec<(String, &str)> = meanings.iter().map(|meaning| (meaning.name.to_string(), meaning.label.as_str())).collect();
+        let labels: Vec<(&str, &str)> = labels.iter().map(|(name, label)| (name.as_str(), *label)).collect();
+        let both = ("there(a) & rolled(a)", "there rolled isBall isBall");
+        assert_eq!(labels, [("there(a)", "there isBall"), ("there(b)", "there isBox"), ("rolled(a)", "rolled isBall"), both]);
     }
 
     #[test]
