@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Print the world of a PDDL domain and problem
 ///
-/// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 16 are understood. The problem must be small: a robot has at
+/// Typing, STRIPS, negative preconditions, equality and action costs of 1 to 255 are understood. The problem must be small: a robot has at
 /// most 256 tasks, and at most 255 actions with their objects. Parameters that others determine do not count.
 #[derive(Debug, Args)]
 #[command(after_help = "\

@@ -119,8 +119,10 @@ fn what_is_not_understood_is_refused_with_its_text_and_line() {
         assert!(refused.contains(told), "{told}: {refused}");
     }
     assert!(converted(&"(".repeat(100_000), GRIPPER_4).is_err_and(|it| it.contains("more than 64 open brackets")));
-    let dear = converted(DELIVERY, &DELIVERY_4.replace("home park) 4", "home park) 40")).expect_err("a cost");
-    assert!(dear.contains("go costs 40, and a world's action costs 1 to 16"), "{dear}");
+    for cost in [0, 256] {
+        let refused = converted(DELIVERY, &DELIVERY_4.replace("home park) 4", &format!("home park) {cost}"))).expect_err("a cost");
+        assert!(refused.contains(&format!("go costs {cost}, and a world's action costs 1 to 255")), "{refused}");
+    }
 }
 
 #[test]

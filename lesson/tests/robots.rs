@@ -237,3 +237,141 @@ fn values_that_a_variable_never_takes_make_no_states() {
         assert_eq!(robot.state_of(&robot.facts(next)), Ok(next));
     });
 }
+
+#[test]
+fn derived_facts_follow_from_what_holds_also_where_few_states_are_possible() {
+    let vacuum = |more: &str, derived: &str| {
+        let text = VACUUM.replace("\"actions\":[", &format!("\"derived\":[{derived}],\"actions\":[{more}"));
+        WorldFile::parse(&text).map_err(|error| error.to_string())
+    };
+    let told = |file: &WorldFile, task: &str| {
+        let Some(plan) = robot::plan(file, &task.parse().expect("a task")).expect("a robot") else { panic!("a plan") };
+        robot::with(file, |robot, start| {
+            let act = |state: u64, action: &String| {
+                let action = goodbot::oomdp::action_named(robot, action).expect("an action");
+                robot.step(&state, action).expect("a possible action")
+            };
+            let state = plan.iter().fold(start, act);
+            let mut told = Vec::new();
+            for (object, _) in robot.world().objects.iter() {
+                robot.tell_derived(&state, object, &mut |fact| told.push(format!("{} {fact}", robot.world().objects.name(object))));
+            }
+            told.join(", ")
+        })
+        .expect("a robot")
+    };
+    let derived = r#"{"name":"here","of":"?r","conditions":["vacuumIn(?v,?r)"]},
+        {"name":"near","of":"?r","conditions":["vacuumIn(?v,?other)","door(?other,?r)"]},
+        {"name":"clean","of":"?r","conditions":["roomClean(?r)"]},
+        {"name":"clean","of":"?r","conditions":["dockIn(?r)","!vacuumIn(vacuum0,?r)"]}"#;
+    // With 70 rooms beyond all doors there are too many states to number, so those that are impossible get no number.
+    let rooms: Vec<String> = (0..70).map(|room| format!(r#"{{"name":"cellar{room}","class":"room"}}"#)).collect();
+    let few = vacuum("", derived).expect("a world");
+    let many = WorldFile::parse(
+        &few.to_json_line()
+            .expect("JSON")
+            .replace(r#"{"name":"empty","class":"charge"}"#, &format!(r#"{{"name":"empty","class":"charge"}},{}"#, rooms.join(","))),
+    );
+    for file in [few, many.expect("a world")] {
+        assert_eq!(told(&file, "docked(vacuum0)"), "room0 here, room1 near, room2 near");
+        assert_eq!(told(&file, "roomClean(room1)"), "room0 near, room0 clean, room1 here, room1 clean");
+    }
+    let refused = |derived: &str| vacuum("", derived).map(|file| robot::with(&file, |_, _| ()).map_err(|flaw| flaw.to_string()));
+    assert!(refused(r#"{"name":"here","of":"?x","conditions":["vacuumIn(?v,?r)"]}"#).is_err_and(|it| it.contains("?x is in no condition")));
+    assert!(refused(r#"{"name":"here","of":"r","conditions":["vacuumIn(?v,?r)"]}"#).is_err_and(|it| it.contains("\"r\" is no variable")));
+    assert!(refused(r#"{"name":"here","of":"?r","conditions":[]}"#).is_err_and(|it| it.contains("conditions")));
+    let long = format!(r#"{{"name":"{}","of":"?r","conditions":["vacuumIn(?v,?r)"]}}"#, "h".repeat(47));
+    assert!(refused(&long).is_ok_and(|it| it.is_err_and(|it| it.contains("field \"derived[0]\": has a name of more than 46 bytes"))));
+    let four = r#""a":["room"],"b":["room"],"c":["room"],"name":["room"]"#;
+    let text = VACUUM.replace(r#""name":["room"]"#, four).replace("\"actions\":[", &format!("\"derived\":[{derived}],\"actions\":["));
+    let four = WorldFile::parse(&text).expect("a world");
+    assert!(robot::with(&four, |_, _| ()).is_err_and(|it| it.to_string().contains("have no room beside 4 attributes")));
+    let told = VACUUM.split("\"actions\"").next().unwrap_or_default().to_owned() + r#""derived":[],"task_kinds":["roomClean(?r)"]}"#;
+    assert!(WorldFile::parse(&told).is_err_and(|it| it.to_string().contains("belong to a world with actions")));
+}
+
+#[test]
+fn a_dear_action_is_taken_only_where_the_others_cost_more() {
+    let plan = |cost: u16| {
+        let text = LIFT.replacen(
+            "\"actions\":[",
+            &format!(r#""actions":[{{"name":"leap","parameters":{{"?f":"floor"}},"effects":["liftAtFloor(lift0,?f)"],"cost":{cost}}},"#),
+            1,
+        );
+        let text = text.replacen(r#"{"name":"up","#, r#"{"name":"up","cost":100,"#, 1);
+        let file = WorldFile::parse(&text).map_err(|error| error.to_string())?;
+        robot::plan(&file, &"liftAtFloor(lift0,floor3)".parse().expect("a task")).map_err(|flaw| flaw.to_string())
+    };
+    assert_eq!(plan(199), Ok(Some(vec!["leap(floor3)".to_owned()])));
+    assert_eq!(plan(201), Ok(Some(vec!["up".to_owned(), "up".to_owned()])));
+    for cost in [0, 256] {
+        assert!(plan(cost).is_err_and(|it| it.contains("write a whole number from 1 to 255")));
+    }
+}
+
+/// A robot that carries balls and boxes, and rolls balls alone.
+const THINGS: &str = r#"{"type":"world","name":"toys","classes":["object","robot","thing","ball","box","room"],
+    "parents":{"thing":"object","room":"object","ball":"thing","box":"thing"},"attributes":{"color":["object"]},
+    "propositions":{"holding":["robot","thing"],"rolled":["ball"],"lies":["thing"]},
+    "objects":[{"name":"robot0","class":"robot"},{"name":"ball0","class":"ball","attributes":{"color":"red"}},
+        {"name":"box0","class":"box","attributes":{"color":"red"}},{"name":"ball1","class":"ball","attributes":{"color":"blue"}},
+        {"name":"room0","class":"room","attributes":{"color":"blue"}}],
+    "facts":["lies(ball0)","lies(ball1)","lies(box0)"],
+    "actions":[{"name":"take","parameters":{"?x":"thing"},"conditions":["lies(?x)"],"effects":["holding(robot0,?x)","!lies(?x)"]},
+        {"name":"roll","parameters":{"?x":"thing"},"conditions":["holding(robot0,?x)","!rolled(?x)"],"effects":["rolled(?x)"]}],
+    "task_kinds":["holding(?r,?x)","rolled(?b) & holding(?r,?b)","rolled(?b)"]}"#;
+
+#[test]
+fn an_object_is_of_the_classes_above_its_own_and_tasks_of_a_lower_class_are_about_that_alone() {
+    use goodbot::task::{GroundedTask, ground};
+    let file = WorldFile::parse(THINGS).expect("a world");
+    assert_eq!(WorldFile::parse(&file.to_json_line().expect("JSON")), Ok(file.clone()));
+    robot::with(&file, |robot, start| {
+        assert!(check(robot, start, 1_000).is_ok_and(|checked| checked.all));
+        let actions: Vec<&str> = robot.actions().iter().map(|kind| kind.name).collect();
+        assert_eq!(actions, ["take(ball0)", "take(box0)", "take(ball1)", "roll(ball0)", "roll(ball1)"]);
+        let lifted = robot::tasks(&file, robot).expect("kinds");
+        let mut tasks = [GroundedTask::UNUSED; 64];
+        let count = ground(robot, &lifted, &start, &mut tasks).expect("room");
+        let name = |task: &GroundedTask| goodbot_lesson::name::task_name(robot, &lifted[usize::from(task.lifted)], task);
+        let names: Vec<String> = tasks[..count].iter().filter_map(|task| name(task).ok()).map(|name| name.to_string()).collect();
+        assert_eq!(
+            names,
+            [
+                "holding(robot0,ball0)",
+                "holding(robot0,box0)",
+                "holding(robot0,ball1)",
+                "rolled(ball0) & holding(robot0,ball0)",
+                "rolled(ball1) & holding(robot0,ball1)",
+                "rolled(ball0)",
+                "rolled(ball1)"
+            ]
+        );
+        assert_eq!(goodbot_lesson::world::count_tasks(&file), Ok(count));
+        let mut told = Vec::new();
+        for (object, _) in robot.world().objects.iter() {
+            robot.tell_derived(&start, object, &mut |fact| told.push(fact.to_owned()));
+        }
+        assert_eq!(told, ["ball", "box", "ball"], "nothing else is of one class with another");
+    })
+    .expect("a robot");
+    assert_eq!(
+        robot::plan(&file, &"rolled(ball1)".parse().expect("a task")),
+        Ok(Some(["take(ball1)", "roll(ball1)"].map(str::to_owned).to_vec()))
+    );
+}
+
+#[test]
+fn classes_above_others_that_contradict_are_refused() {
+    for (from, to, told) in [
+        (r#""box":"thing""#, r#""box":"thing","object":"ball""#, "\"ball\" is the class itself, or below it"),
+        (r#""box":"thing""#, r#""box":"toy""#, "the world has no class \"toy\""),
+        ("\"lies(box0)\"", "\"rolled(box0)\"", "\"box0\" is where an object of the class \"ball\" belongs"),
+        ("\"lies(box0)\"", "\"lies(room0)\"", "\"room0\" is where an object of the class \"thing\" belongs"),
+        (r#""conditions":["lies(?x)"]"#, r#""conditions":["lies(?x)","rolled(?y)","holding(?y,?x)"]"#, "\"?y\" is where an object of"),
+        (r#""effects":["holding(robot0,?x)""#, r#""effects":["rolled(?x)","holding(robot0,?x)""#, "\"?x\" is where an object of"),
+    ] {
+        let refused = WorldFile::parse(&THINGS.replacen(from, to, 1)).map_err(|error| error.to_string());
+        assert!(refused.as_ref().is_err_and(|it| it.contains(told)), "{told}: {refused:?}");
+    }
+}

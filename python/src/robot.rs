@@ -11,6 +11,7 @@ use goodbot::oomdp::{
     Action, ActionKind, ClassId, Domain, GroundProposition, MOST_COST, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, ObjectTables,
     ObjectTablesRef, Objects, OneByOne, PropositionId, Schema, World,
 };
+use goodbot_lesson::world::robot::LONGEST_DERIVED;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString, PyTuple};
 use std::collections::{HashMap, HashSet};
@@ -25,6 +26,8 @@ const NAME_BYTES: usize = 1 << 15;
 pub struct Robot {
     object: Py<PyAny>,
     names: Names,
+    /// The class of each object, of which `objects` has the core's.
+    classes: Vec<ClassId>,
     objects: Vec<Object>,
     name_bytes: Vec<u8>,
     name_ends: Vec<u16>,
@@ -32,6 +35,8 @@ pub struct Robot {
     state_count: u64,
     /// Whether the class tells at once all that is true in a state, by `true`.
     tells_all: bool,
+    /// Whether the class tells derived facts, by `derived`.
+    tells_derived: bool,
     known: Mutex<CachedAnswers>,
 }
 
@@ -42,6 +47,7 @@ struct CachedAnswers {
     steps: HashMap<(u64, u8), Option<u64>>,
     holds: HashMap<(u64, GroundProposition), bool>,
     truths: HashMap<u64, HashSet<GroundProposition>>,
+    derived: HashMap<u64, HashMap<ObjectId, Vec<String>>>,
     failed: Option<PyErr>,
 }
 
@@ -55,7 +61,7 @@ fn pairs<'py>(object: &Bound<'py, PyAny>, name: &str) -> PyResult<Vec<(String, B
 /// The names of actions and their costs: a dict, or a list of names that cost 1 each.
 fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
     let given = object.getattr("actions")?;
-    let actions: Vec<(String, u8)> = match given.cast::<PyDict>() {
+    let actions: Vec<(String, i64)> = match given.cast::<PyDict>() {
         Ok(dict) => dict.iter().map(|(name, cost)| Ok((name.extract()?, cost.extract()?))).collect::<PyResult<_>>()?,
         Err(_) => given.extract::<Items<String>>()?.0.into_iter().map(|name| (name, 1)).collect(),
     };
@@ -64,14 +70,14 @@ fn actions(object: &Bound<'_, PyAny>) -> PyResult<Vec<(String, u8)>> {
         return Err(value(format!("a robot has 1 to {} actions, and {} are given; {remedy}", Action::MOST, actions.len())));
     }
     for (position, (name, cost)) in actions.iter().enumerate() {
-        if !(1..=MOST_COST).contains(cost) {
+        if !(1..=i64::from(MOST_COST)).contains(cost) {
             return Err(value(format!("action {name:?} costs {cost}; the cost must be 1 to {MOST_COST}")));
         }
         if name.is_empty() || name == "noop" || actions.iter().take(position).any(|(other, _)| other == name) {
             return Err(value(format!("an action cannot be called {name:?}: names are unique, not empty, and noop is every robot's")));
         }
     }
-    Ok(actions)
+    Ok(actions.into_iter().map(|(name, cost)| (name, cost as u8)).collect())
 }
 
 /// The position of a class, which is added if it is new.
@@ -107,6 +113,16 @@ fn names(py: Python<'_>, object: &Bound<'_, PyAny>) -> PyResult<Names> {
             names.attributes.push((name, carried));
         }
     }
+    if object.hasattr("parents")? {
+        for (name, above) in pairs(object, "parents")? {
+            let above: String = above.extract()?;
+            let (class, above_it) = (class_id(&mut names, &name), class_id(&mut names, &above));
+            if names.is_a(above_it, class) {
+                return Err(value(format!("parents has {above:?} above {name:?}, which is itself, or above it; name another one")));
+            }
+            names.parents.push((class, above_it));
+        }
+    }
     if names.attributes.len() > ATTRIBUTES {
         return Err(full(py, CapacityError::new(Capacity::Attributes, ATTRIBUTES, names.attributes.len())));
     }
@@ -136,6 +152,7 @@ fn described<'py>(object: &Bound<'py, PyAny>) -> PyResult<Described<'py>> {
         }
         objects.push((name, class, given));
     }
+    names.settle();
     Ok((names, objects))
 }
 
@@ -147,6 +164,12 @@ impl Robot {
         let tells_all = object.hasattr("true")?;
         if !tells_all && !object.hasattr("holds")? {
             return Err(value("a robot of your own needs a method holds(proposition, objects, state), or true(state)"));
+        }
+        let tells_derived = object.hasattr("derived")?;
+        if tells_derived && names.attributes.len() == ATTRIBUTES {
+            return Err(value(format!(
+                "derived facts have no room beside {ATTRIBUTES} attributes; leave out an attribute, or derived(state)"
+            )));
         }
         if given.len() > MOST_OBJECTS {
             return Err(value(format!("a robot has at most {MOST_OBJECTS} objects, and {} are given", given.len())));
@@ -161,7 +184,7 @@ impl Robot {
                 texts.push(values.get_item(attribute)?.map(|text| text.extract::<String>()).transpose()?.unwrap_or_default());
             }
             let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
-            set.add(*class, name, &texts).map_err(|error| match error {
+            set.add(names.of_core(*class), name, &texts).map_err(|error| match error {
                 ObjectError::Capacity(error) => full(py, error),
                 error => value(format!("object {name:?}: {error}")),
             })?;
@@ -172,7 +195,20 @@ impl Robot {
             None => u64::MAX,
         };
         let object = object.clone().unbind();
-        Ok(Self { object, names, objects, name_bytes, name_ends, count, state_count, tells_all, known: Mutex::default() })
+        let classes = given.iter().map(|&(_, class, _)| class).collect();
+        Ok(Self {
+            object,
+            classes,
+            names,
+            objects,
+            name_bytes,
+            name_ends,
+            count,
+            state_count,
+            tells_all,
+            tells_derived,
+            known: Mutex::default(),
+        })
     }
 
     /// Whether this object describes it.
@@ -240,6 +276,40 @@ impl Robot {
         told.iter().map(|text| read(text).ok_or_else(|| strange(text))).collect()
     }
 
+    /// The derived facts of each object in a state.
+    fn ask_derived(&self, py: Python<'_>, number: u64) -> PyResult<HashMap<ObjectId, Vec<String>>> {
+        let mut all = HashMap::new();
+        let Some(state) = self.state(py, number) else { return Ok(all) };
+        let told = self.object.bind(py).call_method1("derived", (state,))?;
+        let told = told.cast_into::<PyDict>().map_err(|_| value("derived() must return a dict from objects to lists of words"))?;
+        for (name, facts) in told {
+            let (name, Items(facts)): (String, Items<String>) = (name.extract()?, facts.extract()?);
+            let Some(object) = self.objects().find(&name) else {
+                return Err(value(format!("derived() told of {name:?}, which is none of the objects")));
+            };
+            if let Some(strange) = facts.iter().find(|fact| fact.is_empty() || fact.len() > LONGEST_DERIVED) {
+                return Err(value(format!("derived() told {strange:?}; a derived fact is a word of 1 to {LONGEST_DERIVED} bytes")));
+            }
+            all.insert(object, facts);
+        }
+        Ok(all)
+    }
+
+    /// Passes the derived facts of an object on.
+    fn tell_derived(&self, state: u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        let known = self.known().derived.get(&state).map(|known| known.get(&object).cloned());
+        let facts = match known {
+            Some(facts) => facts,
+            None => {
+                let Some(told) = self.asked(|py| self.ask_derived(py, state)) else { return };
+                let facts = told.get(&object).cloned();
+                self.known().derived.insert(state, told);
+                facts
+            }
+        };
+        facts.iter().flatten().for_each(|fact| tell(fact));
+    }
+
     /// Lends the robot to `call`, as a domain of the core.
     pub fn lend<T>(&self, call: impl FnOnce(&Lent<'_>) -> T) -> T {
         self.names.lend(|schema, actions| call(&Lent { robot: self, schema, actions }))
@@ -259,7 +329,18 @@ impl Robot {
         next
     }
 
+    /// Whether the objects are of the proposition's classes, or of classes below.
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        let wanted = self.names.wanted.get(proposition.proposition.index()).map_or(&[][..], Vec::as_slice);
+        let is_it =
+            |(&object, &above): (&ObjectId, &ClassId)| self.classes.get(object.index()).is_some_and(|&it| self.names.is_a(it, above));
+        self.names.parents.is_empty() || proposition.arguments.iter().zip(wanted).all(is_it)
+    }
+
     fn holds(&self, proposition: &GroundProposition, state: u64) -> bool {
+        if !self.admits(proposition) {
+            return false;
+        }
         if self.tells_all {
             return self.is_told(proposition, state);
         }
@@ -335,5 +416,20 @@ impl Domain for Lent<'_> {
 
     fn numbered(&self, number: u64) -> u64 {
         number
+    }
+
+    fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        // Words tell the objects of one class of the core apart by their own class.
+        let class = self.robot.classes.get(object.index()).filter(|&&class| self.robot.names.of_core(class) != class);
+        if let Some(name) = class.and_then(|class| self.robot.names.classes.get(class.index())) {
+            tell(name);
+        }
+        if self.robot.tells_derived {
+            self.robot.tell_derived(*state, object, tell);
+        }
+    }
+
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        self.robot.admits(proposition)
     }
 }

@@ -121,6 +121,12 @@ impl World {
         pyo3::types::PyTuple::new(py, names)
     }
 
+    /// The propositions that an action can change, such as `lampOn(lamp0)`.
+    #[getter]
+    fn propositions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, pyo3::types::PyTuple>> {
+        pyo3::types::PyTuple::new(py, self.0.lend(|robot| robot.changing()).iter().map(ToString::to_string))
+    }
+
     /// The objects by their names: `class`, and the values of their attributes.
     #[getter]
     fn objects<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -141,6 +147,20 @@ impl World {
     fn facts(&self, state: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<String>> {
         let state = self.checked(state)?;
         Ok(self.0.lend(|robot| robot.facts(state)).iter().map(ToString::to_string).collect())
+    }
+
+    /// The derived facts of each object that has some in a state, by default at the start: the `derived` entries whose conditions hold.
+    #[pyo3(signature = (state=None))]
+    fn derived<'py>(&self, py: Python<'py>, state: Option<&Bound<'_, PyAny>>) -> PyResult<Bound<'py, PyDict>> {
+        let (state, all) = (self.checked(state)?, PyDict::new(py));
+        self.0.lend(|robot| {
+            robot.world().objects.iter().try_for_each(|(object, _)| {
+                let mut facts: Vec<String> = Vec::new();
+                robot.tell_derived(&state, object, &mut |fact| facts.push(fact.to_owned()));
+                if facts.is_empty() { Ok(()) } else { all.set_item(robot.world().objects.name(object), facts) }
+            })
+        })?;
+        Ok(all)
     }
 
     /// The state in which these facts hold, and no others. For a robot that senses facts.

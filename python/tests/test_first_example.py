@@ -50,6 +50,14 @@ def test_the_example_of_a_world(examples: list[str], root: Path, monkeypatch: py
     assert names["world"].plan("lampOn(lamp2)") == ["light(lamp2)"]
 
 
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_example_of_what_follows_from_the_state(examples: list[str], root: Path, monkeypatch: pytest.MonkeyPatch, seed: int) -> None:
+    monkeypatch.chdir(root)
+    names = run(examples, '"derived"', seed, goodbot=goodbot)
+    assert names["agent"].most_likely == "roomClean(room2)"
+    assert names["world"].derived(names["bedroom"]) == {"room2": ["here"]}
+
+
 def test_the_example_of_a_classifier(examples: list[str]) -> None:
     model = run(examples, "CommandClassifier", 1)["model"]
     assert model.predict(["the lamp please", "warmer"]).tolist() == ["light", "heat"]

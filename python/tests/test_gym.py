@@ -198,3 +198,46 @@ def test_fully_obs_wrapper_of_minigrid_works() -> None:
     assert env.observation_space.contains(observation) and (observation["image"][..., 0] == 10).sum() == 1
     observation, *_ = env.step(0)
     assert env.observation_space.contains(observation)
+
+
+@pytest.fixture
+def lamps(root: Path) -> goodbot.World:
+    return goodbot.World.load(root / "docs/examples/worlds/lamps.json")
+
+
+def test_a_world_is_an_environment_whose_trainer_leads_to_its_missions(lamps: goodbot.World) -> None:
+    check_env(gymnasium.make("goodbot/World-v0", world=lamps, render_mode="ansi").unwrapped)
+    env = gym.HumanFeedback(gymnasium.make("goodbot/World-v0", world=lamps, max_episode_steps=5), "balanced", seed=1)
+    inner = env.unwrapped
+    assert isinstance(inner, gym.WorldEnv) and len(inner.places) == 4
+    for seed in range(8):
+        _, info = env.reset(seed=seed)
+        right = []
+        for action in range(len(inner.actions)):
+            env.reset(seed=seed)
+            _, reward, terminated, _, told = env.step(action)
+            assert (reward == 1.0) == terminated == bool(told["correct"])
+            right += [inner.actions[action]] if told["correct"] else []
+        assert len(right) == 1 and right[0].split("(")[1] == info["intended"].split("(")[1]
+    env.reset(seed=0)
+    assert [env.step(len(inner.actions) - 1)[3] for _ in range(5)] == [False] * 4 + [True]
+
+
+def test_missions_of_a_log_of_a_world_begin_where_they_were_said(lamps: goodbot.World, root: Path, tmp_path: Path) -> None:
+    state = lamps.step(lamps.start, "light(lamp0)")
+    assert state is not None
+    log = tmp_path / "lamps.jsonl"
+    said = goodbot.Session("out with it", lamps, [], state=state, intended="lampOff(lamp0)", kind="demonstration")
+    goodbot.write_log(log, [said])
+    env = gymnasium.make("goodbot/World-v0", log=log)
+    observation, info = env.reset(seed=1)
+    assert (observation["mission"], info["intended"], env.unwrapped.state) == ("out with it", "lampOff(lamp0)", state)  # type: ignore[attr-defined]
+    assert env.step(lamps.actions.index("dim(lamp0)"))[1:3] == (1.0, True)
+    with pytest.raises(ValueError, match="make goodbot/World-v0"):
+        gymnasium.make("goodbot/Home-v0", log=log)
+    with pytest.raises(ValueError, match="take logs of one world"):
+        gym.WorldEnv(world=goodbot.World.load(root / "docs/examples/worlds/lift.json"), log=log)
+    unsaid = tmp_path / "unsaid.jsonl"
+    goodbot.write_log(unsaid, [goodbot.Session("out", lamps, [], kind="demonstration")])
+    with pytest.raises(ValueError, match="says what was meant"):
+        gym.WorldEnv(log=unsaid)

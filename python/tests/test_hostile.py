@@ -194,7 +194,7 @@ def test_an_exception_in_a_robot_of_ones_own_arrives_and_the_agent_lives_on(faul
     ("change", "text"),
     [
         ({"actions": []}, "1 to 255 actions"),
-        ({"actions": {"on": 99}}, "cost must be 1 to 16"),
+        ({"actions": {"on": 0}}, "cost must be 1 to 255"),
         ({"actions": ["noop"]}, "noop is every robot's"),
         ({"propositions": {}}, "name at least one"),
         ({"propositions": {"lampOn": ()}}, "1 to 3 classes"),

@@ -166,3 +166,117 @@ def test_a_robot_has_at_most_255_actions() -> None:
         assert agent.decide(walker, meant).action == "noop"
     with pytest.raises(ValueError, match="a robot has 1 to 255 actions, and 256 are given; give several small ones one name"):
         goodbot.Agent(["at(?p)"], domain=Walker(256))
+
+
+class Corridor:
+    """Walks along places, of which the one under it and its neighbours have derived facts."""
+
+    actions = ["on", "back"]
+    propositions = {"at": ("place",), "swept": ("place",)}
+    objects = {f"place{number}": {"class": "place"} for number in range(5)}
+    state_count = 5
+
+    def step(self, state: int, action: str) -> int:
+        return min(max(state + (1 if action == "on" else -1), 0), 4)
+
+    def true(self, state: int) -> list[str]:
+        return [f"at(place{state})"]
+
+    def number(self, state: int) -> int:
+        return state
+
+    def derived(self, state: int) -> dict[str, list[str]]:
+        return {f"place{place}": [word] for place, word in [(state - 1, "behind"), (state + 1, "ahead")] if 0 <= place <= 4}
+
+
+def test_words_mean_what_a_class_tells_of_a_state() -> None:
+    corridor = Corridor()
+    for seed in range(5):
+        agent = goodbot.Agent(["at(?p)"], domain=corridor, seed=seed)
+        for state in (1, 2, 3, 1):
+            agent.told(corridor, state, "one further please", f"at(place{state + 1})")
+            agent.told(corridor, state, "one back please", f"at(place{state - 1})")
+        agent.hear(corridor, 0, "one further")
+        assert agent.most_likely == "at(place1)"
+        agent.hear(corridor, 4, "one back")
+        assert agent.most_likely == "at(place3)"
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        ([], "must return a dict"),
+        ({"place9": ["far"]}, "place9\", which is none of the objects"),
+        ({"place1": [""]}, "a derived fact is a word of 1 to 46 bytes"),
+        ({"place1": ["x" * 47]}, "a derived fact is a word of 1 to 46 bytes"),
+    ],
+)
+def test_what_is_no_derived_fact_is_told_so(told: Any, message: str) -> None:
+    class Wrong(Corridor):
+        def derived(self, state: int) -> dict[str, list[str]]:
+            checked: dict[str, list[str]] = told
+            return checked
+
+    wrong = Wrong()
+    agent = goodbot.Agent(["at(?p)"], domain=wrong)
+    with pytest.raises(ValueError, match=message):
+        agent.hear(wrong, 0, "go")
+
+
+def test_derived_facts_beside_four_attributes_are_refused() -> None:
+    class Full(Corridor):
+        attributes = {name: {"place": f"place{name}"} for name in "abcd"}
+
+    full = Full()
+    with pytest.raises(ValueError, match="no room beside 4 attributes"):
+        goodbot.Agent(["at(?p)"], domain=full).hear(full, 0, "go")
+
+
+class Toys:
+    """Takes any thing, and rolls a ball."""
+
+    parents = {"ball": "thing", "box": "thing"}
+    actions = [f"{verb} {toy}" for verb in ("take", "roll") for toy in ("ball0", "box0", "ball1")]
+    propositions = {"taken": ("thing",), "rolled": ("ball",)}
+    attributes = {"color": {"thing": "is"}}
+    objects = {
+        "ball0": {"class": "ball", "color": "red"},
+        "box0": {"class": "box", "color": "red"},
+        "ball1": {"class": "ball", "color": "blue"},
+    }
+    state_count = 64
+
+    def step(self, state: int, action: str) -> int | None:
+        number = self.actions.index(action)
+        return None if action == "roll box0" else state | 1 << number
+
+    def holds(self, proposition: str, objects: tuple[str, ...], state: int) -> bool:
+        assert proposition == "taken" or objects[0].startswith("ball"), "a box is no ball"
+        return bool(state >> self.actions.index(("take " if proposition == "taken" else "roll ") + objects[0]) & 1)
+
+    def number(self, state: int) -> int:
+        return state
+
+
+def test_an_object_is_of_the_classes_above_its_own_and_words_tell_which() -> None:
+    toys = Toys()
+    for seed in range(5):
+        agent = goodbot.Agent(["taken(?x)", "rolled(?b)"], domain=toys, seed=seed)
+        agent.told(toys, 0, "take the red ball", "taken(ball0)")
+        assert agent.tasks == ["taken(ball0)", "taken(box0)", "taken(ball1)", "rolled(ball0)", "rolled(ball1)"]
+        agent.told(toys, 0, "take the blue ball", "taken(ball1)")
+        agent.told(toys, 0, "roll the blue ball", "rolled(ball1)")
+        agent.told(toys, 0, "take the red box", "taken(box0)")
+        agent.told(toys, 0, "take the red ball", "taken(ball0)")
+        agent.hear(toys, 0, "the box please")
+        assert agent.most_likely == "taken(box0)"
+        agent.hear(toys, 0, "roll the red ball")
+        assert agent.most_likely == "rolled(ball0)"
+
+
+def test_classes_above_one_another_are_refused() -> None:
+    class Round(Toys):
+        parents = {"ball": "thing", "thing": "ball"}
+
+    with pytest.raises(ValueError, match="parents has \"ball\" above \"thing\", which is itself, or above it"):
+        goodbot.Agent(["taken(?x)"], domain=Round())

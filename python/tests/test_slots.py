@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import runpy
+import sys
+import types
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
@@ -121,3 +123,33 @@ def test_the_example_learns_the_course(root: Path) -> None:
     rows = goodbot.run_courses(range(1, 4), trainer=example["Encouraging"], language=example["Translation"], progress=False)
     right = [row["right"] for row in rows if row["kind"] == "test"]
     assert sum(right) >= 9, "chance is about one in eight"
+
+
+def test_the_example_compares_sentences_by_embeddings_if_they_are_installed(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    example = runpy.run_path(str(root / "python/examples/own_model.py"))
+    monkeypatch.setitem(sys.modules, "sentence_transformers", None)
+    assert example["embeddings"]("any") is None
+    rows = goodbot.run_courses(range(1, 4), trainer=example["Encouraging"], language=example["Sentences"], progress=False)
+    assert sum(row["right"] for row in rows if row["kind"] == "test") >= 6
+
+    class Encoder:
+        def __init__(self, model: str) -> None:
+            self.model = model
+
+        def encode(self, said: str) -> list[float]:
+            return [float("crimson" in said or "red" in said), float("green" in said)]
+
+    installed = types.ModuleType("sentence_transformers")
+    installed.SentenceTransformer = Encoder  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "sentence_transformers", installed)
+    model = example["Sentences"](embed=example["embeddings"]("any"))
+    model.learn_features(["go", "red"], [["room red"], ["room green"]], [1.0, 0.0])
+    model.learn_features(["go", "green"], [["room red"], ["room green"]], [0.0, 1.0])
+    red, green = model.of_features(["crimson"], [["room red"], ["room green"]])
+    assert red > green, "a word that no lesson had"
+
+
+def test_the_example_is_a_language_of_the_study(root: Path) -> None:
+    program = f"{sys.executable} {root / 'python/examples/own_model.py'} --serve"
+    found = goodbot.study(courses="paper", trainers="balanced", agents=["sabl+program"], runs=2, program=program)
+    assert found.summary[0]["tests_right"]["mean"] >= 2

@@ -44,8 +44,11 @@ impl<'a> ActionKind<'a> {
     }
 }
 
-/// The largest cost of an action.
-pub const MOST_COST: u8 = 16;
+/// The largest cost of an action: [`MOST_COST_ON_CONTROLLERS`], and 255 with the feature `alloc`, where each unit of the highest cost takes a
+/// bit of each state and time in each step of a search. No action is free: one that undoes another would be on a cheapest way for ever.
+pub const MOST_COST: u8 = if cfg!(feature = "alloc") { u8::MAX } else { MOST_COST_ON_CONTROLLERS };
+/// The largest cost of an action without the feature `alloc`, as on controllers.
+pub const MOST_COST_ON_CONTROLLERS: u8 = 16;
 
 /// The vocabulary and the objects of a domain.
 #[derive(Clone, Copy, Debug)]
@@ -126,6 +129,13 @@ pub trait Domain: Sized {
     /// The role model treats them as values of one more attribute, if the schema has room for one more. A domain need not have any.
     #[cfg(feature = "ways")]
     fn tell_derived(&self, _state: &Self::State, _object: ObjectId, _tell: &mut dyn FnMut(&str)) {}
+
+    /// Whether a task may be about a proposition with these objects, which are of its classes. A domain that knows classes below others has
+    /// one class for all of them, and says here which of its objects are of the lower ones.
+    #[cfg(feature = "alloc")]
+    fn admits(&self, _proposition: &GroundProposition) -> bool {
+        true
+    }
 }
 
 /// The cost of an action, at least 1; 1 for an action that the domain does not have.

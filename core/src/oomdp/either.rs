@@ -114,6 +114,14 @@ impl<F: PushGrid, O: Domain> Domain for Either<F, O> {
             _ => {}
         }
     }
+
+    #[cfg(feature = "alloc")]
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        match self {
+            Self::Floor(floor) => floor.admits(proposition),
+            Self::Other(other) => other.admits(proposition),
+        }
+    }
 }
 
 impl<F: PushGrid, O: Domain> PushGrid for Either<F, O> {

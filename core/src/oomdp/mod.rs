@@ -28,7 +28,7 @@ pub(crate) mod vocabulary;
 pub use crate::memory::{ObjectTables, ObjectTablesRef};
 pub use action_set::ActionSet;
 pub(crate) use divider::Divider;
-pub use domain::{Action, ActionKind, Domain, MOST_COST, World, action_name, action_named, apply};
+pub use domain::{Action, ActionKind, Domain, MOST_COST, MOST_COST_ON_CONTROLLERS, World, action_name, action_named, apply};
 pub(crate) use domain::{cost, digest, own_actions};
 pub use either::Either;
 pub use objects::{GroundProposition, Object, ObjectCount, ObjectError, ObjectId, ObjectSet, Objects};

@@ -134,7 +134,7 @@ pub(crate) fn check_actions<D: Domain>(domain: &D) -> Result<(), DomainFlaw> {
     if actions.len() > Action::MOST {
         return Err(DomainFlaw::Actions { given: actions.len() });
     }
-    match actions.iter().position(|kind| kind.cost == 0 || kind.cost > MOST_COST) {
+    match actions.iter().position(|kind| !(1..=MOST_COST).contains(&kind.cost)) {
         None => Ok(()),
         Some(position) => Err(DomainFlaw::Cost { action: Action(position as u8), cost: actions.get(position).map_or(0, |kind| kind.cost) }),
     }

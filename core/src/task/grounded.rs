@@ -78,7 +78,7 @@ impl GroundedTask {
 }
 
 /// Grounds every lifted task that the environment permits: one task for each binding of its variables to different objects, except those
-/// that hold already, those whose way adds no constraint in this start state, and those with the same propositions as one before: interchangeable
+/// that hold already or that the domain does not [admit](Domain::admits), those whose way adds no constraint in this start state, and those with the same propositions as one before: interchangeable
 /// variables give a task once. Pr(l|s) is uniform over the permissible lifted tasks and
 /// Pr(t|s,l) over the remaining groundings, renormalised (paper, section 3). Returns the number of tasks.
 ///
@@ -86,9 +86,23 @@ impl GroundedTask {
 /// A [`CapacityError`] if `tasks` is too small.
 pub fn ground<D: Domain>(domain: &D, lifted: &[LiftedTask], state: &D::State, tasks: &mut [GroundedTask]) -> Result<usize, CapacityError> {
     ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
+        if !is_admitted(domain, task, lifted) {
+            return true;
+        }
         let holds = |part: &GroundProposition| domain.holds(part, state);
         if lifted.has_way() { Way::of(task, lifted).is_idle(holds) } else { task.propositions(lifted).all(|part| holds(&part)) }
     })
+}
+
+/// Whether a task has only propositions that it may be about.
+#[cfg(feature = "alloc")]
+fn is_admitted<D: Domain>(domain: &D, task: &GroundedTask, lifted: &LiftedTask) -> bool {
+    task.parts(lifted).all(|(_, part)| domain.admits(&part))
+}
+
+#[cfg(not(feature = "alloc"))]
+const fn is_admitted<D: Domain>(_domain: &D, _task: &GroundedTask, _lifted: &LiftedTask) -> bool {
+    true
 }
 
 /// As [`ground`], but with tasks that hold already, which get the share `done` of the prior of each kind. They are left out if there is no
@@ -107,7 +121,7 @@ pub fn ground_with_done<D: Domain>(
         return ground(domain, lifted, state, tasks);
     }
     let found = ground_unless(domain.world().objects, lifted, tasks, |task, lifted| {
-        lifted.has_way() && Way::of(task, lifted).is_idle(|part| domain.holds(part, state))
+        !is_admitted(domain, task, lifted) || lifted.has_way() && Way::of(task, lifted).is_idle(|part| domain.holds(part, state))
     });
     let Ok(count) = found else { return ground(domain, lifted, state, tasks) };
     let tasks = tasks.get_mut(..count).unwrap_or(&mut []);

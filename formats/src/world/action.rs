@@ -1,9 +1,9 @@
-//! Reads the actions of a robot in a world, with conditions, effects and costs.
+//! Reads the actions of a robot in a world, with conditions, effects and costs, and the derived facts.
 
 use std::collections::BTreeMap;
 
 use super::classes::{WorldClasses, usable};
-use super::file::{ActionOfWorld, Literal, Term};
+use super::file::{ActionOfWorld, DerivedOfWorld, Literal, Term};
 use crate::error::{FormatError, not_in_world, wrong_class};
 use crate::json::Node;
 use crate::quoted::{excerpt, quoted};
@@ -13,7 +13,7 @@ use crate::task_text::{GroundAtomText, TaskTextError};
 const VARIABLE: &str = "\u{e000}";
 
 /// The costs that an action can have.
-const COSTS: std::ops::RangeInclusive<u64> = 1..=16;
+const COSTS: std::ops::RangeInclusive<u64> = 1..=255;
 
 impl ActionOfWorld {
     pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
@@ -25,14 +25,12 @@ impl ActionOfWorld {
         if let Some(node) = fields.optional("parameters") {
             for (variable, class) in node.object()?.entries() {
                 let text = class.text()?;
-                let Some(variable) = variable.strip_prefix('?').filter(|name| !name.is_empty()) else {
-                    return Err(class.error(format!("{} is no variable; begin it with ?, like \"?room\"", quoted(variable))));
-                };
+                let variable = named_variable(&class, variable)?;
                 if !known.world().classes.contains(&text) {
                     return Err(class.error(not_in_world("class", &text)));
                 }
-                classes.insert(variable.to_owned(), text.clone());
-                parameters.push((variable.to_owned(), text));
+                classes.insert(variable.clone(), text.clone());
+                parameters.push((variable, text));
             }
         }
         let mut conditions = Vec::new();
@@ -60,10 +58,35 @@ impl ActionOfWorld {
             None => 1,
             Some(node) => match node.count()? {
                 cost if COSTS.contains(&cost) => cost as u8,
-                cost => return Err(node.error(format!("{cost} is no cost of an action; write a whole number from 1 to 16"))),
+                cost => return Err(node.error(format!("{cost} is no cost of an action; write a whole number from 1 to 255"))),
             },
         };
         Ok(Self { name, parameters, conditions, effects, cost })
+    }
+}
+
+/// The name of a variable, without its `?`.
+fn named_variable(node: &Node<'_>, text: &str) -> Result<String, FormatError> {
+    match text.strip_prefix('?').filter(|name| !name.is_empty()) {
+        Some(name) => Ok(name.to_owned()),
+        None => Err(node.error(format!("{} is no variable; begin it with ?, like \"?room\"", quoted(text)))),
+    }
+}
+
+impl DerivedOfWorld {
+    pub(super) fn read(node: &Node<'_>, known: &WorldClasses<'_>) -> Result<Self, FormatError> {
+        let fields = node.clone().object()?;
+        fields.only(&["name", "of", "conditions"])?;
+        let name = usable(&fields.required("name")?)?;
+        let node = fields.required("of")?;
+        let of = named_variable(&node, &node.text()?)?;
+        let mut classes = BTreeMap::new();
+        let conditions = fields.required("conditions")?.filled_list()?;
+        let conditions = conditions.iter().map(|node| known.literal(node, &mut classes, true)).collect::<Result<_, _>>()?;
+        match classes.remove(&of) {
+            Some(class) => Ok(Self { name, of, class, conditions }),
+            None => Err(node.error(format!("?{of} is in no condition; write one about it"))),
+        }
     }
 }
 
@@ -78,22 +101,25 @@ impl WorldClasses<'_> {
         for (argument, class) in atom.arguments().iter().zip(parameters) {
             let wrong = |name: &str| Err(node.error(wrong_class(name, &class)));
             if let Some(variable) = argument.strip_prefix(VARIABLE) {
-                match classes.get(variable) {
-                    Some(other) if *other != class => return wrong(&format!("?{variable}")),
+                let known = classes.get(variable);
+                let class = match known {
+                    Some(known) if self.world().is_a(known, &class) => known.clone(),
+                    // The lower of two classes counts. Where an effect needs it, a condition must have it.
+                    Some(known) if !(may_be_new && self.world().is_a(&class, known)) => return wrong(&format!("?{variable}")),
                     None if !may_be_new => {
                         return Err(node.error(format!(
                             "?{} has no value: it is no parameter and in no condition; add it to one of them",
                             excerpt(variable, 40)
                         )));
                     }
-                    Some(_) | None => {}
-                }
+                    Some(_) | None => class,
+                };
                 classes.insert(variable.to_owned(), class);
                 terms.push(Term::Variable(variable.to_owned()));
             } else {
                 match self.class_of(argument) {
                     None => return Err(node.error(not_in_world("object", argument))),
-                    Some(other) if other != class => return wrong(argument),
+                    Some(other) if !self.world().is_a(other, &class) => return wrong(argument),
                     Some(_) => terms.push(Term::Object(argument.clone())),
                 }
             }

@@ -41,7 +41,7 @@ impl<'w> WorldClasses<'w> {
         for (argument, class) in atom.arguments().iter().zip(parameters) {
             match self.classes.get(argument.as_str()) {
                 None => return Err(node.error(not_in_world("object", argument))),
-                Some(known) if known != class => {
+                Some(known) if !self.world.is_a(known, class) => {
                     return Err(node.error(wrong_class(argument, class)));
                 }
                 Some(_) => {}

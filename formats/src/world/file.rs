@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::writing::write_parameters;
+use super::writing::{write_parameters, write_variable};
 use crate::session::is_one;
 use crate::task_text::{GroundAtomText, LiftedTaskText};
 use crate::weights::in_order;
@@ -15,6 +15,9 @@ pub struct WorldFile {
     pub name: String,
     /// The classes of objects.
     pub classes: Vec<String>,
+    /// Classes below others, each with the one above it: an object of a class is also of those above.
+    #[serde(serialize_with = "in_order", skip_serializing_if = "Vec::is_empty")]
+    pub parents: Vec<(String, String)>,
     /// The attributes, each with the classes that carry it.
     #[serde(serialize_with = "in_order")]
     pub attributes: Vec<(String, Vec<String>)>,
@@ -32,8 +35,23 @@ pub struct WorldFile {
     /// The actions of a robot.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub actions: Vec<ActionOfWorld>,
+    /// Facts that follow from others, and that words can mean.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub derived: Vec<DerivedOfWorld>,
     /// The kinds of task that commands may mean.
     pub task_kinds: Vec<LiftedTaskText>,
+}
+
+impl WorldFile {
+    /// A class and those above it, the nearest first.
+    pub fn and_above<'w>(&'w self, class: &'w str) -> impl Iterator<Item = &'w str> {
+        std::iter::successors(Some(class), |class| self.parents.iter().find(|(below, _)| below == class).map(|(_, above)| above.as_str()))
+    }
+
+    /// Whether a class is another one, or below it.
+    pub fn is_a(&self, class: &str, above: &str) -> bool {
+        self.and_above(class).any(|known| known == above)
+    }
 }
 
 /// An object of a world.
@@ -62,12 +80,27 @@ pub struct ActionOfWorld {
     pub conditions: Vec<Literal>,
     /// Propositions that hold, or no longer hold, after it.
     pub effects: Vec<Literal>,
-    /// Its cost, 1 to 16.
+    /// Its cost, 1 to 255.
     #[serde(skip_serializing_if = "is_one")]
     pub cost: u8,
 }
 
-/// A proposition of an action, or its opposite.
+/// A fact about an object that follows from others, or one of its cases: it is so where the conditions of one of its entries hold.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct DerivedOfWorld {
+    /// Its name, which words come to mean, such as `here`.
+    pub name: String,
+    /// The variable of the object, without its `?`.
+    #[serde(serialize_with = "write_variable")]
+    pub of: String,
+    /// The class of the object, which follows from the conditions.
+    #[serde(skip)]
+    pub class: String,
+    /// Propositions that must hold, or must not hold, with some objects for their other variables.
+    pub conditions: Vec<Literal>,
+}
+
+/// A proposition of an action or of a derived fact, or its opposite.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Literal {
     /// Whether the proposition is negated.
@@ -78,7 +111,7 @@ pub struct Literal {
     pub terms: Vec<Term>,
 }
 
-/// An argument of a proposition of an action.
+/// An argument of such a proposition.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Term {
     /// A variable, without its `?`: a parameter, or a variable with a value from a condition.

@@ -7,6 +7,7 @@
 //! |---|---|
 //! | `name` | the world's name |
 //! | `classes` | a list of names |
+//! | `parents` | from a class to the one above it: its objects serve where objects of that one are wanted; may be absent |
 //! | `attributes` | from each attribute to the list of classes that carry it |
 //! | `propositions` | from each proposition to the list of its arguments' classes |
 //! | `objects` | a list of objects with `name`, `class` and `attributes`: from attributes to values |
@@ -15,11 +16,15 @@
 //! | `license`, `source` | licence and origin; may be absent |
 //! | `variables` | propositions of which exactly one last argument holds at a time, such as `at(robot,room)`; may be absent |
 //! | `actions` | the actions of a robot; may be absent |
+//! | `derived` | facts about an object that follow from others, and that words can mean; may be absent |
 //!
 //! An action has a `name`, `parameters` (from variables such as `?room` to classes), `conditions` and `effects` (lists of propositions with
-//! variables or objects; `!` negates a proposition) and a `cost` of 1 to 16. Only `name` and `effects` are required. If a variable of its
+//! variables or objects; `!` negates a proposition) and a `cost` of 1 to 255. Only `name` and `effects` are required. If a variable of its
 //! conditions is no parameter, it gets a value with which they hold. Further actions of the same name are further cases of it, of the same
 //! cost: the first case whose conditions hold takes effect.
+//!
+//! A derived fact has a `name`, `of`, the variable of the object that it is about, and `conditions` as an action has. It is so for each object
+//! with which they hold. Entries of one name are further cases of it.
 //!
 //! A log of worlds has worlds, and commands and sessions in worlds on earlier lines. A world is valid until another of the same name. A
 //! session is as in a log of homes, but in place of `environment` it has `world`, the world's name, and `facts`, the propositions that hold
@@ -62,7 +67,7 @@ mod session;
 mod writing;
 
 pub use command::CommandRecord;
-pub use file::{ActionOfWorld, Literal, ObjectOfWorld, Term, WorldFile};
+pub use file::{ActionOfWorld, DerivedOfWorld, Literal, ObjectOfWorld, Term, WorldFile};
 pub use reader::{Line, WorldReader};
 pub use reading::field_line;
 pub use session::SessionInWorld;

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::classes::{WorldClasses, usable};
-use super::file::{ActionOfWorld, ObjectOfWorld, WorldFile};
+use super::file::{ActionOfWorld, DerivedOfWorld, ObjectOfWorld, WorldFile};
 use crate::error::{FormatError, not_in_world, twice, wrong_class};
 use crate::json::{Node, Object, Source};
 use crate::quoted::quoted;
@@ -13,6 +13,7 @@ const FIELDS: &[&str] = &[
     "type",
     "name",
     "classes",
+    "parents",
     "attributes",
     "propositions",
     "objects",
@@ -22,6 +23,7 @@ const FIELDS: &[&str] = &[
     "source",
     "variables",
     "actions",
+    "derived",
 ];
 
 impl WorldFile {
@@ -44,6 +46,9 @@ impl WorldFile {
         }
         let mut world = Self { name: fields.required("name")?.filled_text()?, ..Self::default() };
         world.classes = names(&fields.required("classes")?)?;
+        if let Some(parents) = fields.optional("parents") {
+            world.read_parents(&parents)?;
+        }
         world.attributes = world.of_classes(fields.required("attributes")?, false)?;
         world.propositions = world.of_classes(fields.required("propositions")?, true)?;
         world.read_objects(&fields.required("objects")?)?;
@@ -55,6 +60,15 @@ impl WorldFile {
         }
         if let Some(actions) = fields.optional("actions") {
             world.read_actions(&actions)?;
+        }
+        if let Some(derived) = fields.optional("derived") {
+            if world.actions.is_empty() {
+                return Err(
+                    derived.error("belong to a world with actions: elsewhere words can mean each fact about one object; list it in facts")
+                );
+            }
+            let known = WorldClasses::of(&world);
+            world.derived = derived.list()?.iter().map(|node| DerivedOfWorld::read(node, &known)).collect::<Result<_, _>>()?;
         }
         for node in fields.required("task_kinds")?.filled_list()? {
             let kind: LiftedTaskText = node.task()?;
@@ -87,6 +101,20 @@ impl WorldFile {
         Ok(all)
     }
 
+    fn read_parents(&mut self, node: &Node<'_>) -> Result<(), FormatError> {
+        for (class, above) in node.clone().object()?.entries() {
+            let name = above.text()?;
+            if let Some(strange) = [class, &name].into_iter().find(|class| !self.classes.iter().any(|known| known == class)) {
+                return Err(above.error(not_in_world("class", strange)));
+            }
+            if self.is_a(&name, class) {
+                return Err(above.error(format!("{} is the class itself, or below it; name one above it", quoted(&name))));
+            }
+            self.parents.push((class.to_owned(), name));
+        }
+        Ok(())
+    }
+
     fn read_objects(&mut self, list: &Node<'_>) -> Result<(), FormatError> {
         let mut seen = BTreeSet::new();
         for node in list.filled_list()? {
@@ -108,7 +136,7 @@ impl WorldFile {
                     let Some((_, carriers)) = self.attributes.iter().find(|(known, _)| known == attribute) else {
                         return Err(value.error(not_in_world("attribute", attribute)));
                     };
-                    if !carriers.contains(&class) {
+                    if !carriers.iter().any(|carrier| self.is_a(&class, carrier)) {
                         return Err(value.error(format!(
                             "objects of the class {} do not carry this attribute; add the class to the attribute's list",
                             quoted(&class)
@@ -128,7 +156,7 @@ impl WorldFile {
             let Some((_, classes)) = self.propositions.iter().find(|(known, _)| *known == name) else {
                 return Err(node.error(not_in_world("proposition", &name)));
             };
-            if let Some(class) = classes.last().filter(|class| self.objects.iter().all(|object| object.class != **class)) {
+            if let Some(class) = classes.last().filter(|class| !self.objects.iter().any(|object| self.is_a(&object.class, class))) {
                 return Err(node.error(format!("is a variable without values: there is no object of the class {}; add one", quoted(class))));
             }
             if self.variables.contains(&name) {
@@ -169,7 +197,11 @@ impl WorldFile {
         for atom in kind.atoms() {
             let parameters = self.parameters(node, atom.function(), atom.variables().len())?;
             for (variable, class) in atom.variables().iter().zip(parameters) {
-                if *classes.entry(variable).or_insert(class) != class {
+                let known = classes.entry(variable).or_insert(class);
+                // The lower of two classes counts.
+                if self.is_a(class, known) {
+                    *known = class;
+                } else if !self.is_a(known, class) {
                     return Err(node.error(wrong_class(&format!("?{variable}"), class)));
                 }
             }

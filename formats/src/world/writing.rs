@@ -11,6 +11,11 @@ pub(super) fn write_parameters<S: Serializer>(parameters: &[(String, String)], s
     serializer.collect_map(parameters.iter().map(|(name, class)| (format!("?{name}"), class)))
 }
 
+/// Writes a variable, with its `?`.
+pub(super) fn write_variable<S: Serializer>(variable: &str, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(&format_args!("?{variable}"))
+}
+
 impl Serialize for Literal {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)

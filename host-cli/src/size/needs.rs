@@ -4,7 +4,7 @@ use super::SizeOptions;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
-use goodbot::oomdp::{Action, Domain, PushGrid};
+use goodbot::oomdp::{Action, Domain, MOST_COST_ON_CONTROLLERS, PushGrid};
 use goodbot::session::Lessons;
 use goodbot::snapshot::most_bytes;
 use goodbot::task::TaskSet;
@@ -149,6 +149,16 @@ pub fn is_for_controllers(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
         let message = format!(
             "give the robot {actions} actions with their objects, and {most} are the most for a controller; give them fewer parameters"
         );
+        return Err(WorldFlaw { field: "actions".to_owned(), message });
+    }
+    let file = robot.file();
+    let for_hosts = [("derived", file.derived.is_empty()), ("parents", file.parents.is_empty())];
+    if let Some((field, _)) = for_hosts.into_iter().find(|(_, is_empty)| !is_empty) {
+        return Err(WorldFlaw { field: field.to_owned(), message: "are for hosts, not for a controller; leave them out".to_owned() });
+    }
+    let most = MOST_COST_ON_CONTROLLERS;
+    if let Some(dear) = robot.actions().iter().find(|kind| kind.cost > most) {
+        let message = format!("have {}, which costs {}, and {most} is the most for a controller; divide the costs", dear.name, dear.cost);
         return Err(WorldFlaw { field: "actions".to_owned(), message });
     }
     let count = robot.state_count();

@@ -99,6 +99,14 @@ fn what_is_no_robot_for_a_controller_is_refused() {
     };
     refused(&LIFT.replace("\"effects\":[\"doorOpen(lift0)\"]", "\"effects\":[]"), ":16: field \"actions[2].effects\": are none");
     refused(goodbot(&["example", "home"], b"").output.as_str(), "is no world");
+    let derived = r#""derived":[{"name":"here","of":"?f","conditions":["liftAtFloor(?l,?f)"]}],"actions":["#;
+    refused(
+        &LIFT.replace("\"effects\":[\"doorOpen(lift0)\"]", "\"effects\":[\"doorOpen(lift0)\"],\"cost\":17"),
+        "16 is the most for a controller",
+    );
+    refused(&LIFT.replacen("\"actions\":[", derived, 1), "field \"derived\": are for hosts");
+    let parents = r#""parents":{"floor":"lift"},"attributes":{"#;
+    refused(&LIFT.replacen("\"attributes\":{", parents, 1), "field \"parents\": are for hosts");
     let many: Vec<String> = (0..9).map(|kind| format!("\"p{kind}\":[\"lift\"]")).collect();
     refused(
         &LIFT.replace("\"doorOpen\":[\"lift\"]", &format!("\"doorOpen\":[\"lift\"],{}", many.join(","))),

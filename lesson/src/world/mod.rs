@@ -115,8 +115,11 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
     for atom in kind.atoms() {
         let parameters = world.propositions.iter().find(|(name, _)| name == atom.function()).map_or(&[][..], |(_, parameters)| parameters);
         for (variable, class) in atom.variables().iter().zip(parameters) {
-            if !variables.iter().any(|(known, _)| known == variable) {
-                variables.push((variable, class));
+            match variables.iter_mut().find(|(known, _)| known == variable) {
+                None => variables.push((variable, class)),
+                // The lower of two classes counts.
+                Some((_, known)) if world.is_a(class, known) => *known = class,
+                Some(_) => {}
             }
         }
     }
@@ -124,7 +127,7 @@ fn bindings<'w>(world: &'w WorldFile, kind: &'w LiftedTaskText, most: usize) -> 
     for (variable, class) in variables {
         let mut next = Vec::new();
         for before in &all {
-            for object in world.objects.iter().filter(|object| object.class == class) {
+            for object in world.objects.iter().filter(|object| world.is_a(&object.class, class)) {
                 if before.iter().all(|(_, other)| *other != object.name) {
                     let mut binding = before.clone();
                     binding.push((variable, &object.name));
@@ -152,7 +155,8 @@ impl<'w> Scene<'w> {
     fn of(world: &'w WorldFile, facts: &BTreeSet<&GroundAtomText>, before: &'w [Arc<Step>]) -> Self {
         // An odd sort belongs to objects at a goal, and training begins with no word for its values. So sorts are even, unless a class has
         // so many attributes that most would share the last one.
-        let carried = |class: &String| world.attributes.iter().filter(|(_, classes)| classes.contains(class)).count();
+        let carried =
+            |class: &String| world.attributes.iter().filter(|(_, classes)| classes.iter().any(|above| world.is_a(class, above))).count();
         let most = world.classes.iter().map(carried).max().unwrap_or(0);
         let step = if most <= VALUE_SORTS / 2 + 1 { 2 } else { 1 };
         let numbers = (0..).step_by(step);
@@ -177,6 +181,9 @@ impl<'w> Scene<'w> {
             }
             for fact in alone.get(object.name.as_str()).into_iter().flatten() {
                 said.push((last, token("is", fact)));
+            }
+            if world.parents.iter().any(|(below, _)| *below == object.class) {
+                said.push((last, token("is", &object.class)));
             }
             said.extend(before::of_object(before, object).into_iter().map(|fact| (last, fact)));
             said.sort();
@@ -282,6 +289,19 @@ mod tests {
         let description = meanings(&world, &[], &[]).unwrap().remove(0).description;
         let markers = description.iter().filter_map(|token| token.parse::<Marker>().ok());
         markers.filter(|marker| marker.role.kind() == RoleKind::Goal).map(|marker| marker.sort).collect()
+    }
+
+    #[test]
+    fn a_task_of_a_class_is_about_objects_of_the_classes_below_too_and_their_class_tells_them_apart() {
+        let world = r#"{"type":"world","name":"hall","classes":["thing","ball","box"],"parents":{"ball":"thing","box":"thing"},"attributes":{},
+            "propositions":{"there":["thing"],"rolled":["ball"]},"objects":[{"name":"a","class":"ball"},{"name":"b","class":"box"}],
+            "task_kinds":["there(?x)","rolled(?x)","there(?x) & rolled(?x)"]}"#;
+        let world = WorldFile::parse(world).unwrap();
+        let meanings = meanings(&world, &[], &[]).unwrap();
+        let labels: Vec<(String, &str)> = meanings.iter().map(|meaning| (meaning.name.to_string(), meaning.label.as_str())).collect();
+        let labels: Vec<(&str, &str)> = labels.iter().map(|(name, label)| (name.as_str(), *label)).collect();
+        let both = ("there(a) & rolled(a)", "there rolled isBall isBall");
+        assert_eq!(labels, [("there(a)", "there isBall"), ("there(b)", "there isBox"), ("rolled(a)", "rolled isBall"), both]);
     }
 
     #[test]

@@ -11,7 +11,7 @@
 use crate::home::full;
 use crate::name::task_name;
 use crate::place::Place;
-use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, LIFTED_TASKS};
+use goodbot::capacity::{ARGUMENTS, ATTRIBUTES, LIFTED_TASKS, NAME_BYTES};
 use goodbot::memory::AgentHeap;
 use goodbot::oomdp::{
     Action, ActionKind, Attribute, Carrier, Class, ClassId, Domain, GroundProposition, Object, ObjectCount, ObjectError, ObjectId,
@@ -22,7 +22,7 @@ use goodbot::task::{GroundedTask, LiftedTask};
 use goodbot::{Agent, AgentError, Capacities, Options};
 use goodbot_formats::session::RecordedSession;
 use goodbot_formats::task_text::{GroundAtomText, GroundTaskText};
-use goodbot_formats::world::{ActionOfWorld, Literal, SessionInWorld, Term, WorldFile};
+use goodbot_formats::world::{DerivedOfWorld, Literal, SessionInWorld, Term, WorldFile};
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::Arc;
@@ -52,12 +52,15 @@ const MOST_DIGITS: usize = 1 << 16;
 /// The most choices of objects to try for the conditions and effects of all actions.
 const MOST_CASES: usize = 1 << 20;
 
+/// The bytes of the longest name of a derived fact: the core puts two letters before it.
+pub const LONGEST_DERIVED: usize = NAME_BYTES - 2;
+
 /// The tables of a robot from a world file.
 #[derive(Debug)]
 pub struct Tables {
     file: Arc<WorldFile>,
-    /// The prefix of an attribute's values, for each class.
-    prefixes: Vec<Vec<String>>,
+    /// For each attribute: the classes that carry it, with the prefix of its values.
+    carriers: Vec<Vec<(ClassId, String)>>,
     parameters: Vec<Vec<ClassId>>,
     rows: Vec<Object>,
     name_bytes: Vec<u8>,
@@ -77,13 +80,11 @@ struct Names<'t> {
 
 impl<'t> Names<'t> {
     fn of(tables: &'t Tables) -> Self {
-        let Tables { file, prefixes, parameters, mechanism, .. } = tables;
-        let carriers = |((_, classes), prefixes): (&'t (String, Vec<String>), &'t Vec<String>)| {
-            classes.iter().zip(prefixes).map(|(name, prefix)| Carrier::new(class_of(file, name), prefix)).collect()
-        };
+        let Tables { file, carriers: carriers_of, parameters, mechanism, .. } = tables;
+        let carriers = |all: &'t Vec<(ClassId, String)>| all.iter().map(|(class, prefix)| Carrier::new(*class, prefix)).collect();
         Self {
             classes: file.classes.iter().map(|name| Class::new(name)).collect(),
-            carriers: file.attributes.iter().zip(prefixes).map(carriers).collect(),
+            carriers: carriers_of.iter().map(carriers).collect(),
             propositions: file.propositions.iter().zip(parameters).map(|((name, _), of)| Proposition::new(name, of)).collect(),
             kinds: mechanism.actions.iter().map(|action| ActionKind::new(&action.name, action.cost)).collect(),
         }
@@ -94,8 +95,30 @@ impl<'t> Names<'t> {
     }
 }
 
-fn class_of(file: &WorldFile, name: &String) -> ClassId {
+/// The core's class of a class. The core knows no classes above others: all below a class that an argument is of are one.
+fn class_of(file: &WorldFile, name: &str) -> ClassId {
+    let is_argument = |class: &&str| file.propositions.iter().any(|(_, classes)| classes.iter().any(|known| known == class));
+    let name = if file.parents.is_empty() { name } else { file.and_above(name).filter(is_argument).last().unwrap_or(name) };
     ClassId::new(file.classes.iter().position(|known| known == name).unwrap_or(0) as u8)
+}
+
+/// The objects of each class of the file, with those of the classes below it.
+struct Members<'w>(HashMap<&'w str, Vec<ObjectId>>);
+
+impl<'w> Members<'w> {
+    fn of(file: &'w WorldFile) -> Self {
+        let mut all: HashMap<&str, Vec<ObjectId>> = HashMap::new();
+        for (position, object) in file.objects.iter().enumerate() {
+            for class in file.and_above(&object.class) {
+                all.entry(class).or_default().push(ObjectId::new(position as u8));
+            }
+        }
+        Self(all)
+    }
+
+    fn of_class(&self, class: &str) -> &[ObjectId] {
+        self.0.get(class).map_or(&[], Vec::as_slice)
+    }
 }
 
 impl Tables {
@@ -119,11 +142,15 @@ impl Tables {
         if let Some((name, _)) = file.propositions.iter().find(|(_, classes)| classes.len() > ARGUMENTS) {
             return flaw(format!("propositions.{name}"), format!("has more than {ARGUMENTS} arguments; give it fewer"));
         }
-        let prefix = |(name, classes): &(String, Vec<String>)| -> Vec<String> {
-            classes.iter().map(|class| format!("{class}{}", capitalised(name))).collect()
-        };
+        if file.attributes.len() == ATTRIBUTES && !file.derived.is_empty() {
+            let message = format!("have no room beside {ATTRIBUTES} attributes; leave out an attribute, or these");
+            return flaw("derived", message);
+        }
+        if let Some(position) = file.derived.iter().position(|derived| derived.name.len() > LONGEST_DERIVED) {
+            return flaw(format!("derived[{position}]"), format!("has a name of more than {LONGEST_DERIVED} bytes; give it a shorter one"));
+        }
         let mut tables = Self {
-            prefixes: file.attributes.iter().map(prefix).collect(),
+            carriers: file.attributes.iter().map(|(name, classes)| carriers(&file, name, classes)).collect(),
             parameters: file.propositions.iter().map(|(_, classes)| classes.iter().map(|name| class_of(&file, name)).collect()).collect(),
             rows: vec![Object::UNUSED; file.objects.len()],
             name_bytes: vec![0; NAME_BYTES_TOGETHER],
@@ -200,6 +227,19 @@ pub fn with<R>(file: &WorldFile, use_it: impl FnOnce(&Robot<'_>, u64) -> R) -> R
     Ok(tables.lend(|robot| use_it(robot, tables.start)))
 }
 
+/// The core's classes that carry an attribute, with the prefix of its values.
+fn carriers(file: &WorldFile, name: &str, classes: &[String]) -> Vec<(ClassId, String)> {
+    let mut all: Vec<(ClassId, String)> = Vec::new();
+    for of in classes.iter().flat_map(|above| file.classes.iter().filter(move |class| file.is_a(class, above))) {
+        let class = class_of(file, of);
+        if all.iter().all(|(known, _)| *known != class) {
+            let of = file.classes.get(class.index()).unwrap_or(of);
+            all.push((class, format!("{of}{}", capitalised(name))));
+        }
+    }
+    all
+}
+
 fn capitalised(name: &str) -> String {
     let mut letters = name.chars();
     letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect()
@@ -269,7 +309,16 @@ impl<'w> Robot<'w> {
     /// The facts of a state, in the order of the propositions and their objects.
     pub fn facts(&self, state: u64) -> Vec<GroundAtomText> {
         let changing = self.mechanism.places.iter().filter(|&(_, &(digit, value))| self.mechanism.has(state, digit, value));
-        let all: BTreeSet<&Key> = changing.map(|(key, _)| key).chain(&self.mechanism.fixed).collect();
+        self.texts(changing.map(|(key, _)| key).chain(&self.mechanism.fixed))
+    }
+
+    /// The propositions that an action can change, in the same order.
+    pub fn changing(&self) -> Vec<GroundAtomText> {
+        self.texts(self.mechanism.places.keys())
+    }
+
+    fn texts<'k>(&self, keys: impl Iterator<Item = &'k Key>) -> Vec<GroundAtomText> {
+        let all: BTreeSet<&Key> = keys.collect();
         let text = |(proposition, arguments): &&Key| {
             let count = self.schema.parameters(*proposition).len();
             let names = arguments.iter().take(count).map(|&object| self.objects.name(object));
@@ -382,6 +431,17 @@ struct Mechanism {
     /// The facts that hold and cannot change.
     fixed: BTreeSet<Key>,
     actions: Vec<Grounded>,
+    /// The derived facts of objects, and when each is so.
+    derived: Vec<Derived>,
+}
+
+/// A derived fact of an object.
+#[derive(Clone, Debug)]
+struct Derived {
+    object: ObjectId,
+    name: String,
+    /// It is so if the conditions of one of them hold; they have no effects.
+    cases: Vec<Case>,
 }
 
 /// An action with objects for its parameters.
@@ -413,14 +473,13 @@ impl Mechanism {
     fn of(file: &WorldFile, schema: &Schema<'_>, objects: Objects<'_>) -> Result<Self, WorldFlaw> {
         let changed: BTreeSet<&str> =
             file.actions.iter().flat_map(|action| &action.effects).map(|effect| effect.proposition.as_str()).collect();
-        let mut mechanism = Self::default();
-        for (position, (name, _)) in file.propositions.iter().enumerate() {
+        let (mut mechanism, members) = (Self::default(), Members::of(file));
+        for (position, (name, classes)) in file.propositions.iter().enumerate() {
             let id = PropositionId::new(position as u8);
-            let classes = schema.parameters(id);
             if file.variables.contains(name) {
                 let Some((last, firsts)) = classes.split_last() else { continue };
-                let values: Vec<ObjectId> = objects.of_class(*last).collect();
-                for arguments in choices(objects, firsts)? {
+                let values = members.of_class(last);
+                for arguments in choices(&members, firsts)? {
                     let digit = mechanism.add_digit(name, values.len() as u64)?;
                     for (value, &object) in values.iter().enumerate() {
                         let mut arguments = arguments;
@@ -431,7 +490,7 @@ impl Mechanism {
                     }
                 }
             } else if changed.contains(name.as_str()) {
-                for arguments in choices(objects, classes)? {
+                for arguments in choices(&members, classes)? {
                     let digit = mechanism.add_digit(name, 2)?;
                     mechanism.places.insert((id, arguments), (digit, 1));
                 }
@@ -444,7 +503,17 @@ impl Mechanism {
             }
         }
         for position in 0..file.actions.len() {
-            mechanism.ground(position, &file.actions, schema, objects)?;
+            mechanism.ground(position, file, &members, schema, objects)?;
+        }
+        // Words tell the objects of one class of the core apart by their own class.
+        for (position, object) in file.objects.iter().enumerate() {
+            if schema.class_name(class_of(file, &object.class)) != object.class {
+                let always = Case { conditions: vec![], effects: vec![] };
+                mechanism.derived.push(Derived { object: ObjectId::new(position as u8), name: object.class.clone(), cases: vec![always] });
+            }
+        }
+        for (position, derived) in file.derived.iter().enumerate() {
+            mechanism.derive(position, derived, file, &members, schema, objects)?;
         }
         let fits = mechanism.number().is_ok() && mechanism.actions.len() <= Action::MOST;
         if !fits || mechanism.actions.len() > Action::MOST_ON_CONTROLLERS {
@@ -501,7 +570,9 @@ impl Mechanism {
     /// actions that need them.
     fn keep_possible(&mut self, start: &[u64]) {
         let possible = self.possible(start);
-        self.actions.iter_mut().for_each(|action| action.cases.retain(|case| case.is_possible(&possible)));
+        let cases =
+            self.actions.iter_mut().map(|action| &mut action.cases).chain(self.derived.iter_mut().map(|derived| &mut derived.cases));
+        cases.for_each(|cases| cases.retain(|case| case.is_possible(&possible)));
         self.actions.retain(|action| !action.cases.is_empty());
         let is_kept = |digit: usize| possible.get(digit).is_some_and(|values| values.len() > 1);
         // The new positions of the digits and their values.
@@ -512,7 +583,7 @@ impl Mechanism {
             Some((*digits.get(digit)?, before as u64))
         };
         let is_value = |digit: usize, value: u64| possible.get(digit).is_some_and(|values| values.contains(&value));
-        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+        for case in self.cases_mut() {
             // Only possible cases are left, so a condition on an impossible value demands another value, and always holds.
             case.conditions.retain(|&(digit, value, _)| is_kept(digit) && is_value(digit, value));
             case.effects.retain(|&(digit, _)| is_kept(digit));
@@ -561,13 +632,19 @@ impl Mechanism {
                 (*digit, *value) = (place, if is_exchanged { exchanged(*value) } else { *value });
             }
         };
-        for case in self.actions.iter_mut().flat_map(|action| &mut action.cases) {
+        for case in self.cases_mut() {
             case.conditions.iter_mut().for_each(|(digit, value, _)| at(digit, value));
             case.effects.iter_mut().for_each(|(digit, value)| at(digit, value));
         }
         self.places.values_mut().for_each(|(digit, value)| at(digit, value));
         let kept = std::mem::take(&mut self.digits).into_iter().zip(&joined).filter(|(_, (_, is_joined))| !is_joined);
         self.digits = kept.map(|(digit, _)| digit).collect();
+    }
+
+    /// The cases of all actions and derived facts.
+    fn cases_mut(&mut self) -> impl Iterator<Item = &mut Case> {
+        let of_actions = self.actions.iter_mut().flat_map(|action| &mut action.cases);
+        of_actions.chain(self.derived.iter_mut().flat_map(|derived| &mut derived.cases))
     }
 
     /// The possible values of each digit, and perhaps more: each effect counts as if the old value stayed possible too.
@@ -662,30 +739,25 @@ impl Mechanism {
     }
 
     /// Adds one of the file's actions with each choice of objects, or its cases to those of an earlier action of the same name and objects.
-    fn ground(&mut self, position: usize, all: &[ActionOfWorld], schema: &Schema<'_>, objects: Objects<'_>) -> Result<(), WorldFlaw> {
-        let Some((action, before)) = all.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
+    fn ground(
+        &mut self,
+        position: usize,
+        file: &WorldFile,
+        members: &Members<'_>,
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<(), WorldFlaw> {
+        let Some((action, before)) = file.actions.get(..=position).and_then(<[_]>::split_last) else { return Ok(()) };
         let has_earlier_cases = before.iter().any(|other| other.name == action.name);
         let earlier = self.actions.iter().enumerate().filter(|_| has_earlier_cases);
         let earlier: HashMap<String, usize> = earlier.map(|(at, action)| (action.name.clone(), at)).collect();
-        let class = |name: &str| schema.class(name).unwrap_or(ClassId::new(0));
-        let mut free: Vec<(&str, ClassId)> = Vec::new();
-        for literal in &action.conditions {
-            let classes = schema.proposition(&literal.proposition).map_or(&[][..], |proposition| schema.parameters(proposition));
-            for (term, &class) in literal.terms.iter().zip(classes) {
-                if let Term::Variable(name) = term
-                    && action.parameters.iter().all(|(known, _)| known != name)
-                    && free.iter().all(|(known, _)| known != name)
-                {
-                    free.push((name, class));
-                }
-            }
-        }
-        let bound: Vec<(&str, ClassId)> = action.parameters.iter().map(|(name, of)| (name.as_str(), class(of))).collect();
+        let free = free_variables(file, &action.conditions, |name| action.parameters.iter().any(|(known, _)| known == name));
+        let bound: Vec<(&str, &str)> = action.parameters.iter().map(|(name, of)| (name.as_str(), of.as_str())).collect();
         let tries = Tries::new(format!("actions[{position}]"), "can be done with more objects than can be tried; give it fewer variables");
         let mut one = |binding: &Binding<'_>| -> Result<(), WorldFlaw> {
             let mut cases = Vec::new();
-            each_binding(objects, &free, binding, &tries, &mut |binding| {
-                cases.extend(self.case(action, schema, objects, binding));
+            each_binding(members, &free, binding, &tries, &mut |binding| {
+                cases.extend(self.case(&action.conditions, &action.effects, schema, objects, binding));
                 Ok(())
             })?;
             if !cases.is_empty() {
@@ -699,11 +771,44 @@ impl Mechanism {
             }
             Ok(())
         };
-        each_binding(objects, &bound, &BTreeMap::new(), &tries, &mut one)
+        each_binding(members, &bound, &BTreeMap::new(), &tries, &mut one)
     }
 
-    /// The case of an action with these objects, if its fixed conditions hold.
-    fn case(&self, action: &ActionOfWorld, schema: &Schema<'_>, objects: Objects<'_>, binding: &Binding<'_>) -> Option<Case> {
+    /// Adds a derived fact of each object, or further cases of one that is there.
+    fn derive(
+        &mut self,
+        position: usize,
+        all: &DerivedOfWorld,
+        file: &WorldFile,
+        members: &Members<'_>,
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+    ) -> Result<(), WorldFlaw> {
+        let free = free_variables(file, &all.conditions, |name| *name == all.of);
+        let tries = Tries::new(format!("derived[{position}]"), "has more choices of objects than can be tried; give it fewer variables");
+        for &object in members.of_class(&all.class) {
+            let mut cases = Vec::new();
+            each_binding(members, &free, &BTreeMap::from([(all.of.as_str(), object)]), &tries, &mut |binding| {
+                cases.extend(self.case(&all.conditions, &[], schema, objects, binding));
+                Ok(())
+            })?;
+            match self.derived.iter_mut().find(|known| known.object == object && known.name == all.name) {
+                Some(known) => known.cases.append(&mut cases),
+                None => self.derived.push(Derived { object, name: all.name.clone(), cases }),
+            }
+        }
+        Ok(())
+    }
+
+    /// The case of an action or a derived fact with these objects, if its fixed conditions hold.
+    fn case(
+        &self,
+        conditions: &[Literal],
+        effects: &[Literal],
+        schema: &Schema<'_>,
+        objects: Objects<'_>,
+        binding: &Binding<'_>,
+    ) -> Option<Case> {
         let key = |literal: &Literal| -> Option<Key> {
             let mut arguments = [ObjectId::new(0); ARGUMENTS];
             for (slot, term) in arguments.iter_mut().zip(&literal.terms) {
@@ -715,7 +820,7 @@ impl Mechanism {
             Some((schema.proposition(&literal.proposition)?, arguments))
         };
         let mut case = Case { conditions: vec![], effects: vec![] };
-        for condition in &action.conditions {
+        for condition in conditions {
             let key = key(condition)?;
             match self.places.get(&key) {
                 Some(&(digit, value)) => case.conditions.push((digit, value, !condition.negated)),
@@ -723,7 +828,7 @@ impl Mechanism {
                 None => {}
             }
         }
-        for effect in &action.effects {
+        for effect in effects {
             let &(digit, value) = self.places.get(&key(effect)?)?;
             case.effects.push((digit, if effect.negated { 0 } else { value }));
         }
@@ -733,15 +838,38 @@ impl Mechanism {
     fn has(&self, state: u64, digit: usize, value: u64) -> bool {
         self.digits.get(digit).is_some_and(|digit| digit.of(state) == value)
     }
+
+    fn is_so(&self, state: u64, case: &Case) -> bool {
+        case.conditions.iter().all(|&(digit, value, wanted)| self.has(state, digit, value) == wanted)
+    }
+}
+
+/// The variables of conditions that `is_bound` does not know, each with its class.
+fn free_variables<'c>(file: &'c WorldFile, conditions: &'c [Literal], is_bound: impl Fn(&String) -> bool) -> Vec<(&'c str, &'c str)> {
+    let mut free: Vec<(&str, &str)> = Vec::new();
+    for literal in conditions {
+        let classes = file.propositions.iter().find(|(name, _)| *name == literal.proposition).map_or(&[][..], |(_, classes)| classes);
+        for (term, class) in literal.terms.iter().zip(classes) {
+            let Term::Variable(name) = term else { continue };
+            match free.iter_mut().find(|(known, _)| known == name) {
+                None if is_bound(name) => {}
+                None => free.push((name, class)),
+                // The lower of two classes counts.
+                Some((_, known)) if file.is_a(class, known) => *known = class,
+                Some(_) => {}
+            }
+        }
+    }
+    free
 }
 
 /// All choices of different objects of these classes.
-fn choices(objects: Objects<'_>, classes: &[ClassId]) -> Result<Vec<[ObjectId; ARGUMENTS]>, WorldFlaw> {
+fn choices(members: &Members<'_>, classes: &[String]) -> Result<Vec<[ObjectId; ARGUMENTS]>, WorldFlaw> {
     let names = ["0", "1", "2"];
-    let variables: Vec<(&str, ClassId)> = names.iter().copied().zip(classes.iter().copied()).collect();
+    let variables: Vec<(&str, &str)> = names.iter().copied().zip(classes.iter().map(String::as_str)).collect();
     let mut all = Vec::new();
     let tries = Tries::new("objects".to_owned(), "give more propositions than can be told apart; leave out some");
-    each_binding(objects, &variables, &BTreeMap::new(), &tries, &mut |binding| {
+    each_binding(members, &variables, &BTreeMap::new(), &tries, &mut |binding| {
         let mut arguments = [ObjectId::new(0); ARGUMENTS];
         for (slot, (name, _)) in arguments.iter_mut().zip(&variables) {
             *slot = binding.get(name).copied().unwrap_or(ObjectId::new(0));
@@ -786,19 +914,19 @@ impl Tries {
 /// Calls `each` for each choice of objects for the variables, beside those that have objects already. Different variables have different
 /// objects.
 fn each_binding<'v>(
-    objects: Objects<'_>,
-    variables: &[(&'v str, ClassId)],
+    members: &Members<'_>,
+    variables: &[(&'v str, &str)],
     before: &Binding<'v>,
     tries: &Tries,
     each: &mut dyn FnMut(&Binding<'v>) -> Result<(), WorldFlaw>,
 ) -> Result<(), WorldFlaw> {
     let Some((&(name, class), rest)) = variables.split_first() else { return each(before) };
-    for object in objects.of_class(class) {
+    for &object in members.of_class(class) {
         tries.take()?;
         if before.values().all(|&taken| taken != object) {
             let mut binding = before.clone();
             binding.insert(name, object);
-            each_binding(objects, rest, &binding, tries, each)?;
+            each_binding(members, rest, &binding, tries, each)?;
         }
     }
     Ok(())
@@ -826,8 +954,7 @@ impl Domain for Robot<'_> {
 
     fn step(&self, state: &u64, action: Action) -> Option<u64> {
         let cases = &self.mechanism.actions.get(action.index())?.cases;
-        let holds = |&(digit, value, wanted): &(usize, u64, bool)| self.mechanism.has(*state, digit, value) == wanted;
-        let case = cases.iter().find(|case| case.conditions.iter().all(holds))?;
+        let case = cases.iter().find(|case| self.mechanism.is_so(*state, case))?;
         let set =
             |state: u64, &(digit, value): &(usize, u64)| self.mechanism.digits.get(digit).map_or(state, |digit| digit.set(state, value));
         Some(case.effects.iter().fold(*state, set))
@@ -855,6 +982,20 @@ impl Domain for Robot<'_> {
 
     fn numbered(&self, number: u64) -> u64 {
         number
+    }
+
+    fn tell_derived(&self, state: &u64, object: ObjectId, tell: &mut dyn FnMut(&str)) {
+        let is_so = |derived: &&Derived| derived.cases.iter().any(|case| self.mechanism.is_so(*state, case));
+        self.mechanism.derived.iter().filter(|derived| derived.object == object).filter(is_so).for_each(|derived| tell(&derived.name));
+    }
+
+    fn admits(&self, proposition: &GroundProposition) -> bool {
+        let Some((_, classes)) = self.file.propositions.get(proposition.proposition.index()).filter(|_| !self.file.parents.is_empty())
+        else {
+            return true;
+        };
+        let class = |object: ObjectId| self.file.objects.get(object.index()).map_or("", |object| object.class.as_str());
+        proposition.arguments.iter().zip(classes).all(|(&object, above)| self.file.is_a(class(object), above))
     }
 }
 

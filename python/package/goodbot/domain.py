@@ -15,6 +15,12 @@ class Domain(Protocol):
     - `holds(proposition, objects, state)`: whether a proposition holds of a tuple of objects; or
     - `true(state)`: all propositions that hold, as texts such as `lampOn(lamp1)`. It is faster: a plan asks it once for each state.
 
+    It may have `derived(state)` too: a dict from objects to words for what follows from the state, such as `{"lamp1": ["nearest"]}`. Words of commands
+    come to mean them, as they mean values of attributes. With four attributes there is no room for them.
+
+    It may have `parents` too, a dict from classes to those above them, such as `{"ball": "thing"}`: a ball then serves where a thing is wanted, and "ball"
+    can mean it.
+
     >>> class Lamps:
     ...     '''Two lamps, and a robot that switches each by its button.'''
     ...     actions = ["left", "right"]
@@ -40,7 +46,7 @@ class Domain(Protocol):
 
     @property
     def actions(self) -> Sequence[str] | Mapping[str, int]:
-        """The names of at most 255 actions, each of cost 1; or a dict from names to costs, 1 to 16. `noop` is every robot's."""
+        """The names of at most 255 actions, each of cost 1; or a dict from names to costs, 1 to 255. `noop` is every robot's."""
 
     @property
     def objects(self) -> Mapping[str, Mapping[str, str]]:

@@ -1,4 +1,4 @@
-"""goodbot's homes as Gymnasium environments: after `import goodbot`, `gymnasium.make("goodbot/Home-v0")` knows them.
+"""goodbot's homes and worlds as Gymnasium environments: after `import goodbot`, `gymnasium.make("goodbot/Home-v0")` knows them.
 
 | id | home |
 |---|---|
@@ -8,7 +8,8 @@
 
 Each episode has a home at random and a mission in words, such as "take the blue bag to the red room". The reward is 1 when the mission is
 done, which ends the episode, and 0 otherwise. After 300 steps it is cut short, or after as many as `max_episode_steps=` says. With `home=` the
-home is always that one; with `log=` homes, missions and their meanings are those of a session log.
+home is always that one; with `log=` homes, missions and their meanings are those of a session log. `goodbot/World-v0` is a world of any kind, with
+`world=` or the `log=` of sessions in it.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, VectorEnv
 from numpy.typing import NDArray
 
-from ._native import Agent, Home, State, Trainer, Worlds
+from ._native import Agent, Home, State, Trainer, World, Worlds
 from .logs import read_log
 from .names import Kind
 from .registration import MOST_STEPS
@@ -45,15 +46,15 @@ COURSE_SIZE = 10
 ENDLESS = 2**32 - 1
 
 
-def missions(home: Home) -> list[tuple[str, str]]:
-    """The commands that can be given and obeyed in a home, each with the name of the task that it means.
+def missions(home: Home | World) -> list[tuple[str, str]]:
+    """The commands that can be given and obeyed in a home or a world, each with the name of the task that it means.
 
     >>> import goodbot
     >>> from goodbot.gym import missions
     >>> missions(goodbot.Home.from_map("#####\\n#r@r#\\n##+##\\n#ggg#\\n#####"))
     [('go to the green room', 'agentInRoom(agent0,room0)')]
     """
-    asked = Agent(capacities={"states": 1 << 14})
+    asked = Agent(capacities={"states": 1 << 14}) if isinstance(home, Home) else Agent(domain=home)
     if not home.tasks():
         return []
     asked.hear(home, home.start, "go")
@@ -65,7 +66,10 @@ def missions(home: Home) -> list[tuple[str, str]]:
 
 def _logged(path: str | PathLike[str]) -> list[Place]:
     """The homes of a log, with the commands whose meaning is known. Tasks with a way, which depend on more than the last state, are left out."""
-    places = ((session.home, session.command, session.intended) for session in read_log(path) if session.intended)
+    sessions = read_log(path)
+    if any(session.world is not None for session in sessions):
+        raise ValueError("the log is of a world, not of homes; make goodbot/World-v0")
+    places = ((session.home, session.command, session.intended) for session in sessions if session.intended)
     return [(home, [(command, meant)]) for home, command, meant in places if meant in home.tasks(kinds=KINDS)]
 
 
@@ -330,6 +334,87 @@ class HomeVectorEnv(VectorEnv[dict[str, Any], NDArray[np.int64], NDArray[Any]]):
         return {"image": np.frombuffer(image, np.uint8).reshape(self.num_envs, size, size, CHANNELS), "mission": self._missions}
 
 
+class WorldEnv(gymnasium.Env[Observation, Any]):
+    """One world of any kind with a mission: `gymnasium.make("goodbot/World-v0", world=world)`.
+
+    Observations are dicts: `facts`, int8 of shape (propositions,), 1 where the proposition in `World.propositions` holds, and `mission`, the
+    command. Actions are the positions in `env.unwrapped.actions`, the last of which is `noop`; one that cannot be done changes nothing. Missions
+    are the tasks that can be reached from the start. With `log=` they are the commands of a session log whose meaning is known, from the states
+    where they were said, and `world` may be left out. Reward, end and `info` are as in a home.
+
+    >>> import gymnasium, goodbot
+    >>> world = goodbot.World({"type": "world", "name": "hall", "classes": ["lamp"], "attributes": {"color": ["lamp"]}, "propositions": {"on": ["lamp"]},
+    ...     "objects": [{"name": "a", "class": "lamp", "attributes": {"color": "red"}}], "task_kinds": ["on(?l)"],
+    ...     "actions": [{"name": "light", "parameters": {"?l": "lamp"}, "effects": ["on(?l)"]}]})
+    >>> env = gymnasium.make("goodbot/World-v0", world=world)
+    >>> observation, info = env.reset(seed=1)
+    >>> observation["facts"].tolist(), observation["mission"], env.unwrapped.actions
+    ([0], 'on: red lamp', ['light(a)', 'noop'])
+    >>> env.step(0)[1:4]
+    (1.0, True, False)
+    """
+
+    metadata: dict[str, Any] = {"render_modes": ["ansi"], "render_fps": 8}
+
+    def __init__(self, *, world: World | None = None, log: str | PathLike[str] | None = None, render_mode: str | None = None) -> None:
+        if render_mode not in (None, "ansi"):
+            raise ValueError(f"render_mode is {render_mode!r}; give ansi or None")
+        sessions = [] if log is None else [(session, session.world) for session in read_log(log)]
+        if world is None:
+            world = next((known for _, known in sessions if known is not None), None)
+        if world is None:
+            raise ValueError("no world is given; give world=, or the log= of sessions in one")
+        self.world = world
+        self.places = [(world.start, *mission) for mission in missions(world)] if log is None else []
+        for session, known in sessions:
+            if known != world:
+                raise ValueError(f"the session {session.command!r} is in another place than {world!r}; take logs of one world")
+            if session.intended in world.tasks(state := int(session.state)):
+                self.places.append((state, session.command, session.intended))
+        if not self.places:
+            lacks = "the world has no task that can be reached" if log is None else "no session of the log says what was meant (intended)"
+            raise ValueError(f"{lacks}; there is nothing to reward")
+        self.render_mode = render_mode
+        self.actions = [*world.actions, "noop"]
+        self._position = {proposition: number for number, proposition in enumerate(world.propositions)}
+        self.action_space = spaces.Discrete(len(self.actions))
+        self.observation_space = spaces.Dict(
+            {"facts": spaces.MultiBinary(len(self._position)), "mission": spaces.Text(MOST_LETTERS, charset=LETTERS)}
+        )
+        self.state, self.command, self.intended = self.places[0]
+        self._has_begun = False
+
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
+        """Begins an episode. `options={"command": ..., "intended": ...}` sets the mission, and `"state"` where it begins."""
+        super().reset(seed=seed)
+        self.state, self.command, self.intended = self.places[int(self.np_random.integers(len(self.places)))]
+        if options:
+            self.state, self.command, self.intended = options.get("state", self.world.start), options["command"], options["intended"]
+        self._has_begun = True
+        return self._observed(), {"intended": self.intended}
+
+    def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
+        """Does an action; the reward is 1 when the mission is done."""
+        if not self._has_begun:
+            raise gymnasium.error.ResetNeeded("no episode has begun; call reset first")
+        after = self.world.step(self.state, self.actions[int(action)])
+        self.state = self.state if after is None else after
+        done = all(self.world.holds(part, self.state) for part in self.intended.split(" & "))
+        return self._observed(), float(done), done, False, {"intended": self.intended}
+
+    def _observed(self) -> Observation:
+        facts = np.zeros(len(self._position), np.int8)
+        facts[[self._position[fact] for fact in self.world.facts(self.state) if fact in self._position]] = 1
+        return {"facts": facts, "mission": self.command}
+
+    def render(self) -> Any:
+        """What holds, a proposition on each line."""
+        if self.render_mode == "ansi":
+            return "\n".join(self.world.facts(self.state))
+        gymnasium.logger.warn("render() does nothing without a render_mode; make the environment with ansi")
+        return None
+
+
 class HumanFeedback(gymnasium.Wrapper[Observation, Any, Observation, Any]):
     """Adds a simulated trainer to the environment: `info["feedback"]` is its feedback to each action, `reward`, `punish` or `neutral`,
     and `info["correct"]` whether the action was right; the trainer itself may be mistaken.
@@ -344,24 +429,28 @@ class HumanFeedback(gymnasium.Wrapper[Observation, Any, Observation, Any]):
 
     def __init__(self, env: gymnasium.Env[Observation, Any], trainer: Kind = "balanced", *, seed: int = 0) -> None:
         super().__init__(env)
-        if not isinstance(env.unwrapped, HomeEnv):
-            raise ValueError("a trainer needs a home: wrap one of goodbot's environments")
-        self._home_env: HomeEnv = env.unwrapped
+        if not isinstance(env.unwrapped, (HomeEnv, WorldEnv)):
+            raise ValueError("a trainer needs a home or a world: wrap one of goodbot's environments")
+        self._own: HomeEnv | WorldEnv = env.unwrapped
         self._trainer = Trainer(trainer, seed=seed)
-        self._seer = Agent()
+        self._seer = Agent() if isinstance(self._own, HomeEnv) else Agent(domain=self._own.world)
+
+    @property
+    def _place(self) -> Home | World:
+        return self._own.home if isinstance(self._own, HomeEnv) else self._own.world
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Observation, dict[str, Any]]:
         """Begins an episode."""
         observation, info = self.env.reset(seed=seed, options=options)
         # The trainer knows the intended task: it plans as an agent whose prior is that task alone.
-        self._seer.hear(self._home_env.home, self._home_env.state, "go", prior={self._home_env.intended: 1.0})
+        self._seer.hear(self._place, self._own.state, "go", prior={self._own.intended: 1.0})
         return observation, info
 
     def step(self, action: int) -> tuple[Observation, SupportsFloat, bool, bool, dict[str, Any]]:
         """Does an action, and adds the trainer's feedback."""
-        home = self._home_env.home
-        self._seer.plan(home, self._home_env.state)
-        right = self._seer.optimal_sets(home)[self._seer.tasks.index(self._home_env.intended)]
+        place = self._place
+        self._seer.plan(place, self._own.state)
+        right = self._seer.optimal_sets(place)[self._seer.tasks.index(self._own.intended)]
         # The agent's own columns: those of the home, which may have fewer than the space.
         correct = bool(right[min(int(action), len(right) - 1)])
         observation, reward, terminated, truncated, info = self.env.step(action)

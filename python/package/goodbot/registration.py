@@ -4,7 +4,9 @@ from __future__ import annotations
 
 # Steps after which an episode is cut short, unless another number is asked for.
 MOST_STEPS = 300
-# The ids, each with its home of the course.
+# A world from a file or a log of worlds.
+WORLD = "goodbot/World-v0"
+# The other ids, each with its home of the course.
 IDS = {"goodbot/Home-v0": "Test", "goodbot/Rooms-v0": "A", "goodbot/Block-v0": "D"}
 
 
@@ -14,6 +16,8 @@ def register() -> None:
         import gymnasium
     except ImportError:
         return
+    if WORLD not in gymnasium.registry:
+        gymnasium.register(WORLD, entry_point="goodbot.gym:WorldEnv", max_episode_steps=MOST_STEPS)
     for name, home in IDS.items():
         if name not in gymnasium.registry:
             gymnasium.register(

@@ -1,9 +1,10 @@
-//! Optimal sets against brute force, in random homes and for a robot whose actions cost 1 to 5.
+//! Optimal sets against brute force, in random homes and for robots whose actions cost 1 to 5, and up to 255.
 
 use goodbot::home::{self, Moves};
 use goodbot::memory::HomeMemory;
 use goodbot::oomdp::{
-    Action, ActionKind, ActionSet, BitRows, CellId, Domain, Floor, GroundProposition, Piece, PropositionId, PushGrid, World,
+    Action, ActionKind, ActionSet, BitRows, CellId, Domain, Floor, GroundProposition, MOST_COST, MOST_COST_ON_CONTROLLERS, OneByOne, Piece,
+    PropositionId, PushGrid, World,
 };
 use goodbot::planning::OptimalSet;
 use goodbot::task::{GroundedTask, LiftedTask, TaskSet, ground};
@@ -26,11 +27,14 @@ fn compare<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], every
 
 /// The same for these tasks.
 fn compare_all<D: Domain>(domain: &D, start: &D::State, lifted: &[LiftedTask], tasks: &[GroundedTask], every: usize) -> usize {
+    // The higher the costs, the more room a state takes.
+    let is_dear = domain.actions().iter().any(|kind| kind.cost > MOST_COST_ON_CONTROLLERS);
+    let roomy = Capacities { states: if is_dear { 1 << 18 } else { ROOMY.states }, ..ROOMY };
     let count = tasks.len();
     let truth = BruteForce::new(domain, start, lifted, tasks);
     // A sweep has no room for state numbers that lie far apart.
     let sweep = (domain.state_count() < 1 << 24).then(|| Sweep::new(domain, start, lifted, tasks));
-    let (mut planner, mut compared) = (OwnPlanner::new(&ROOMY, domain, lifted, tasks), 0);
+    let (mut planner, mut compared) = (OwnPlanner::new(&roomy, domain, lifted, tasks), 0);
     for (position, state) in truth.states.iter().enumerate().step_by(every) {
         let plan = planner.plan_for(domain, state, TaskSet::first(count), 100);
         assert!(plan.unknown().is_empty() && plan.approximate().is_empty());
@@ -120,6 +124,65 @@ fn actions_of_different_costs_hashed_or_not_give_the_optimal_sets_of_brute_force
         }
         let start = robot.start(0, 7);
         compare(&robot, &start, &robot_tasks(&robot), 41);
+    }
+}
+
+/// A robot with other costs.
+struct Dear<'d, D> {
+    robot: &'d D,
+    actions: Vec<ActionKind<'d>>,
+}
+
+impl<D: Domain> Domain for Dear<'_, D> {
+    type State = D::State;
+    type Search = OneByOne;
+
+    fn world(&self) -> World<'_> {
+        self.robot.world()
+    }
+
+    fn actions(&self) -> &[ActionKind<'_>] {
+        &self.actions
+    }
+
+    fn step(&self, state: &D::State, action: Action) -> Option<D::State> {
+        self.robot.step(state, action)
+    }
+
+    fn holds(&self, proposition: &GroundProposition, state: &D::State) -> bool {
+        self.robot.holds(proposition, state)
+    }
+
+    fn state_count(&self) -> u64 {
+        self.robot.state_count()
+    }
+
+    fn number(&self, state: &D::State) -> u64 {
+        self.robot.number(state)
+    }
+
+    fn numbered(&self, number: u64) -> D::State {
+        self.robot.numbered(number)
+    }
+}
+
+#[test]
+fn costs_up_to_the_most_hashed_or_not_give_the_optimal_sets_of_brute_force() {
+    let mut random = Pcg32::new(10, 10);
+    for round in 0..8 {
+        let mut memory = HeapMemory::new(&ROOMY);
+        let blocked = vec![2 + below(&mut random, 9), 12 + below(&mut random, 11)];
+        let mut robot = TurningRobot::new(5, blocked, vec![24, 1 + below(&mut random, 20), 20], memory.home.lend().objects);
+        if round % 2 == 1 {
+            robot.gap = 1_000_003;
+        }
+        let start = robot.start(0, 7);
+        let mut cost = || (1 + below(&mut random, i32::from(MOST_COST))) as u8;
+        let mut actions: Vec<ActionKind<'_>> = robot.actions().iter().map(|kind| ActionKind::new(kind.name, cost())).collect();
+        // Both ends of the ring of open distances.
+        actions.iter_mut().zip([MOST_COST, 1]).for_each(|(kind, cost)| kind.cost = cost);
+        let dear = Dear { robot: &robot, actions };
+        compare(&dear, &start, &robot_tasks(&robot), 41);
     }
 }
 

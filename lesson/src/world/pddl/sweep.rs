@@ -6,12 +6,13 @@ use super::{PddlError, Text};
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// The most states to visit, and the most actions with their objects.
-const MOST_STATES: usize = 200_000;
+const MOST_STATES: usize = 1_000_000;
 const MOST_ACTIONS: usize = 20_000;
 /// The most objects to try as parameters, for all actions together.
 const MOST_TRIES: usize = 100_000;
-/// The most conditions of actions to look at: a problem that is too large is refused within seconds.
+/// The most actions to look at, and the most to do, in all states together: a problem that is too large is refused within seconds.
 const MOST_LOOKS: usize = 200_000_000;
+const MOST_DONE: usize = 40_000_000;
 
 /// A predicate and its objects, by their positions.
 type Fact = (usize, Vec<usize>);
@@ -138,7 +139,7 @@ pub fn sweep(named: &Named<'_>, mut visited: impl FnMut(usize)) -> Result<Swept,
         .collect();
     let mut variables = variables(named, &facts);
     let mut swept = Swept { actions, kinds, variables: vec![], reaches_goal: false };
-    let (mut known, mut open, mut looks) = (HashSet::from([first.clone()]), vec![first], MOST_LOOKS);
+    let (mut known, mut open, mut looks, mut left) = (HashSet::from([first.clone()]), vec![first], MOST_LOOKS, MOST_DONE);
     while let Some(state) = open.pop() {
         visited(known.len() - open.len());
         swept.reaches_goal |= goal.as_ref().is_some_and(|goal| goal.iter().all(|&fact| has(&state, fact)));
@@ -146,12 +147,14 @@ pub fn sweep(named: &Named<'_>, mut visited: impl FnMut(usize)) -> Result<Swept,
         variables.retain(|_, choices| choices.iter().all(is_one));
         looks = looks.checked_sub(swept.actions.len()).ok_or_else(too_many)?;
         let mut possible: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut next = state.clone();
         for (position, action) in swept.actions.iter().enumerate() {
             if !action.needs.iter().all(|&fact| has(&state, fact)) || action.forbids.iter().any(|&fact| has(&state, fact)) {
                 continue;
             }
+            left = left.checked_sub(1).ok_or_else(too_many)?;
             possible.entry(action.kind).or_default().push(position);
-            let mut next = state.clone();
+            next.clone_from(&state);
             action.deletes.iter().for_each(|&fact| set(&mut next, fact, false));
             action.adds.iter().for_each(|&fact| set(&mut next, fact, true));
             if next == state {
@@ -164,11 +167,12 @@ pub fn sweep(named: &Named<'_>, mut visited: impl FnMut(usize)) -> Result<Swept,
                 let message = format!("an effect of {} on {predicate} {TWICE}", schema.name);
                 return Err(PddlError { text: Text::Domain, line: schema.line, message });
             }
-            if known.insert(next.clone()) {
-                if known.len() > MOST_STATES {
+            if !known.contains(&next) {
+                if known.len() == MOST_STATES {
                     return Err(too_many());
                 }
-                open.push(next);
+                known.insert(next.clone());
+                open.push(next.clone());
             }
         }
         for (kind, actions) in possible {

@@ -24,7 +24,7 @@ const MOST_GOALS: usize = 4;
 /// The most parameters of which any may be left out; those after them are kept.
 const MOST_CHOSEN: usize = 10;
 /// The costs of a world's actions.
-const COSTS: std::ops::RangeInclusive<u64> = 1..=16;
+const COSTS: std::ops::RangeInclusive<u64> = 1..=255;
 
 /// Makes the world.
 pub fn convert(named: &Named<'_>, swept: &Swept) -> Result<Converted, PddlError> {
@@ -204,11 +204,14 @@ impl Writer<'_> {
         if named.problem.minimizes_cost && schema.cost.is_none() {
             return error(
                 schema.line,
-                format!("{} has no cost, and a world's action costs 1 to 16; add (increase (total-cost) 1)", schema.name),
+                format!("{} has no cost, and a world's action costs 1 to 255; add (increase (total-cost) 1)", schema.name),
             );
         }
         let Some(cost) = u8::try_from(kind.cost).ok().filter(|_| COSTS.contains(&kind.cost)) else {
-            return error(schema.line, format!("{} costs {}, and a world's action costs 1 to 16", schema.name, kind.cost));
+            return error(
+                schema.line,
+                format!("{} costs {}, and a world's action costs 1 to 255; change the costs", schema.name, kind.cost),
+            );
         };
         let mut conditions: Vec<Literal> = schema.conditions.iter().map(|(atom, holds)| self.literal(atom, !holds, &choices)).collect();
         for first in choices.variables() {
