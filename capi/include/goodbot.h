@@ -25,9 +25,9 @@
      of an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F with any input that a search found;
      docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
      when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
-     goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_explain_word, goodbot_question, goodbot_finish,
-     goodbot_home_build, goodbot_join_starter, goodbot_saved_size, goodbot_save, goodbot_store, goodbot_restore, goodbot_load,
-     goodbot_save_parameters and goodbot_restore_parameters. */
+     goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish, goodbot_home_build, goodbot_join_starter,
+     goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and goodbot_restore_parameters; and
+     goodbot_explain_word, unless goodbot_explain_on was called first. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -1238,8 +1238,19 @@ goodbot_status goodbot_task_text(const struct goodbot *robot,
 // meaning, 1 the next, and so on. `UNKNOWN` beyond the last word or the last meaning, or for no task. `word` receives the word, empty if
 // the robot has no room for it. `meaning` receives the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`,
 // `no meaning`, or `never heard`, which is then the only meaning. `share` receives the share of the meaning: the shares of one word add
-// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. Each call explains the command
-// anew, once for each rank up to this one.
+// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. It reads the command first, at
+// once, unless `goodbot_explain_on` has done so for this task.
+// Reads the last command for `goodbot_explain_word`, if this task is meant, at most about `budget` table cells of work. `WORKING` means: call
+// again; the robot may plan and act meanwhile. A command that was heard since, another task, and the end of the session begin it anew.
+// `UNKNOWN` for no task.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+GOODBOT_MUST_USE
+goodbot_status goodbot_explain_on(struct goodbot *robot,
+                                  uint32_t task,
+                                  uint32_t budget);
+
 //
 // The caller sees to it:
 // `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
