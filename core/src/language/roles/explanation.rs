@@ -24,7 +24,12 @@ pub enum Meaning {
 
 /// The words of a command; one that training has not seen is V.
 pub(crate) fn heard(layout: &Layout, sentence: &[Option<Symbol>]) -> Vec<Symbol, WORDS_PER_COMMAND> {
-    super::forward::heard(layout, sentence).take(WORDS_PER_COMMAND).map(|word| Symbol(word as u16)).collect()
+    let mut words = Vec::new();
+    for word in super::forward::heard(layout, sentence) {
+        // A command has no more; `collect` could panic.
+        let _ = words.push(Symbol(word as u16));
+    }
+    words
 }
 
 /// A command that is read to be explained.
