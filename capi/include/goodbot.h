@@ -25,9 +25,9 @@
      of an object and the budget 1, no call takes more than 62,500 instructions on a Cortex-M4F with any input that a search found;
      docs/footprint.md has the long ones. These do all at once instead, or much of it, so a control loop leaves them to its start, or to moments
      when the robot may wait: goodbot_init_table, goodbot_explain_table, goodbot_least_capacities, goodbot_hear, goodbot_hear_one_of,
-     goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_explain_word, goodbot_question, goodbot_finish,
-     goodbot_home_build, goodbot_join_starter, goodbot_saved_size, goodbot_save, goodbot_store, goodbot_restore, goodbot_load,
-     goodbot_save_parameters and goodbot_restore_parameters. */
+     goodbot_said, goodbot_listen, goodbot_listen_on, goodbot_correct, goodbot_finish, goodbot_home_build, goodbot_join_starter,
+     goodbot_save, goodbot_store, goodbot_restore, goodbot_load, goodbot_save_parameters and goodbot_restore_parameters; and
+     goodbot_explain_word, unless goodbot_explain_on was called first. */
 
 #ifndef GOODBOT_H
 #define GOODBOT_H
@@ -762,6 +762,12 @@ typedef struct goodbot_flash {
   uint32_t slot_bytes;
 } goodbot_flash;
 
+// The progress of storing a model in parts, in memory of yours that stays in place: `goodbot_begin_storing`.
+typedef struct goodbot_storing {
+  // Not to be touched.
+  size_t opaque[32];
+} goodbot_storing;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -1234,12 +1240,23 @@ goodbot_status goodbot_task_text(const struct goodbot *robot,
                                  char *buffer,
                                  size_t bytes);
 
+// Reads the last command for `goodbot_explain_word`, if this task is meant, at most about `budget` table cells of work. `WORKING` means: call
+// again; the robot may plan and act meanwhile. A command that was heard since, another task, and the end of the session begin it anew.
+// `UNKNOWN` for no task.
+//
+// The caller sees to it:
+// `robot` is null or a handle.
+GOODBOT_MUST_USE
+goodbot_status goodbot_explain_on(struct goodbot *robot,
+                                  uint32_t task,
+                                  uint32_t budget);
+
 // Explains a word of the last command, if this task is meant. `position` counts the words from 0; `rank` 0 is the word's most probable
 // meaning, 1 the next, and so on. `UNKNOWN` beyond the last word or the last meaning, or for no task. `word` receives the word, empty if
 // the robot has no room for it. `meaning` receives the role and the value, such as `goal of agentInRoom: colorGreen`, or `kind of task`,
 // `no meaning`, or `never heard`, which is then the only meaning. `share` receives the share of the meaning: the shares of one word add
-// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. Each call explains the command
-// anew, once for each rank up to this one.
+// up to 1; a word that was never heard has 0. Each text has a 0 at its end; `BUFFER` if one does not fit. It reads the command first, at
+// once, unless `goodbot_explain_on` has done so for this task.
 //
 // The caller sees to it:
 // `robot` is null or a handle; `word` and `meaning` are null or room for that many bytes; `share` is null or room for a number.
@@ -1489,6 +1506,28 @@ goodbot_status goodbot_store(struct goodbot *robot,
                              const struct goodbot_flash *flash,
                              size_t *stored);
 
+// Begins to store a model as `goodbot_store` does, but in parts: call `goodbot_store_on` until it is done. `model` is what `goodbot_save_on`
+// wrote. It, `storing` and what `flash` leads to stay until then; the robot may do anything meanwhile. Errors as of `goodbot_store`.
+//
+// The caller sees to it:
+// `storing` is null or room for one, `flash` null or points to a flash, `model` null or points to `bytes` bytes.
+GOODBOT_MUST_USE
+goodbot_status goodbot_begin_storing(struct goodbot_storing *storing,
+                                     const struct goodbot_flash *flash,
+                                     const uint8_t *model,
+                                     size_t bytes);
+
+// Goes on storing: reads, writes or erases at most about `budget` bytes, and at least `GOODBOT_FLASH_UNIT`; a slot is erased at once, at the
+// end of a part. `WORKING` means: call again. After a power cut at any moment, a whole model is left: this one or the previous one. `FLASH` if
+// the flash refuses or did not keep the bytes, `BUFFER` if a slot is too small, `BAD_MODEL` if the model's checksum is wrong; storing then
+// begins anew.
+//
+// The caller sees to it:
+// `storing` is null, zeros, or begun by `goodbot_begin_storing`.
+GOODBOT_MUST_USE
+goodbot_status goodbot_store_on(struct goodbot_storing *storing,
+                                uint32_t budget);
+
 // Restores the newest model of two slots, as `goodbot_restore` does: call `goodbot_learn` until it is done. `buffer` has room for it,
 // and is free again afterwards. `NOTHING_STORED` if there is none; otherwise as `goodbot_store` and `goodbot_restore`.
 //
@@ -1618,6 +1657,8 @@ GOODBOT_AT(goodbot_flash, erase, 12, 24);
 GOODBOT_AT(goodbot_flash, start, 16, 32);
 GOODBOT_AT(goodbot_flash, slot_bytes, 20, 36);
 GOODBOT_SIZE(goodbot_flash, 24, 40);
+GOODBOT_AT(goodbot_storing, opaque, 0, 0);
+GOODBOT_SIZE(goodbot_storing, 128, 256);
 #undef GOODBOT_SIZE
 #undef GOODBOT_AT
 #undef GOODBOT_ASSERT

@@ -93,8 +93,8 @@ pub struct GoodbotRestoring {
     pub opaque: [usize; 80],
 }
 
-/// Saving or restoring that was begun, in the caller's memory.
-struct Begun<T> {
+/// Saving, restoring or storing that was begun, in the caller's memory.
+pub(crate) struct Begun<T> {
     mark: usize,
     work: T,
 }
@@ -108,7 +108,7 @@ fn mark_at<T>(at: *const Begun<T>) -> usize {
 ///
 /// # Safety
 /// `at` is aligned room for it.
-unsafe fn begin<T>(at: *mut Begun<T>, work: T) {
+pub(crate) unsafe fn begin<T>(at: *mut Begun<T>, work: T) {
     // SAFETY: the caller's promise.
     unsafe { at.write(Begun { mark: mark_at(at), work }) };
 }
@@ -134,7 +134,7 @@ const _: () =
 ///
 /// # Safety
 /// `at` is null, or points to room that holds zeros or begun work, which nothing else uses now.
-unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
+pub(crate) unsafe fn begun<'a, T>(at: *mut Begun<T>) -> Result<&'a mut T, Failure> {
     given(at)?;
     // SAFETY: the caller's promise; the mark is a plain number.
     if at.align_offset(align_of::<usize>()) != 0 || unsafe { (&raw const (*at).mark).read() } != mark_at(at) {

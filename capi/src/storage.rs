@@ -1,10 +1,11 @@
 //! A model in the caller's flash. A power cut at any moment leaves a whole model.
 
+use crate::model::{Begun, begin, begun};
 use crate::robot::{Goodbot, give, given, with};
 use crate::status::{Failure, GoodbotStatus};
 use core::ffi::c_void;
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
-use goodbot::storage::{StorageError, TwoSlots};
+use goodbot::storage::{StorageError, Storing, TwoSlots};
 
 /// `goodbot_flash.write` is called for whole units of this many bytes, at multiples of it. The flash's own unit may be smaller, not larger.
 pub const GOODBOT_FLASH_UNIT: usize = 256;
@@ -65,7 +66,11 @@ impl NorFlash for GoodbotFlash {
 
     fn erase(&mut self, from: u32, _to: u32) -> Result<(), Refused> {
         let erase = self.erase.ok_or(Refused)?;
-        // SAFETY: the caller's function. Erasing always begins at the front of a slot, and a slot is a whole number of the flash's blocks.
+        // Erasing begins at the front of a slot, which is a whole number of the flash's blocks: the first part has erased all of it.
+        if from != self.start && from != self.start.saturating_add(self.slot_bytes) {
+            return Ok(());
+        }
+        // SAFETY: the caller's function.
         done(unsafe { erase(self.context, from, self.slot_bytes) })
     }
 
@@ -118,6 +123,72 @@ pub unsafe extern "C" fn goodbot_store(robot: *mut Goodbot, flash: *const Goodbo
             slots.store(model)?;
             if stored.is_null() { Ok(GoodbotStatus::Ok) } else { give(stored, model.len()) }
         })
+    }
+}
+
+/// The progress of storing a model in parts, in memory of yours that stays in place: `goodbot_begin_storing`.
+#[repr(C)]
+#[derive(Debug)]
+pub struct GoodbotStoring {
+    /// Not to be touched.
+    pub opaque: [usize; 32],
+}
+
+struct Writing {
+    slots: TwoSlots<GoodbotFlash>,
+    storing: Storing,
+    model: *const u8,
+    bytes: usize,
+}
+
+type OfStoring = Begun<Writing>;
+const _: () = assert!(size_of::<OfStoring>() <= size_of::<GoodbotStoring>() && align_of::<OfStoring>() <= align_of::<GoodbotStoring>());
+
+/// Begins to store a model as `goodbot_store` does, but in parts: call `goodbot_store_on` until it is done. `model` is what `goodbot_save_on`
+/// wrote. It, `storing` and what `flash` leads to stay until then; the robot may do anything meanwhile. Errors as of `goodbot_store`.
+///
+/// # Safety
+/// `storing` is null or room for one, `flash` null or points to a flash, `model` null or points to `bytes` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_begin_storing(
+    storing: *mut GoodbotStoring,
+    flash: *const GoodbotFlash,
+    model: *const u8,
+    bytes: usize,
+) -> GoodbotStatus {
+    if storing.is_null() || model.is_null() {
+        return GoodbotStatus::Null;
+    }
+    // SAFETY: the caller's promise.
+    unsafe {
+        match slots(flash) {
+            Ok(slots) => begin(storing.cast::<OfStoring>(), Writing { slots, storing: Storing::new(), model, bytes }),
+            Err(failure) => return failure.status,
+        }
+    }
+    GoodbotStatus::Ok
+}
+
+/// Goes on storing: reads, writes or erases at most about `budget` bytes, and at least `GOODBOT_FLASH_UNIT`; a slot is erased at once, at the
+/// end of a part. `WORKING` means: call again. After a power cut at any moment, a whole model is left: this one or the previous one. `FLASH` if
+/// the flash refuses or did not keep the bytes, `BUFFER` if a slot is too small, `BAD_MODEL` if the model's checksum is wrong; storing then
+/// begins anew.
+///
+/// # Safety
+/// `storing` is null, zeros, or begun by `goodbot_begin_storing`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn goodbot_store_on(storing: *mut GoodbotStoring, budget: u32) -> GoodbotStatus {
+    // SAFETY: the caller's promise.
+    unsafe {
+        let work = match begun(storing.cast::<OfStoring>()) {
+            Ok(work) => work,
+            Err(failure) => return failure.status,
+        };
+        let model = core::slice::from_raw_parts(work.model, work.bytes);
+        match work.slots.store_on(&mut work.storing, model, budget.max(GOODBOT_FLASH_UNIT as u32)) {
+            Ok(progress) => progress.into(),
+            Err(error) => Failure::from(error).status,
+        }
     }
 }
 

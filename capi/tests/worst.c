@@ -16,6 +16,7 @@
 /* The robot is in RAM that the program itself does not use. */
 static unsigned char *const memory = (unsigned char *)0x21000000;
 static unsigned char *const buffer = (unsigned char *)0x21800000;
+static unsigned char *const stored = (unsigned char *)0x21900000;
 #define MEMORY_BYTES 0x800000
 #define BUFFER_BYTES 0x20000
 
@@ -25,24 +26,43 @@ static volatile uint32_t *const systick = (volatile uint32_t *)0xE000E010;
 
 enum call {
     BEGIN_HEARING, HEAR_ON, HEAR_AGAIN, PLAN, DECIDE, DONE, FEEDBACK, TRAINER_ENDED, DEMONSTRATION, REMARK, BEGIN_FINISHING, FINISH_ON,
-    FORGET, LEARN, LEARN_16, TASK_COUNT, TASK_PROBABILITY, MOST_LIKELY, TASK_TEXT, EXPLAIN_WORD, QUESTION, QUESTION_TEXT, ANSWER,
+    FORGET, LEARN, LEARN_16, TASK_COUNT, TASK_PROBABILITY, MOST_LIKELY, TASK_TEXT, EXPLAIN_ON, EXPLAIN_WORD, QUESTION, QUESTION_TEXT, ANSWER,
     SAID, REMEMBER, CONVERSE_ANEW, SESSION_COUNT, USAGE, FULL, SET_STATE, SAVED_SIZE, BEGIN_SAVING, SAVE_ON, BEGIN_RESTORING,
-    RESTORE_ON, TRAINER, TRAINERS, OPTIONS, SET_OPTIONS, LEAST_CAPACITIES, HOME_FIND_CELLS, HOME_PLACE, HOME_SENSE, HOME_WHERE, CALLS
+    RESTORE_ON, BEGIN_STORING, STORE_ON, TRAINER, TRAINERS, OPTIONS, SET_OPTIONS, LEAST_CAPACITIES, HOME_FIND_CELLS, HOME_PLACE, HOME_SENSE, HOME_WHERE, CALLS
 };
 static const char *const names[CALLS] = {
     "begin_hearing", "hear_on", "hear_again", "plan", "decide", "done", "feedback", "trainer_ended", "demonstration", "remark",
     "begin_finishing", "finish_on", "forget", "learn", "learn-16", "task_count", "task_probability", "most_likely", "task_text",
-    "explain_word", "question", "question_text", "answer", "said", "remember", "converse_anew", "session_count", "usage", "full",
-    "table_set_state", "saved_size", "begin_saving", "save_on", "begin_restoring", "restore_on", "trainer", "trainers",
+    "explain_on", "explain_word", "question", "question_text", "answer", "said", "remember", "converse_anew", "session_count", "usage", "full",
+    "table_set_state", "saved_size", "begin_saving", "save_on", "begin_restoring", "restore_on", "begin_storing", "store_on",
+    "trainer", "trainers",
     "current_options", "set_options", "least_capacities", "home_find_cells", "home_place", "home_sense", "home_where",
 };
 static uint32_t most[CALLS], now[CALLS];
 
 static uint32_t begun;
-#define COUNT(call, what) (begun = systick[2], counted(call, (int32_t)(what)))
-static int32_t counted(enum call call, int32_t result) {
+#define COUNT(call, what) (paint(call), begun = systick[2], counted(call, (int32_t)(what)))
+
+/* The deepest stack of each call, by paint below it: of the first calls of a kind, then of one in sixteen, because painting takes long. */
+#define PAINT 0xCCCCCCCCu
+enum { PAINTED = 4096 };
+static uint32_t stacks[CALLS], calls_made[CALLS], *top;
+
+__attribute__((noinline)) static void paint(enum call call) {
+    top = NULL;
+    if (calls_made[call]++ > 64 && calls_made[call] * 2654435761u >> 28) return;
+    __asm__ volatile("mov %0, sp" : "=r"(top));
+    for (volatile uint32_t *at = top - 16; at > top - PAINTED; at--) *at = PAINT;
+}
+
+__attribute__((noinline)) static int32_t counted(enum call call, int32_t result) {
     uint32_t taken = (uint32_t)(((begun - systick[2]) & 0xFFFFFF) * 25 / 40);
     if (taken > now[call]) now[call] = taken;
+    if (top) {
+        volatile uint32_t *at = top - PAINTED + 1;
+        while (at < top && *at == PAINT) at++;
+        if ((uint32_t)(top - at) * 4 > stacks[call]) stacks[call] = (uint32_t)(top - at) * 4;
+    }
     return result;
 }
 
@@ -234,8 +254,11 @@ static void ask_about(void) {
     (void)COUNT(MOST_LIKELY, goodbot_most_likely(robot, &task));
     (void)COUNT(TASK_PROBABILITY, goodbot_task_probability(robot, draw(64), &number));
     (void)COUNT(TASK_TEXT, goodbot_task_text(robot, draw(64), text, sizeof text));
-    for (uint32_t at = 0; at < 3; at++) {
-        (void)COUNT(EXPLAIN_WORD, goodbot_explain_word(robot, draw(count ? count : 1), draw(64), draw(3), word, sizeof word, text, sizeof text, &number));
+    task = draw(count ? count : 1);
+    while (COUNT(EXPLAIN_ON, goodbot_explain_on(robot, task, 1)) == GOODBOT_STATUS_WORKING) {
+    }
+    for (uint32_t at = 0; at < 8; at++) {
+        (void)COUNT(EXPLAIN_WORD, goodbot_explain_word(robot, task, draw(64), draw(24), word, sizeof word, text, sizeof text, &number));
     }
     (void)COUNT(SESSION_COUNT, goodbot_session_count(robot, &sessions));
     (void)COUNT(USAGE, goodbot_usage(robot, &usage));
@@ -319,10 +342,31 @@ static void live_in_a_home(void) {
     }
 }
 
+/* A flash in RAM, which takes no time. */
+static bool read_flash(void *context, uint32_t at, uint8_t *to, uint32_t bytes) {
+    (void)context;
+    memcpy(to, stored + at, bytes);
+    return true;
+}
+
+static bool write_flash(void *context, uint32_t at, const uint8_t *from, uint32_t bytes) {
+    (void)context;
+    memcpy(stored + at, from, bytes);
+    return true;
+}
+
+static bool erase_flash(void *context, uint32_t at, uint32_t bytes) {
+    (void)context, (void)at, (void)bytes;
+    return true;
+}
+
+static const goodbot_flash flash = {.read = read_flash, .write = write_flash, .erase = erase_flash, .slot_bytes = BUFFER_BYTES};
+
 static void live(void) {
     static goodbot_capacities capacities;
     static goodbot_saving saving;
     static goodbot_restoring restoring;
+    static goodbot_storing storing;
     goodbot_lessons lessons = {4, 64, 64, 1024};
     goodbot_options options;
     size_t bytes, written;
@@ -382,6 +426,9 @@ static void live(void) {
     do status = COUNT(SAVE_ON, goodbot_save_on(robot, &saving, 1, &written));
     while (status == GOODBOT_STATUS_WORKING);
     if (status != GOODBOT_STATUS_OK) return;
+    (void)COUNT(BEGIN_STORING, goodbot_begin_storing(&storing, &flash, buffer, written));
+    while (COUNT(STORE_ON, goodbot_store_on(&storing, 1)) == GOODBOT_STATUS_WORKING) {
+    }
     (void)COUNT(BEGIN_RESTORING, goodbot_begin_restoring(&restoring, buffer, written));
     do status = COUNT(RESTORE_ON, goodbot_restore_on(robot, &restoring, 1));
     while (status == GOODBOT_STATUS_WORKING);
@@ -400,7 +447,7 @@ static void live(void) {
 
 /* The calls that do all at once, which may take as long as they do. */
 static bool is_bounded(int call) {
-    return call != EXPLAIN_WORD && call != QUESTION && call != SAID && call != SAVED_SIZE && call != LEAST_CAPACITIES;
+    return call != SAID && call != LEAST_CAPACITIES;
 }
 
 /* One of the calls that a control loop makes: the longest of three. */
@@ -440,6 +487,8 @@ int main(void) {
         fflush(stdout);
 #endif
     }
-    for (int call = 0; call < CALLS; call++) printf("%s %lu\n", names[call], (unsigned long)most[call]);
+    for (int call = 0; call < CALLS; call++) {
+        printf("%s %lu\nstack-%s %lu\n", names[call], (unsigned long)most[call], names[call], (unsigned long)stacks[call]);
+    }
     return 0;
 }

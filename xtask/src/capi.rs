@@ -10,7 +10,7 @@ use crate::emulated_boards::{AN386, emulate};
 use crate::firmware::{FAULT, nothing_panics, run_alone};
 use crate::process::{shell, target_dir};
 use crate::programs::{ARM_GCC, CLANG, GCC, GXX};
-use crate::toolchain::{self, CONTROLLER, CORTEX_M4F, TARGETS};
+use crate::toolchain::{self, CONTROLLER, CORTEX_M0, CORTEX_M4F, TARGETS};
 
 const HEADER: &str = "capi/include/goodbot.h";
 /// The C header, and the C++ header that wraps it.
@@ -179,10 +179,16 @@ impl Example {
     }
 }
 
-/// The search for the longest calls, in this many worlds.
-pub fn search_program(trials: u32, seed: u32) -> Result<PathBuf> {
+/// The search for the longest calls, in this many worlds, built for this processor.
+pub fn search_program(processor: &Processor, trials: u32, seed: u32) -> Result<PathBuf> {
     let numbers = [format!("-DTRIALS={trials}"), format!("-DSEED={seed}")];
-    link("capi/tests/worst.c", FEATURES_AND_TALK, &format!("worst-{trials}-{seed}.elf"), &numbers)
+    link_for(processor, "capi/tests/worst.c", FEATURES_AND_TALK, &format!("worst-{trials}-{seed}.elf"), &numbers)
+}
+
+/// A program that makes a table robot, and calls this function, if any.
+pub fn program_that_calls(function: Option<&str>) -> Result<PathBuf> {
+    let called: Vec<_> = ["goodbot_init_table"].into_iter().chain(function).map(|name| format!("-Wl,--undefined={name}")).collect();
+    link("capi/tests/overflow.c", FEATURES_AND_TALK, &format!("with-{}.elf", function.unwrap_or("none")), &called)
 }
 
 /// Compiles an example by clang for the Cortex-M4F, with enums of either size, and links it with gcc's C library. Returns the paths.
@@ -204,11 +210,26 @@ fn examples_of_clang() -> Result<[PathBuf; 2]> {
     Ok(found)
 }
 
+/// A processor that the emulated Cortex-M4F can be, and gcc's options for it.
+#[derive(Debug)]
+pub struct Processor {
+    target: &'static str,
+    options: &'static [&'static str],
+}
+
+pub const M4F: Processor = Processor { target: CORTEX_M4F, options: &["-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16"] };
+/// Its instructions are a part of those of the others.
+pub const M0: Processor = Processor { target: CORTEX_M0, options: &["-mcpu=cortex-m0", "-mfloat-abi=soft"] };
+
 /// Links a program in C with a library of these features, for the Cortex-M4F.
 fn link(program: &str, features: &[&str], name: &str, options: &[String]) -> Result<PathBuf> {
-    let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(CORTEX_M4F), features)?);
+    link_for(&M4F, program, features, name, options)
+}
+
+fn link_for(processor: &Processor, program: &str, features: &[&str], name: &str, options: &[String]) -> Result<PathBuf> {
+    let (sh, gcc, library) = (shell()?, ARM_GCC.path()?, library(Some(processor.target), features)?);
     let binary = library.with_file_name(name);
-    let processor = ["-mthumb", "-mcpu=cortex-m4", "-mfloat-abi=hard", "-mfpu=fpv4-sp-d16", "-ffp-contract=off", "-O2"];
+    let processor = processor.options.iter().chain(&["-mthumb", "-ffp-contract=off", "-O2"]);
     let sections = ["-ffunction-sections", "-fdata-sections", "-Wl,--gc-sections", "--specs=nano.specs", "--specs=rdimon.specs"];
     let gcc = cmd!(sh, "{gcc} {WARNINGS...} {processor...} {sections...} -nostartfiles -I capi/include -T capi/examples/board/link.ld");
     gcc.arg(program).arg("capi/examples/board/start.c").arg(library).arg("-o").arg(&binary).args(options).run()?;

@@ -1,15 +1,15 @@
 //! `cargo xtask worst`: a search for the input that takes the most instructions of each call of the C interface.
 //!
-//! `capi/tests/worst.c` draws worlds, lessons and sentences on the emulated Cortex-M4F, and keeps what makes a call longer.
+//! `capi/tests/worst.c` draws worlds, lessons and sentences on the emulated Cortex-M4F, and keeps what makes a call longer. The code of a
+//! Cortex-M0 runs there, too.
 
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
 use clap::Args;
 
-use crate::capi::search_program;
-use crate::emulated_boards::Report;
-use crate::firmware::run_alone;
+use crate::capi::{M0, M4F, Processor, program_that_calls, search_program};
+use crate::firmware::{FLASH, bytes, run_alone};
 use crate::footprint;
 
 /// Worlds that one run of the program tries. It must end before the emulator's limit.
@@ -20,7 +20,7 @@ const TRIALS_OF_A_CHECK: u32 = 12;
 const MOST: u64 = 62_500;
 
 /// Calls of the search, by their names in C.
-const CALLS: [(&str, &str); 43] = [
+const CALLS: [(&str, &str); 46] = [
     ("begin_hearing", "goodbot_begin_hearing"),
     ("hear_on", "goodbot_hear_on, budget 1"),
     ("hear_again", "goodbot_hear_again"),
@@ -40,7 +40,7 @@ const CALLS: [(&str, &str); 43] = [
     ("task_probability", "goodbot_task_probability"),
     ("most_likely", "goodbot_most_likely"),
     ("task_text", "goodbot_task_text"),
-    ("question", "goodbot_question (at once)"),
+    ("question", "goodbot_question, budget 1"),
     ("question_text", "goodbot_question_text"),
     ("answer", "goodbot_answer"),
     ("remember", "goodbot_remember"),
@@ -49,11 +49,13 @@ const CALLS: [(&str, &str); 43] = [
     ("usage", "goodbot_usage"),
     ("full", "goodbot_full"),
     ("table_set_state", "goodbot_table_set_state"),
-    ("saved_size", "goodbot_saved_size (at once)"),
+    ("saved_size", "goodbot_saved_size"),
     ("begin_saving", "goodbot_begin_saving"),
     ("save_on", "goodbot_save_on, budget 1"),
     ("begin_restoring", "goodbot_begin_restoring"),
     ("restore_on", "goodbot_restore_on, budget 1"),
+    ("begin_storing", "goodbot_begin_storing"),
+    ("store_on", "goodbot_store_on, budget 1"),
     ("trainer", "goodbot_trainer"),
     ("trainers", "goodbot_trainers"),
     ("home_find_cells", "goodbot_home_find_cells, budget 1"),
@@ -62,7 +64,8 @@ const CALLS: [(&str, &str); 43] = [
     ("home_where", "goodbot_home_where"),
     ("current_options", "goodbot_current_options"),
     ("set_options", "goodbot_set_options"),
-    ("explain_word", "goodbot_explain_word (at once)"),
+    ("explain_on", "goodbot_explain_on, budget 1"),
+    ("explain_word", "goodbot_explain_word, read by goodbot_explain_on"),
     ("said", "goodbot_said (at once)"),
 ];
 
@@ -82,36 +85,52 @@ pub struct Options {
     seed: u32,
 }
 
-/// Searches, two seeds at a time, and writes the table of what was found.
+/// What was found of each call.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    instructions: u64,
+    stack: u64,
+}
+
+/// Searches on both processors, one seed after the other, and writes the table of what was found.
 pub fn run(options: &Options) -> Result<()> {
     let until = Instant::now() + Duration::from_secs(60 * options.minutes);
-    let (mut found, mut seed) = ([0; CALLS.len()], options.seed);
-    while seed == options.seed || Instant::now() < until {
-        let searches = [seed, seed + 1].map(|seed| std::thread::spawn(move || search(TRIALS, seed)));
-        for search in searches {
-            let report = search.join().unwrap_or_else(|_| Err(anyhow::anyhow!("a search could not be followed")))?;
-            for (most, (name, _)) in found.iter_mut().zip(CALLS) {
-                *most = report.number(name)?.max(*most);
-            }
-        }
-        seed += 2;
+    let first = options.seed;
+    let searches = [&M4F, &M0].map(|processor| std::thread::spawn(move || search_on(processor, first, until)));
+    let [found, on_m0] = searches.map(|search| search.join().unwrap_or_else(|_| Err(anyhow::anyhow!("a search could not be followed"))));
+    let (found, on_m0) = (found?, on_m0?);
+    let alone = bytes(&program_that_calls(None)?, &FLASH)?;
+    let mut rows = Vec::new();
+    for (((_, title), found), m0) in CALLS.iter().zip(&found).zip(&on_m0) {
+        let function = title.split([',', ' ']).next();
+        let flash = bytes(&program_that_calls(function)?, &FLASH)?.saturating_sub(alone);
+        rows.push(((*title).to_owned(), [found.instructions, m0.instructions, found.stack, flash]));
     }
-    eprintln!("searched with the seeds {} to {}, {TRIALS} worlds each", options.seed, seed - 1);
-    footprint::write_worst(CALLS.iter().zip(found).map(|((_, title), most)| ((*title).to_owned(), most)))?;
-    within(CALLS.iter().zip(found).map(|((_, title), most)| (*title, most)))
+    footprint::write_worst(rows.into_iter())?;
+    within(CALLS.iter().zip(found).map(|((_, title), found)| (*title, found.instructions)))
+}
+
+fn search_on(processor: &Processor, first: u32, until: Instant) -> Result<Vec<Found>> {
+    let (mut found, mut seed) = (vec![Found::default(); CALLS.len()], first);
+    while seed == first || Instant::now() < until {
+        let report = run_alone(&search_program(processor, TRIALS, seed)?)?;
+        for (most, (name, _)) in found.iter_mut().zip(CALLS) {
+            most.instructions = most.instructions.max(report.number(name)?);
+            most.stack = most.stack.max(report.number(&format!("stack-{name}"))?);
+        }
+        seed += 1;
+    }
+    eprintln!("{processor:?}: searched with the seeds {first} to {}, {TRIALS} worlds each", seed - 1);
+    Ok(found)
 }
 
 /// A short search, which finds no call that is too long.
 pub fn check() -> Result<()> {
-    let report = search(TRIALS_OF_A_CHECK, 1)?;
+    let report = run_alone(&search_program(&M4F, TRIALS_OF_A_CHECK, 1)?)?;
     let found = CALLS.iter().map(|(name, title)| Ok((*title, report.number(name)?))).collect::<Result<Vec<_>>>()?;
     println!("the longest calls of {TRIALS_OF_A_CHECK} worlds:");
     found.iter().for_each(|(title, most)| println!("  {most} {title}"));
     within(found.into_iter())
-}
-
-fn search(trials: u32, seed: u32) -> Result<Report> {
-    run_alone(&search_program(trials, seed)?)
 }
 
 /// It is an error if a call that a control loop makes was never made, or is too long.

@@ -125,6 +125,67 @@ fn a_power_cut_at_any_byte_leaves_the_older_model_or_the_newer_one() {
     assert_eq!(newest, 2);
 }
 
+/// Stores a model in parts of this many bytes. Returns how it ended, and the number of parts.
+fn store_in_parts(flash: &mut Flash, model: &[u8], budget: u32) -> (GoodbotStatus, u32) {
+    let (mut storing, mut parts) = (GoodbotStoring { opaque: [0; 32] }, 0);
+    unsafe {
+        assert_eq!(goodbot_store_on(&raw mut storing, budget), GoodbotStatus::BadHandle);
+        assert_eq!(goodbot_begin_storing(&raw mut storing, &flash.handle(), model.as_ptr(), model.len()), GoodbotStatus::Ok);
+        loop {
+            parts += 1;
+            match goodbot_store_on(&raw mut storing, budget) {
+                GoodbotStatus::Working => {}
+                ended => return (ended, parts),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_model_is_stored_in_parts_and_a_power_cut_between_or_in_them_leaves_a_whole_one() {
+    let (owned, mut flash) = (at_home(), Flash::new());
+    let saved = || {
+        let (mut model, mut length) = (vec![0; SLOT], 0);
+        unsafe { assert_eq!(goodbot_save(owned.robot, model.as_mut_ptr(), model.len(), &raw mut length), GoodbotStatus::Ok) };
+        model.truncate(length);
+        model
+    };
+    learn(owned.robot, c"go to the green room");
+    let first = saved();
+    assert_eq!(store_in_parts(&mut flash, &first, 1).0, GoodbotStatus::Ok);
+    assert_eq!(found(&mut flash), Some(1));
+    learn(owned.robot, c"take the chair to the green room");
+    let model = saved();
+    let (before, mut ended) = (flash.bytes.clone(), [false; 2]);
+    for power in (0..).step_by(61) {
+        flash.bytes.clone_from(&before);
+        flash.power = power;
+        let (status, parts) = store_in_parts(&mut flash, &model, 64);
+        assert!(status == GoodbotStatus::Ok || status == GoodbotStatus::Flash, "{status:?}");
+        let now = found(&mut flash).unwrap();
+        ended[usize::from(now == 2)] = true;
+        if status == GoodbotStatus::Ok {
+            assert!(now == 2 && parts > 8, "{now} lessons after {parts} parts");
+            break;
+        }
+    }
+    assert_eq!(ended, [true; 2]);
+    // The same bytes as at once.
+    let mut other = Flash::new();
+    other.bytes.clone_from(&before);
+    unsafe { assert_eq!(goodbot_store(owned.robot, &other.handle(), null_mut()), GoodbotStatus::Ok) };
+    flash.bytes.clone_from(&before);
+    flash.power = usize::MAX;
+    assert_eq!(store_in_parts(&mut flash, &model, u32::MAX).0, GoodbotStatus::Ok);
+    assert!(flash.bytes == other.bytes);
+    // What is no model, or too large, leaves the stored one.
+    let mut wrong = model.clone();
+    wrong[40] ^= 1;
+    assert_eq!(store_in_parts(&mut flash, &wrong, 64).0, GoodbotStatus::BadModel);
+    assert_eq!(store_in_parts(&mut flash, &[0; SLOT], 64).0, GoodbotStatus::Buffer);
+    assert_eq!(found(&mut flash), Some(2));
+}
+
 #[test]
 fn a_robot_in_the_least_capacities_loads_its_own_model() {
     let commands = [c"go to the green room", c"please walk over to the red one now", c"take the chair to the green room", c"red"];

@@ -10,7 +10,7 @@ use goodbot_capi::table::description::GoodbotTable;
 use goodbot_capi::table::init::goodbot_table_set_state;
 use goodbot_capi::training::*;
 use goodbot_capi::voice::{GoodbotSaid, goodbot_said};
-use goodbot_capi::words::goodbot_explain_word;
+use goodbot_capi::words::{goodbot_explain_on, goodbot_explain_word};
 use robots::{Lift, Owned, hear_and_plan, in_homes, of_table, small};
 use std::ffi::{CStr, c_char, c_void};
 use std::ptr::{null, null_mut};
@@ -165,6 +165,33 @@ fn all_meanings_of_a_word_are_told_the_most_probable_first() {
     }
     assert_eq!(at(4, 0), Ok(("never heard".to_owned(), 0.0)));
     assert_eq!(at(4, 1), Err(GoodbotStatus::Unknown));
+}
+
+#[test]
+fn a_command_is_explained_in_parts_to_the_same_bits_and_the_robot_plans_between_them() {
+    let [at_once, in_parts] = [(), ()].map(|()| after_a_lesson_it_hears_of_a_cellar());
+    let (task, other) = (task(at_once.robot, "agentInRoom(agent0,room1)").0, task(at_once.robot, "blockInRoom(block0,room1)").0);
+    let robot = in_parts.robot;
+    let expected = explained(at_once.robot, task);
+    let mut parts = 0;
+    unsafe {
+        while goodbot_explain_on(robot, task, 1) == GoodbotStatus::Working {
+            parts += 1;
+            while goodbot_plan(robot, 1) == GoodbotStatus::Working {}
+        }
+        assert!(parts > 8, "{parts}");
+        assert_eq!(explained(robot, task), expected);
+        // A part for another task, and the same words heard again, begin anew.
+        assert_eq!(goodbot_explain_on(robot, other, 1), GoodbotStatus::Working);
+        assert_eq!(goodbot_explain_on(robot, task, 1), GoodbotStatus::Working);
+        assert_eq!(goodbot_explain_on(robot, task, u32::MAX), GoodbotStatus::Ok);
+        assert_eq!(explained(robot, task), expected);
+        hear_and_plan(robot, c"go to the green cellar");
+        assert_eq!(goodbot_explain_on(robot, task, 1), GoodbotStatus::Working);
+        assert_eq!(explained(robot, task), expected);
+        assert_eq!(goodbot_explain_on(robot, 99, 1), GoodbotStatus::Unknown);
+        assert_eq!(goodbot_explain_on(null_mut(), 0, 1), GoodbotStatus::Null);
+    }
 }
 
 unsafe extern "C" fn which_floor(_: *mut c_void, _: u32, object: u8, number: u32) -> *const c_char {

@@ -1,7 +1,7 @@
 //! How an agent asks, and takes the answer.
 
-use super::looking_ahead::LookingAhead;
-use super::question::{Answer, Candidates, Question};
+use super::looking_ahead::{Looking, LookingAhead};
+use super::question::{Answer, Candidates, Question, Step};
 use super::settings::Asking;
 use crate::capacity::QUESTIONS_PER_SESSION;
 use crate::feedback::{Words, binary_entropy};
@@ -12,6 +12,9 @@ use crate::session::{Agent, AgentError, Evidence};
 use crate::task::TaskSet;
 use heapless::Vec;
 
+/// A step takes about as long as so many node expansions.
+const OF_A_STEP: u32 = 8;
+
 /// The questions of the session under way.
 #[derive(Clone, Debug)]
 pub(crate) struct Asked {
@@ -19,7 +22,7 @@ pub(crate) struct Asked {
     sets: Vec<TaskSet, QUESTIONS_PER_SESSION>,
     /// The question that waits for its answer.
     open: Option<Question>,
-    looking: Option<LookingAhead>,
+    looking: Option<Looking>,
 }
 
 impl Asked {
@@ -59,57 +62,69 @@ impl<M: AgentMemory> Agent<M> {
         }
     }
 
-    /// As [`question`](Self::question), but in parts: each call looks ahead with at most about `budget` node expansions. Call until it is
-    /// no longer [`Considered::Working`]; until then the state has no plan.
+    /// As [`question`](Self::question), but in parts: each call looks for the best question, and then ahead, with at most about `budget` node
+    /// expansions. Call until it is no longer [`Considered::Working`]; until then the state has no plan.
     ///
     /// # Errors
     /// As [`decide`](Self::decide), and [`AgentError::Setting`] if the settings are out of range.
     pub fn consider<D: Domain>(&mut self, domain: &D, state: &D::State, asking: &Asking, budget: u32) -> Result<Considered, AgentError> {
         asking.check()?;
         self.check_session(domain)?;
-        let key = domain.key(state);
-        let looking = match self.asked.looking.take().filter(|looking| looking.start == key) {
+        let (key, mut left) = (domain.key(state), budget.max(1));
+        let mut looking = match self.asked.looking.take().filter(|looking| looking.start() == key) {
             Some(looking) => looking,
             None => {
                 self.check_planned(domain, state)?;
-                match self.begin_looking(key, asking) {
-                    Some(looking) => looking,
-                    None => return Ok(Considered::Act),
+                if !self.may_ask(asking) {
+                    return Ok(Considered::Act);
                 }
+                Looking::Proposing(key, None, Step::Task(0))
             }
         };
-        self.look_on(domain, looking, budget)
+        while let Looking::Proposing(_, best, step) = looking {
+            if left == 0 {
+                self.asked.looking = Some(Looking::Proposing(key, best, step));
+                return Ok(Considered::Working);
+            }
+            left = left.saturating_sub(OF_A_STEP);
+            looking = match self.propose_on(key, asking, best, step) {
+                Some(looking) => looking,
+                None => return Ok(Considered::Act),
+            };
+        }
+        match looking {
+            Looking::Ahead(ahead) => self.look_on(domain, ahead, left),
+            Looking::Proposing(..) => Ok(Considered::Working),
+        }
     }
 
-    /// The question that would be asked in a state, and a look ahead from there.
-    fn begin_looking(&self, key: StateKey, asking: &Asking) -> Option<LookingAhead> {
-        let followed = self.most_likely()?;
-        if self.asked.sets.is_full() || !asking.kappa.is_finite() || self.belief().probability(followed) >= asking.sure {
-            return None;
-        }
+    /// Whether a question is worth looking for.
+    fn may_ask(&self, asking: &Asking) -> bool {
+        let is_unsure = |followed| self.belief().probability(followed) < asking.sure;
+        !self.asked.sets.is_full() && asking.kappa.is_finite() && self.most_likely().is_some_and(is_unsure)
+    }
+
+    /// Does a step of looking for the best question. After the last it returns a look ahead from this state, if the question is worth one.
+    #[inline(never)]
+    fn propose_on(&self, start: StateKey, asking: &Asking, mut best: Option<Question>, step: Step) -> Option<Looking> {
         let (belief, tasks, lifted, asked) = (self.belief(), self.tasks(), self.lifted(), self.asked.sets.as_slice());
         let candidates = Candidates { belief, whole: belief.whole(), tasks, lifted, asked, asking };
-        let question = candidates.best()?;
+        if let Some(next) = candidates.propose_on(&mut best, step) {
+            return Some(Looking::Proposing(start, best, next));
+        }
+        let question = best?;
         // The number of further questions like this one until it is sure.
         let wanted = candidates.uncertainty() - binary_entropy(asking.sure);
         if wanted * asking.kappa > asking.patience * question.information {
             return None;
         }
-        Some(LookingAhead {
-            question,
-            worth: question.information / asking.kappa,
-            start: key,
-            at: key,
-            followed,
-            dead: self.dead,
-            steps: 0,
-            told: 0.0,
-            asks: None,
-        })
+        let (worth, followed) = (question.information / asking.kappa, self.most_likely()?);
+        let ahead = LookingAhead { question, worth, start, at: start, followed, dead: self.dead, steps: 0, told: 0.0, asks: None };
+        Some(Looking::Ahead(ahead))
     }
 
     /// Continues the look ahead, then restores the plan of the state where it began.
-    fn look_on<D: Domain>(&mut self, domain: &D, mut looking: LookingAhead, budget: u32) -> Result<Considered, AgentError> {
+    fn look_on<D: Domain>(&mut self, domain: &D, mut looking: LookingAhead, mut left: u32) -> Result<Considered, AgentError> {
         let words = Words::expected(self.belief());
         loop {
             // Dead ends stay dead during the look ahead; afterwards they are no longer certain.
@@ -117,8 +132,12 @@ impl<M: AgentMemory> Agent<M> {
             if self.planned != Some(looking.at) {
                 self.expected = Some(looking.at);
             }
-            if self.plan(domain, &state, budget)? == Progress::Working {
-                self.asked.looking = Some(looking);
+            let was_planned = self.check_planned(domain, &state).is_ok();
+            let is_working = left == 0 || self.plan(domain, &state, left)? == Progress::Working;
+            // What follows a plan takes as long as a part of one.
+            left = if was_planned { left } else { left.saturating_sub(OF_A_STEP) };
+            if is_working || left == 0 {
+                self.asked.looking = Some(Looking::Ahead(looking));
                 return Ok(Considered::Working);
             }
             if let Some(asks) = looking.asks {
@@ -136,6 +155,7 @@ impl<M: AgentMemory> Agent<M> {
             } else {
                 looking.at = next;
             }
+            left = left.saturating_sub(OF_A_STEP);
         }
     }
 

@@ -1,11 +1,29 @@
-//! The expected information of the next steps of the current plan.
+//! What an agent looks for before it asks: the most informative question, then the expected information of the next steps of its plan.
 
-use super::question::Question;
+use super::question::{Question, Step};
 use crate::oomdp::StateKey;
 use crate::task::TaskSet;
 
 /// The number of steps that it looks ahead.
 pub(super) const STEPS: u8 = 12;
+
+/// A question that is being considered.
+#[derive(Clone, Debug)]
+pub(super) enum Looking {
+    /// The most informative question is looked for, in this state: the best one yet, and the next step.
+    Proposing(StateKey, Option<Question>, Step),
+    Ahead(LookingAhead),
+}
+
+impl Looking {
+    /// The state in which the question would be asked.
+    pub(super) const fn start(&self) -> StateKey {
+        match self {
+            Self::Proposing(start, ..) => *start,
+            Self::Ahead(ahead) => ahead.start,
+        }
+    }
+}
 
 /// A look ahead under way.
 #[derive(Clone, Copy, Debug)]

@@ -6,6 +6,7 @@ use crate::feedback::information::{binary_entropy, surprise};
 use crate::oomdp::{ClassId, ObjectId};
 use crate::probability::{Scaled, total};
 use crate::task::{GroundedTask, LiftedTask, TaskSet};
+use heapless::Vec;
 
 /// The subject of a question.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,6 +73,37 @@ impl Question {
     }
 }
 
+/// The next step of a search for the most informative question. None takes long, so that a control loop waits for one at most.
+#[derive(Clone, Debug)]
+pub(super) enum Step {
+    /// Questions of yes and no about this task, and about what no earlier task has.
+    Task(u8),
+    /// A choice among objects of one class.
+    Objects(OfObjects),
+    /// A choice among tasks, which has these already.
+    Tasks(Vec<u8, CHOICES, u8>),
+    /// The best question is found.
+    Best,
+}
+
+/// A choice among the most probable objects of a class, under way.
+#[derive(Clone, Debug)]
+pub(super) struct OfObjects {
+    /// The variable that has the class, by its position among those of all kinds of tasks.
+    variable: u8,
+    /// The objects that it has already.
+    listed: Vec<ObjectId, CHOICES, u8>,
+    /// The next task to look at, and the most probable object of those before, with its probability.
+    task: u8,
+    next: Option<(ObjectId, f32)>,
+}
+
+impl OfObjects {
+    const fn of(variable: u8) -> Self {
+        Self { variable, listed: Vec::new(), task: 0, next: None }
+    }
+}
+
 /// The inputs for choosing the most informative question.
 #[derive(Clone, Copy)]
 pub(super) struct Candidates<'a> {
@@ -86,30 +118,39 @@ pub(super) struct Candidates<'a> {
 }
 
 impl<'a> Candidates<'a> {
-    /// The most informative question that was not asked yet.
-    pub(super) fn best(self) -> Option<Question> {
-        let mut best = None;
-        for (position, task) in self.tasks.iter().enumerate() {
-            // Repeating a question is uninformative.
-            let before = self.tasks.get(..position).unwrap_or_default();
-            if before.iter().all(|other| other.lifted != task.lifted) {
-                self.propose(&mut best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
+    /// Does one step of the search for the most informative question that was not asked yet. Returns the next step, `None` after the last.
+    pub(super) fn propose_on(self, best: &mut Option<Question>, step: Step) -> Option<Step> {
+        match step {
+            Step::Task(position) if usize::from(position) < self.tasks.len() => {
+                self.propose_about(best, usize::from(position));
+                Some(Step::Task(position.saturating_add(1)))
             }
-            for (object, _) in self.bound_first(position) {
-                self.propose(&mut best, Subject::Object(object), self.binding(object));
-            }
-            self.propose(&mut best, Subject::Task(position as u8), TaskSet::of(position));
+            Step::Task(_) => Some(Step::Objects(OfObjects::of(0))),
+            Step::Objects(choice) => match self.class(choice.variable) {
+                Some(class) => Some(Step::Objects(self.choose_on(best, class, choice))),
+                None => Some(Step::Tasks(Vec::new())),
+            },
+            Step::Tasks(listed) => Some(self.choose_task(best, listed)),
+            Step::Best => None,
         }
-        let mut done: Option<ClassId> = None;
-        let classes = self.lifted.iter().flat_map(|lifted| lifted.variables().iter().copied());
-        for class in classes {
-            if done != Some(class) {
-                self.propose_objects(&mut best, class);
-                done = Some(class);
-            }
+    }
+
+    /// Proposes questions of yes and no about a task, its kind and its objects. Repeating a question is uninformative.
+    fn propose_about(self, best: &mut Option<Question>, position: usize) {
+        let Some(task) = self.tasks.get(position) else { return };
+        let before = self.tasks.get(..position).unwrap_or_default();
+        if before.iter().all(|other| other.lifted != task.lifted) {
+            self.propose(best, Subject::Kind(task.lifted), self.with(|other| other.lifted == task.lifted));
         }
-        self.propose_tasks(&mut best);
-        best
+        for (object, _) in self.bound_first(position) {
+            self.propose(best, Subject::Object(object), self.binding(object));
+        }
+        self.propose(best, Subject::Task(position as u8), TaskSet::of(position));
+    }
+
+    /// The class of a variable, by its position among those of all kinds of tasks.
+    fn class(self, variable: u8) -> Option<ClassId> {
+        self.lifted.iter().flat_map(|lifted| lifted.variables().iter().copied()).nth(usize::from(variable))
     }
 
     /// The remaining uncertainty about the task, in bits.
@@ -178,46 +219,61 @@ impl<'a> Candidates<'a> {
         self.take(best, Question { subject, yes, choices, information, eta });
     }
 
-    /// Proposes a choice among the most probable objects of a class.
-    fn propose_objects(self, best: &mut Option<Question>, class: ClassId) {
-        let (mut objects, mut choices, mut listed) = ([ObjectId(0); CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
-        for position in 0..usize::from(self.asking.choices).min(CHOICES) {
-            let of_class = (0..self.tasks.len()).flat_map(|task| self.bound_first(task)).filter(|&(_, bound)| bound == class);
-            let mut next: Option<(ObjectId, TaskSet, f32)> = None;
-            for (object, _) in of_class {
+    /// Does one step of proposing a choice among the most probable objects of a class: looks at one task, or takes the object that is found.
+    fn choose_on(self, best: &mut Option<Question>, class: ClassId, mut choice: OfObjects) -> OfObjects {
+        let following = OfObjects::of(choice.variable.saturating_add(1));
+        let is_done = choice.variable.checked_sub(1).is_some_and(|before| self.class(before) == Some(class));
+        if is_done || choice.listed.len() >= usize::from(self.asking.choices).min(CHOICES) {
+            return following;
+        }
+        let mut choices = [TaskSet::EMPTY; CHOICES];
+        choices.iter_mut().zip(&choice.listed).for_each(|(set, &object)| *set = self.binding(object));
+        if usize::from(choice.task) < self.tasks.len() {
+            let listed = choices.into_iter().fold(TaskSet::EMPTY, TaskSet::union);
+            for (object, _) in self.bound_first(usize::from(choice.task)).filter(|&(_, bound)| bound == class) {
                 let set = self.binding(object);
                 // A task with two of the objects would be in two choices.
                 let sure = if set.common(listed).is_empty() { self.probability(set) } else { 0.0 };
-                if sure > next.map_or(0.0, |(.., most)| most) {
-                    next = Some((object, set, sure));
+                if sure > choice.next.map_or(0.0, |(_, most)| most) {
+                    choice.next = Some((object, sure));
                 }
             }
-            let (Some((object, set, _)), Some(slot), Some(choice)) = (next, objects.get_mut(position), choices.get_mut(position)) else {
-                break;
-            };
-            (*slot, *choice, listed) = (object, set, listed.union(set));
-            if position > 0 {
-                self.propose_choice(best, Subject::WhichObject(objects, (position + 1) as u8), choices);
-            }
+            choice.task = choice.task.saturating_add(1);
+            return choice;
         }
+        let Some((object, _)) = choice.next.take() else { return following };
+        choice.task = 0;
+        if let Some(set) = choices.get_mut(choice.listed.len()) {
+            *set = self.binding(object);
+        }
+        let _ = choice.listed.push(object);
+        if choice.listed.len() > 1 {
+            let mut objects = [ObjectId(0); CHOICES];
+            objects.iter_mut().zip(&choice.listed).for_each(|(slot, &object)| *slot = object);
+            self.propose_choice(best, Subject::WhichObject(objects, choice.listed.len() as u8), choices);
+        }
+        choice
     }
 
-    /// Proposes a choice among the most probable tasks.
-    fn propose_tasks(self, best: &mut Option<Question>) {
-        let (mut tasks, mut choices, mut listed) = ([0; CHOICES], [TaskSet::EMPTY; CHOICES], TaskSet::EMPTY);
-        for position in 0..usize::from(self.asking.choices).min(CHOICES) {
-            let mut next: Option<(usize, f32)> = None;
-            for task in TaskSet::first(self.tasks.len()).without(listed).iter() {
-                let sure = self.probability(TaskSet::of(task));
-                if sure > next.map_or(0.0, |(_, most)| most) {
-                    next = Some((task, sure));
-                }
-            }
-            let (Some((task, _)), Some(slot), Some(choice)) = (next, tasks.get_mut(position), choices.get_mut(position)) else { break };
-            (*slot, *choice, listed) = (task as u8, TaskSet::of(task), listed.with(task));
-            if position > 0 {
-                self.propose_choice(best, Subject::WhichTask(tasks, (position + 1) as u8), choices);
+    /// Adds the most probable of the other tasks to a choice, and proposes it.
+    fn choose_task(self, best: &mut Option<Question>, mut listed: Vec<u8, CHOICES, u8>) -> Step {
+        let (mut next, mut most) = (None, 0.0);
+        for task in 0..self.tasks.len() as u8 {
+            let sure = if listed.contains(&task) { 0.0 } else { self.probability(TaskSet::of(usize::from(task))) };
+            if sure > most {
+                (next, most) = (Some(task), sure);
             }
         }
+        let has_room = listed.len() < usize::from(self.asking.choices).min(CHOICES);
+        let Some(task) = next.filter(|_| has_room) else { return Step::Best };
+        let _ = listed.push(task);
+        if listed.len() > 1 {
+            let (mut tasks, mut choices) = ([0; CHOICES], [TaskSet::EMPTY; CHOICES]);
+            for ((slot, choice), &task) in tasks.iter_mut().zip(&mut choices).zip(&listed) {
+                (*slot, *choice) = (task, TaskSet::of(usize::from(task)));
+            }
+            self.propose_choice(best, Subject::WhichTask(tasks, listed.len() as u8), choices);
+        }
+        Step::Tasks(listed)
     }
 }

@@ -6,6 +6,7 @@ use super::hearing::Heard;
 #[cfg(feature = "layer")]
 use super::layer::CommandIndex;
 use super::layer::{Layer, LayerRef};
+use super::roles::explanation::{Explained, Explaining};
 use super::roles::forward::{Reading, likelihood_on};
 use super::roles::{Layout, Meaning};
 use super::settings::{Model, SettingError, Settings, is_weight};
@@ -600,30 +601,63 @@ impl<'t> LanguageMut<'t> {
         self.settings.model.in_use()
     }
 
-    /// Calls `tell` for each word of a command, the last first, if `description` is meant: its position, a meaning, and the probability of
-    /// this meaning. It tells nothing for Model 2, before anything is learned, and during training.
+    /// Begins to explain a command if this task is meant, unless it is explained already. Notes whose description the task has too, if that is
+    /// found, and returns it.
+    pub(crate) fn begin_explaining(&mut self, task: usize, found: Option<usize>) -> Option<usize> {
+        self.training.begin_explaining(task, found)
+    }
+
+    /// What was explained is of another command.
+    pub(crate) fn forget_explained(&mut self) {
+        self.training.forget_explained();
+    }
+
+    /// Continues to read a command for [`explain_word`](Self::explain_word), if `description` is meant, with at most about `budget` table
+    /// cells of work. Between calls its state is stored after the parameters in the tables, where the next command is heard, too.
     ///
     /// # Errors
     /// A [`CapacityError`] if the command is too long for the room after the parameters in the tables.
-    pub fn explain(
+    pub(crate) fn explain_on(
         &mut self,
         sentence: &[Option<Symbol>],
         description: &[Symbol],
-        tell: impl FnMut(usize, Meaning, f32),
-    ) -> Result<(), CapacityError> {
+        budget: u32,
+    ) -> Result<Progress, CapacityError> {
         let layout = self.tables.trained.layout;
-        if self.model() == Model::Model2 || layout.words() == 0 || self.read().is_training() {
-            return Ok(());
-        }
-        let words: heapless::Vec<Symbol, WORDS_PER_COMMAND> =
-            roles::forward::heard(&layout, sentence).take(WORDS_PER_COMMAND).map(|word| Symbol(word as u16)).collect();
         let mut wanted = layout;
-        wanted.see_length(words.len());
+        wanted.see_length(sentence.len().min(WORDS_PER_COMMAND));
         self.tables.fits(&wanted)?;
+        let words = roles::explanation::heard(&layout, sentence);
+        let Some(explained) = self.training.explained() else { return Ok(Progress::Done) };
         let memory = &mut self.tables.memory;
-        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis_start()) else { return Ok(()) };
-        roles::explanation::explain(&layout, memory.translations, parameters, trellis, &words, description, tell);
-        Ok(())
+        let Some((parameters, trellis)) = memory.alignments.split_at_mut_checked(layout.trellis_start()) else { return Ok(Progress::Done) };
+        let command = Explaining { layout: &layout, translations: memory.translations, parameters, sentence: &words, description };
+        command.read_on(explained, trellis, budget.max(1) as usize);
+        Ok(if matches!(explained, Explained::Reading(..)) { Progress::Working } else { Progress::Done })
+    }
+
+    /// Calls `tell` with each meaning that a word of a command may have if `description` is meant, and its probability. Returns
+    /// false, and tells nothing, until [`explain_on`](Self::explain_on) is done.
+    pub(crate) fn explain_word(
+        &mut self,
+        sentence: &[Option<Symbol>],
+        description: &[Symbol],
+        position: usize,
+        tell: impl FnMut(Meaning, f32),
+    ) -> bool {
+        let layout = self.tables.trained.layout;
+        let words = roles::explanation::heard(&layout, sentence);
+        let explained = self.training.explained();
+        let Some((parameters, trellis)) = self.tables.memory.alignments.split_at_checked(layout.trellis_start()) else { return true };
+        match explained {
+            None | Some(Explained::Reading(..)) => return false,
+            Some(Explained::Impossible) => return true,
+            Some(Explained::Read) => {}
+        }
+        let translations = &*self.tables.memory.translations;
+        let command = Explaining { layout: &layout, translations, parameters, sentence: &words, description };
+        command.tell(trellis, position, tell);
+        true
     }
 
     fn try_add_session<'a>(

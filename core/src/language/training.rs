@@ -6,6 +6,7 @@ use super::ibm2;
 #[cfg(feature = "layer")]
 use super::layer;
 use super::layer::Layer;
+use super::roles::explanation::Explained;
 use super::roles::training::Work;
 use super::roles::{self, Layout};
 use super::settings::{Model, Settings};
@@ -17,6 +18,8 @@ use crate::planning::Progress;
 enum Phase {
     #[default]
     Done,
+    /// Done, and since then a command is explained: if this task is meant, which may have the description of a candidate of another task.
+    Explaining(usize, Option<usize>, Explained),
     /// The tables get their new sizes.
     Start,
     Model2(ibm2::training::Part),
@@ -63,7 +66,34 @@ impl Training {
 
     /// Whether the training is complete.
     pub fn is_done(&self) -> bool {
-        matches!(self.phase, Phase::Done)
+        matches!(self.phase, Phase::Done | Phase::Explaining(..))
+    }
+
+    /// Begins to explain a command if this task is meant, unless it is explained already. Notes whose description the task has too, if that is
+    /// found, and returns it.
+    pub(super) fn begin_explaining(&mut self, task: usize, found: Option<usize>) -> Option<usize> {
+        match &mut self.phase {
+            Phase::Explaining(of, alike, _) if *of == task => {
+                *alike = found.or(*alike);
+                *alike
+            }
+            phase => {
+                *phase = Phase::Explaining(task, found, Explained::START);
+                found
+            }
+        }
+    }
+
+    /// The progress of explaining a command; `None` if none is explained.
+    pub(super) fn explained(&mut self) -> Option<&mut Explained> {
+        if let Phase::Explaining(.., explained) = &mut self.phase { Some(explained) } else { None }
+    }
+
+    /// Other work takes the memory of what was explained.
+    pub(super) fn forget_explained(&mut self) {
+        if self.is_done() {
+            self.phase = Phase::Done;
+        }
     }
 
     /// The current round, from 0.
@@ -95,7 +125,7 @@ impl Training {
                     let (cells, next) = ibm2::training::advance(tables, bitext, part, &mut self.round, settings);
                     (cells, Phase::of_model_2(next))
                 }
-                Phase::Done | Phase::Start | Phase::Model2(_) => return Progress::Done,
+                Phase::Done | Phase::Explaining(..) | Phase::Start | Phase::Model2(_) => return Progress::Done,
                 Phase::Roles(part) => {
                     let (t, a) = tables.parts();
                     let mut work = Work { layout: &layout, tokens, bitext, t, a };

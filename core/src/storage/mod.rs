@@ -23,4 +23,4 @@ mod two_slots;
 
 pub use error::StorageError;
 pub use slot::SLOT_HEADER_BYTES;
-pub use two_slots::{TwoSlots, TwoSlotsAsync};
+pub use two_slots::{Storing, TwoSlots, TwoSlotsAsync};

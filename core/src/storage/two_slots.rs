@@ -2,12 +2,108 @@
 
 use super::error::StorageError;
 use super::slot::{SLOT_HEADER_BYTES, SlotHeader};
-use crate::checksum::{CHECK, CHECK_BYTES};
-use crate::snapshot::check;
+use crate::checksum::{CHECK_BYTES, Running};
+use crate::planning::Progress;
+use crate::snapshot::{RestoreError, check};
 use embedded_storage::nor_flash::NorFlash;
 
 /// The largest unit of reading or writing of a flash.
 const MOST_UNIT: usize = 256;
+
+/// The bytes of the flash that are looked at, and its next step.
+#[derive(Clone, Debug)]
+struct Look {
+    /// The header of the slot, once it is read.
+    header: Option<SlotHeader>,
+    checked: Checked,
+}
+
+impl Look {
+    fn new() -> Self {
+        Self { header: None, checked: Checked::new() }
+    }
+}
+
+/// A model's own check, in parts: its last bytes are the checksum of those before.
+#[derive(Clone, Debug)]
+struct Checked {
+    at: usize,
+    sum: Running,
+    stated: [u8; CHECK_BYTES],
+}
+
+impl Checked {
+    fn new() -> Self {
+        Self { at: 0, sum: Running::new(), stated: [0; CHECK_BYTES] }
+    }
+
+    /// Takes the next bytes of a model of this length.
+    fn take(&mut self, length: usize, part: &[u8]) {
+        let summed = length.saturating_sub(CHECK_BYTES);
+        let (front, tail) = part.split_at_checked(summed.saturating_sub(self.at).min(part.len())).unwrap_or((part, &[]));
+        self.sum.update(front);
+        let missing = self.at.saturating_add(front.len()).saturating_sub(summed);
+        for (slot, byte) in self.stated.iter_mut().skip(missing).zip(tail) {
+            *slot = *byte;
+        }
+        self.at = self.at.saturating_add(part.len());
+    }
+
+    fn is_right(&self) -> bool {
+        self.sum.value() == u32::from_le_bytes(self.stated)
+    }
+}
+
+/// A model that is being stored in parts: [`TwoSlots::store_on`].
+///
+/// ```no_run
+/// # fn example<F: embedded_storage::nor_flash::NorFlash>(slots: &mut goodbot::storage::TwoSlots<F>, model: &[u8]) -> Option<()> {
+/// use goodbot::{planning::Progress, storage::Storing};
+/// let mut storing = Storing::new();
+/// while slots.store_on(&mut storing, model, 256).ok()? == Progress::Working {
+///     // the rest of the control loop
+/// }
+/// # Some(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct Storing {
+    stage: Stage,
+    look: Look,
+    /// The slot to write, and its header; until then, of the newest complete model.
+    slot: usize,
+    header: Option<SlotHeader>,
+}
+
+/// The next step of storing a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    /// The model's own check.
+    Model,
+    /// Which slot has the older model; this one is looked at.
+    Slot(usize),
+    /// The slot is erased, from this byte on.
+    Erase(usize),
+    /// The model is written, from this byte on.
+    Write(usize),
+    /// With the last byte of the header, the new model becomes the newest.
+    Header,
+    /// What was written is read.
+    Kept,
+}
+
+impl Storing {
+    /// Nothing is stored yet.
+    pub fn new() -> Self {
+        Self { stage: Stage::Model, look: Look::new(), slot: 1, header: None }
+    }
+}
+
+impl Default for Storing {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 /// Two slots in flash. After the first store, one of them always holds a complete model.
 ///
@@ -138,22 +234,110 @@ macro_rules! two_slots {
             /// [`StorageError`]; the previous model is then still the newest, unless the flash failed after the last byte was written.
             pub $($async)? fn store(&mut self, model: &[u8]) -> Result<(), StorageError<F::Error>> {
                 check(model).map_err(StorageError::NotAModel)?;
-                let too_large = StorageError::Size { needed: model.len(), given: self.room() };
-                if model.len() > self.room() {
-                    return Err(too_large);
+                let mut storing = Storing::new();
+                while self.store_on(&mut storing, model, u32::MAX)$($await)*? == Progress::Working {}
+                Ok(())
+            }
+
+            /// Stores a model as [`store`](Self::store) does, but in parts: each reads, writes or erases at most about `budget` bytes, and at
+            /// least one unit of the flash. Erasing ends a part. The model must stay the same until the last one. Of its contents only the
+            /// checksum is checked.
+            ///
+            /// # Errors
+            /// As [`store`](Self::store); storing then begins anew.
+            pub $($async)? fn store_on(
+                &mut self,
+                storing: &mut Storing,
+                model: &[u8],
+                budget: u32,
+            ) -> Result<Progress, StorageError<F::Error>> {
+                let mut left = (budget as usize).max(1);
+                while left > 0 {
+                    let before = storing.stage;
+                    match self.store_step(storing, model, left)$($await)* {
+                        Ok(Some(bytes)) => left = left.saturating_sub(bytes.max(1)),
+                        done => {
+                            *storing = Storing::new();
+                            return done.map(|_| Progress::Done);
+                        }
+                    }
+                    if matches!(before, Stage::Erase(_)) && budget < u32::MAX {
+                        break;
+                    }
                 }
-                let (slot, sequence) = match self.newest()$($await)*? {
-                    Some((newest, header)) => (1_usize.saturating_sub(newest), header.sequence.wrapping_add(1)),
-                    None => (0, 0),
-                };
-                let header = SlotHeader { sequence, length: u32::try_from(model.len()).map_err(|_| too_large)? };
-                let from = self.slot_start(slot);
-                let used = Self::header_bytes().saturating_add(model.len()).next_multiple_of(F::ERASE_SIZE.max(1));
-                self.flash.erase(from, from.saturating_add(used as u32))$($await)*.map_err(StorageError::Flash)?;
-                self.write(from.saturating_add(Self::header_bytes() as u32), model)$($await)*?;
-                // With the last byte of the header, the new model becomes the newest.
-                self.write(from, &header.bytes())$($await)*?;
-                if self.complete(slot)$($await)*? == Some(header) { Ok(()) } else { Err(StorageError::NotKept) }
+                Ok(Progress::Working)
+            }
+
+            /// Does one step of storing. Returns its bytes, `None` if it was the last.
+            $($async)? fn store_step(
+                &mut self,
+                storing: &mut Storing,
+                model: &[u8],
+                left: usize,
+            ) -> Result<Option<usize>, StorageError<F::Error>> {
+                let Storing { stage, look, slot, header } = storing;
+                match *stage {
+                    Stage::Model => {
+                        if model.len() > self.room() {
+                            return Err(StorageError::Size { needed: model.len(), given: self.room() });
+                        }
+                        let end = look.checked.at.saturating_add(left.min(MOST_UNIT)).min(model.len());
+                        let part = model.get(look.checked.at..end).unwrap_or(&[]);
+                        look.checked.take(model.len(), part);
+                        if end == model.len() {
+                            if end <= CHECK_BYTES || !look.checked.is_right() {
+                                return Err(StorageError::NotAModel(RestoreError::Damaged));
+                            }
+                            (*stage, *look) = (Stage::Slot(0), Look::new());
+                        }
+                        Ok(Some(part.len()))
+                    }
+                    Stage::Slot(at) => {
+                        let (bytes, found) = self.look_on(at, look, left)$($await)*?;
+                        let Some(found) = found else { return Ok(Some(bytes)) };
+                        if let Some(found) = found && header.is_none_or(|first| found.is_newer_than(first)) {
+                            (*slot, *header) = (at, Some(found));
+                        }
+                        (*stage, *look) = (Stage::Slot(1), Look::new());
+                        if at > 0 {
+                            let sequence = header.map_or(0, |newest| newest.sequence.wrapping_add(1));
+                            *slot = 1_usize.saturating_sub(*slot);
+                            *header = Some(SlotHeader { sequence, length: model.len() as u32 });
+                            *stage = Stage::Erase(0);
+                        }
+                        Ok(Some(bytes))
+                    }
+                    Stage::Erase(at) => {
+                        // The header's block goes first: what is left of an older model never counts.
+                        let block = F::ERASE_SIZE.max(1);
+                        let used = Self::header_bytes().saturating_add(model.len()).next_multiple_of(block);
+                        let end = at.saturating_add(left).min(used).next_multiple_of(block);
+                        let from = self.slot_start(*slot);
+                        self.flash.erase(from.saturating_add(at as u32), from.saturating_add(end as u32))$($await)*.map_err(StorageError::Flash)?;
+                        *stage = if end < used { Stage::Erase(end) } else { Stage::Write(0) };
+                        Ok(Some(end.saturating_sub(at)))
+                    }
+                    Stage::Write(at) => {
+                        let end = at.saturating_add(left).min(model.len()).next_multiple_of(F::WRITE_SIZE.max(1)).min(model.len());
+                        self.write(self.model_start(*slot).saturating_add(at as u32), model.get(at..end).unwrap_or(&[]))$($await)*?;
+                        *stage = if end < model.len() { Stage::Write(end) } else { Stage::Header };
+                        Ok(Some(end.saturating_sub(at)))
+                    }
+                    Stage::Header => {
+                        let bytes = header.map_or([0; SLOT_HEADER_BYTES], SlotHeader::bytes);
+                        self.write(self.slot_start(*slot), &bytes)$($await)*?;
+                        *stage = Stage::Kept;
+                        Ok(Some(Self::header_bytes()))
+                    }
+                    Stage::Kept => {
+                        let (bytes, found) = self.look_on(*slot, look, left)$($await)*?;
+                        match found {
+                            None => Ok(Some(bytes)),
+                            Some(found) if found == *header => Ok(None),
+                            Some(_) => Err(StorageError::NotKept),
+                        }
+                    }
+                }
             }
 
             /// Writes the bytes, padding the last unit with the value of erased flash.
@@ -187,28 +371,42 @@ macro_rules! two_slots {
 
             /// The header of a slot if its model's own check matches.
             $($async)? fn complete(&mut self, slot: usize) -> Result<Option<SlotHeader>, StorageError<F::Error>> {
-                let mut bytes = [0; SLOT_HEADER_BYTES];
-                let mut filled = 0_usize;
-                self.read(self.slot_start(slot), SLOT_HEADER_BYTES, |part| {
-                    for (slot, byte) in bytes.iter_mut().skip(filled).zip(part) {
-                        *slot = *byte;
+                let mut look = Look::new();
+                loop {
+                    if let (_, Some(found)) = self.look_on(slot, &mut look, MOST_UNIT)$($await)*? {
+                        return Ok(found);
                     }
-                    filled = filled.saturating_add(part.len());
-                })$($await)*?;
-                let Some(header) = SlotHeader::read(&bytes).filter(|header| header.length as usize <= self.room()) else { return Ok(None) };
-                let Some(checked) = (header.length as usize).checked_sub(CHECK_BYTES) else { return Ok(None) };
-                let mut digest = CHECK.digest();
-                let (mut seen, mut check) = (0_usize, [0; CHECK_BYTES]);
-                self.read_model(slot, header.length, |part| {
-                    let (front, tail) = part.split_at_checked(checked.saturating_sub(seen).min(part.len())).unwrap_or((part, &[]));
-                    digest.update(front);
-                    let missing = seen.saturating_add(front.len()).saturating_sub(checked);
-                    for (slot, byte) in check.iter_mut().skip(missing).zip(tail) {
-                        *slot = *byte;
-                    }
-                    seen = seen.saturating_add(part.len());
-                })$($await)*?;
-                Ok((digest.finalize() == u32::from_le_bytes(check)).then_some(header))
+                }
+            }
+
+            /// Reads on in a slot: its header, or at most about so many bytes of its model. Returns how many, and after the last ones the
+            /// header, if the model's own check matches.
+            $($async)? fn look_on(
+                &mut self,
+                slot: usize,
+                look: &mut Look,
+                most: usize,
+            ) -> Result<(usize, Option<Option<SlotHeader>>), StorageError<F::Error>> {
+                let Look { header, checked } = look;
+                let Some(known) = *header else {
+                    let mut bytes = [0; SLOT_HEADER_BYTES];
+                    let mut filled = 0_usize;
+                    self.read(self.slot_start(slot), SLOT_HEADER_BYTES, |part| {
+                        for (slot, byte) in bytes.iter_mut().skip(filled).zip(part) {
+                            *slot = *byte;
+                        }
+                        filled = filled.saturating_add(part.len());
+                    })$($await)*?;
+                    let is_whole = |header: &SlotHeader| (CHECK_BYTES..=self.room()).contains(&(header.length as usize));
+                    *header = SlotHeader::read(&bytes).filter(is_whole);
+                    return Ok((SLOT_HEADER_BYTES, header.is_none().then_some(None)));
+                };
+                let (length, unit) = (known.length as usize, F::READ_SIZE.max(1));
+                let part = most.min(MOST_UNIT).next_multiple_of(unit).min(length.saturating_sub(checked.at));
+                let from = self.model_start(slot).saturating_add(checked.at as u32);
+                self.read(from, part, |bytes| checked.take(length, bytes))$($await)*?;
+                let is_read = checked.at >= length;
+                Ok((part, is_read.then(|| Some(known).filter(|_| checked.is_right()))))
             }
 
             $($async)? fn read_model(&mut self, slot: usize, length: u32, take: impl FnMut(&[u8])) -> Result<(), StorageError<F::Error>> {

@@ -51,7 +51,8 @@ impl<M: AgentMemory> Agent<M> {
     pub fn is_told_to_act(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
         let mut told = false;
         for_each_piece(words, |piece| {
-            told |= closed.of(piece).about_commands() == Classes::NONE && is_of_task(self.language().tables(), self.known_word(piece));
+            let is_open = !told && closed.of(piece).about_commands() == Classes::NONE;
+            told |= is_open && is_of_task(self.language().tables(), self.known_word(piece));
             Ok(())
         })?;
         Ok(told)
@@ -62,7 +63,7 @@ impl<M: AgentMemory> Agent<M> {
         let (mut is_known, mut is_closed) = (false, true);
         for_each_piece(words, |piece| {
             let is_open = closed.of(piece).about_commands() == Classes::NONE;
-            is_known |= is_open && self.knows_word(piece);
+            is_known |= is_open && !is_known && self.knows_word(piece);
             is_closed &= !is_open;
             Ok(())
         })?;

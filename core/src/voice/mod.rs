@@ -102,8 +102,6 @@ struct Summary {
     is_not: bool,
     /// The number of words outside the classes of talk.
     strange: usize,
-    /// Whether a learned command has one of these.
-    is_known: bool,
     /// Whether a word asks to undo something.
     is_back: bool,
     is_meant: bool,
@@ -203,9 +201,17 @@ impl<M: AgentMemory> Agent<M> {
         }
         let is_judged = stage.is_judged();
         // "Well done", "good job", but not "put the good chair there".
-        let has_room = is_judged && is_closed(heard.first) && heard.strange == 1 && !heard.is_known && heard.count <= SHORT;
-        let class = heard.class().filter(|_| heard.strange == 0 || has_room);
-        let class = class.or_else(|| heard.judges().filter(|_| is_judged && !heard.is_known));
+        let has_room = is_judged && is_closed(heard.first) && heard.strange == 1 && heard.count <= SHORT;
+        // To look for a word among the learned ones takes longer than all else, so it is done last.
+        let class = match heard.class() {
+            class if heard.strange == 0 => class,
+            Some(class) if has_room && !self.knows_strange(words, closed)? => Some(class),
+            _ => None,
+        };
+        let class = match heard.judges().filter(|_| class.is_none() && is_judged) {
+            Some(judged) if !self.knows_strange(words, closed)? => Some(judged),
+            _ => class,
+        };
         Ok(match class {
             Some(class) => act_of(class, &heard, stage, question),
             None if stage != Stage::Between && self.corrects(words, closed, &heard)? => Said::Correction,
@@ -218,7 +224,7 @@ impl<M: AgentMemory> Agent<M> {
         for_each_piece(words, |piece| {
             let in_table = closed.of(piece);
             let classes = in_table.about_commands();
-            let (is_closed, is_known) = (is_closed(classes), self.knows_word(piece));
+            let is_closed = is_closed(classes);
             if heard.count == 0 {
                 heard.first = classes;
             }
@@ -226,7 +232,6 @@ impl<M: AgentMemory> Agent<M> {
             heard.any = heard.any.and(classes);
             heard.is_not |= classes.contains(Class::Negation) && !classes.contains(Class::Yes);
             heard.strange = heard.strange.saturating_add(usize::from(!is_closed));
-            heard.is_known |= !is_closed && is_known;
             heard.is_back |= classes.contains(Class::Again) && classes.contains_any(&[Class::Back, Class::Undo]);
             heard.forbids |= classes.contains(Class::Negation) && !classes.contains_any(&[Class::No, Class::Yes]);
             let acts = in_table.contains(Class::Act);
@@ -245,6 +250,13 @@ impl<M: AgentMemory> Agent<M> {
             Ok(())
         })?;
         Ok(heard)
+    }
+
+    /// Whether a learned command has one of the words outside the classes of talk.
+    fn knows_strange(&self, words: &str, closed: ClosedWords<'_>) -> Result<bool, AgentError> {
+        let mut knows = false;
+        for_each_open_word(words, closed, |piece| knows = knows || self.knows_word(piece))?;
+        Ok(knows)
     }
 
     /// Whether words correct the robot: they begin with "no" or "not", or name something without an act word.

@@ -3,7 +3,8 @@
 use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
 use goodbot::feedback::Strategy;
 use goodbot::home::paper_tasks;
-use goodbot::storage::{StorageError, TwoSlots, TwoSlotsAsync};
+use goodbot::planning::Progress;
+use goodbot::storage::{StorageError, Storing, TwoSlots, TwoSlotsAsync};
 use goodbot::{Agent, Capacities, HeapMemory, Options};
 use goodbot_tests::school::{self, train};
 use rand_core::Rng;
@@ -231,6 +232,49 @@ fn a_life_of_power_cuts_never_loses_more_than_the_last_model() {
     }
     println!("power cuts survived in one life: {survived} of 2000 models stored");
     assert!(survived > 500);
+}
+
+#[test]
+fn a_model_stored_in_parts_of_any_size_leaves_the_older_one_until_it_is_whole() {
+    let models = models(3);
+    let store = |slots: &mut TwoSlots<Flash<4, 8, 512>>, model: &[u8], budget| {
+        let (mut storing, mut parts) = (Storing::new(), 1);
+        while slots.store_on(&mut storing, model, budget)? == Progress::Working {
+            parts += 1;
+        }
+        Ok::<u32, StorageError<Refusal>>(parts)
+    };
+    for (budget, least) in [(1, 400), (100, 10), (u32::MAX, 1)] {
+        let mut newest = None;
+        for power in (0..).step_by(37) {
+            let mut slots = TwoSlots::new(Flash::<4, 8, 512>::new(8), 0, 2_048).unwrap();
+            store(&mut slots, &models[0], budget).unwrap();
+            store(&mut slots, &models[1], budget).unwrap();
+            let mut flash = slots.into_flash();
+            flash.power = Some(power);
+            let mut slots = TwoSlots::new(flash, 0, 2_048).unwrap();
+            let stored = store(&mut slots, &models[2], budget);
+            newest = load(&mut slots);
+            match stored {
+                Ok(parts) => {
+                    assert!(parts >= least && newest.as_ref() == Some(&models[2]), "{parts} parts of {budget} bytes");
+                    break;
+                }
+                Err(_) => {
+                    assert!(newest.as_ref() == Some(&models[1]) || newest.as_ref() == Some(&models[2]), "{budget} bytes, cut at {power}")
+                }
+            }
+        }
+        assert!(newest.is_some());
+    }
+    // What failed begins anew.
+    let (mut slots, mut storing) = (TwoSlots::new(Flash::<4, 8, 512>::new(8), 0, 2_048).unwrap(), Storing::default());
+    let mut wrong = models[0].clone();
+    wrong[40] ^= 1;
+    while slots.store_on(&mut storing, &wrong, 64) == Ok(Progress::Working) {}
+    assert_eq!(slots.find(), Ok(None));
+    while slots.store_on(&mut storing, &models[0], 64).unwrap() == Progress::Working {}
+    assert_eq!(load(&mut slots).as_ref(), Some(&models[0]));
 }
 
 #[test]

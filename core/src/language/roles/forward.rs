@@ -221,6 +221,11 @@ impl<'t, 'd> Reader<'t, 'd> {
         self.present.len() + 1
     }
 
+    /// The length of the description.
+    pub fn described(&self) -> usize {
+        self.description.len()
+    }
+
     /// The probability that the command ends after this memory.
     pub fn end(&self, memory: usize) -> f32 {
         match self.memory(memory) {

@@ -335,22 +335,11 @@ impl Work<'_, '_> {
                     }
                     Some(Pass::Forward(0))
                 }
-                Pass::Forward(word) if usize::from(word) < sentence.len() => {
-                    cells = cells.saturating_add(description.len().saturating_mul(self.layout.moves()));
-                    forward_word(&reader, sentence, usize::from(word), trellis, &mut scratch)
-                        .map(|()| Pass::Forward(word.saturating_add(1)))
-                }
-                Pass::Forward(words) => begin_backward(&reader, sentence, trellis, &mut counts)
-                    .and_then(|()| Some(Pass::Backward { word: words.checked_sub(1)?, memory: 0 })),
-                Pass::Backward { word, memory } => {
-                    let most = left.saturating_sub(cells).div_ceil(description.len().max(1));
-                    let from = (usize::from(memory), most);
-                    let (done, next) = backward_word(&reader, sentence, usize::from(word), from, trellis, &mut scratch, &mut counts);
-                    cells = cells.saturating_add(description.len().saturating_mul(done));
-                    match next < reader.memories() {
-                        true => Some(Pass::Backward { word, memory: next as u8 }),
-                        false => word.checked_sub(1).map(|word| Pass::Backward { word, memory: 0 }),
-                    }
+                pass => {
+                    let more = left.saturating_sub(cells);
+                    let (done, next) = read_on(&reader, sentence, trellis, pass, more, &mut scratch, &mut counts);
+                    cells = cells.saturating_add(done);
+                    next
                 }
             };
             let Some(next) = next else { return (cells, None) };
@@ -595,7 +584,7 @@ impl Listener for Counts<'_, '_> {
 }
 
 /// One row of a trellis.
-fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
+pub(super) fn row_of(reader: &Reader<'_, '_>, position: usize) -> core::ops::Range<usize> {
     let width = reader.memories() + 1;
     let start = position.saturating_mul(width);
     start..start.saturating_add(width)
@@ -705,16 +694,38 @@ fn backward_word(
     (done, memories)
 }
 
-/// Goes forward through a command and back again, and tells of each word, the last first. `None` if the command is impossible or the
-/// trellis too short.
-pub(super) fn read(reader: &Reader<'_, '_>, sentence: &[Symbol], trellis: &mut [f32], listener: &mut impl Listener) -> Option<()> {
-    let mut scratch = Scratch::NEW;
-    for position in 0..sentence.len() {
-        forward_word(reader, sentence, position, trellis, &mut scratch)?;
+/// Does the next step of reading a command, which is at most a word: forward, then back. Of a word on the way back it reads as many memories
+/// as `left` table cells allow, but at least one. Returns the number of cells, and the step after it; there is none if the command is read,
+/// impossible, or the trellis too short.
+#[inline(always)]
+pub(super) fn read_on(
+    reader: &Reader<'_, '_>,
+    sentence: &[Symbol],
+    trellis: &mut [f32],
+    pass: Pass,
+    left: usize,
+    scratch: &mut Scratch,
+    listener: &mut impl Listener,
+) -> (usize, Option<Pass>) {
+    let width = reader.described();
+    match pass {
+        Pass::Named => (0, Some(Pass::Forward(0))),
+        Pass::Forward(word) if usize::from(word) < sentence.len() => {
+            let next = forward_word(reader, sentence, usize::from(word), trellis, scratch);
+            (width.saturating_mul(reader.layout().moves()), next.map(|()| Pass::Forward(word.saturating_add(1))))
+        }
+        Pass::Forward(words) => {
+            let next = begin_backward(reader, sentence, trellis, listener);
+            (0, next.and_then(|()| Some(Pass::Backward { word: words.checked_sub(1)?, memory: 0 })))
+        }
+        Pass::Backward { word, memory } => {
+            let from = (usize::from(memory), left.div_ceil(width.max(1)));
+            let (done, next) = backward_word(reader, sentence, usize::from(word), from, trellis, scratch, listener);
+            let next = match next < reader.memories() {
+                true => Some(Pass::Backward { word, memory: next as u8 }),
+                false => word.checked_sub(1).map(|word| Pass::Backward { word, memory: 0 }),
+            };
+            (width.saturating_mul(done), next)
+        }
     }
-    begin_backward(reader, sentence, trellis, listener)?;
-    for position in (0..sentence.len()).rev() {
-        let _ = backward_word(reader, sentence, position, (0, usize::MAX), trellis, &mut scratch, listener);
-    }
-    Some(())
 }

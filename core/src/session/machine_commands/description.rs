@@ -4,14 +4,13 @@ use crate::capacity::{Capacities, CapacityError, LIFTED_TASKS, TOKENS_PER_COMMAN
 use crate::feedback::Belief;
 use crate::language::roles::Layout;
 use crate::language::roles::forward::Reading;
-use crate::language::{LanguageRef, Meaning, Model};
+use crate::language::{LanguageMut, LanguageRef, Meaning, Model};
 use crate::memory::{AgentMemory, AgentTables};
 use crate::oomdp::{Action, ActionKind, Domain, GroundProposition, OneByOne, World, digest};
+use crate::planning::Progress;
 use crate::probability::Scaled;
 use crate::session::agent::Agent;
-use crate::session::candidates::Candidates;
-#[cfg(any(feature = "layer", feature = "ways"))]
-use crate::session::candidates::CandidatesRef;
+use crate::session::candidates::{Candidates, CandidatesRef};
 use crate::session::error::AgentError;
 use crate::session::least::{Lessons, Survey};
 #[cfg(feature = "ways")]
@@ -308,7 +307,71 @@ impl<M: AgentMemory> Agent<M> {
     ///
     /// # Errors
     /// [`AgentError::NotNow`], [`AgentError::OtherDomain`], and [`AgentError::Capacity`].
-    pub fn explain<D: Domain>(&mut self, domain: &D, task: usize, tell: impl FnMut(usize, Meaning, f32)) -> Result<(), AgentError> {
+    pub fn explain<D: Domain>(&mut self, domain: &D, task: usize, mut tell: impl FnMut(usize, Meaning, f32)) -> Result<(), AgentError> {
+        while self.explain_on(domain, task, u32::MAX)? == Progress::Working {}
+        for position in (0..self.sentence.len()).rev() {
+            self.explain_word(domain, task, position, |meaning, share| tell(position, meaning, share))?;
+        }
+        Ok(())
+    }
+
+    /// Reads the command for [`explain_word`](Self::explain_word), if this task is meant, with at most about `budget` table cells of work.
+    /// A command that was heard since, or a session that ended, is read anew.
+    ///
+    /// ```
+    /// use goodbot::planning::Progress;
+    /// # use goodbot::{Agent, HeapMemory, Options, home::{self, Area, Cell, HomeBuilder, Moves}};
+    /// # let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
+    /// # let mut builder = HomeBuilder::new(&mut memory.home);
+    /// # builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// # builder.agent("agent0", Cell::new(4, 2))?;
+    /// # let (home, state) = builder.build(Moves::Push)?;
+    /// # let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
+    /// agent.hear(&home, &state, "go to the red room")?;
+    /// while agent.explain_on(&home, 0, 16)? == Progress::Working {
+    ///     // the rest of the control loop
+    /// }
+    /// agent.explain_word(&home, 0, 3, |meaning, share| println!("red: {meaning:?}, {share}"))?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`explain`](Self::explain).
+    pub fn explain_on<D: Domain>(&mut self, domain: &D, task: usize, budget: u32) -> Result<Progress, AgentError> {
+        let progress = self.with_explained(domain, task, |language, sentence, description, is_work| {
+            if is_work { Ok(Progress::Working) } else { language.explain_on(sentence, description, budget) }
+        });
+        Ok(progress?.unwrap_or(Progress::Done))
+    }
+
+    /// As [`explain`](Self::explain), of the word at this position alone. Returns false, and tells nothing, until
+    /// [`explain_on`](Self::explain_on) is done for this task.
+    ///
+    /// # Errors
+    /// As [`explain`](Self::explain).
+    pub fn explain_word<D: Domain>(
+        &mut self,
+        domain: &D,
+        task: usize,
+        position: usize,
+        tell: impl FnMut(Meaning, f32),
+    ) -> Result<bool, AgentError> {
+        let told = self.with_explained(domain, task, |language, sentence, description, _| {
+            Ok(language.explain_word(sentence, description, position, tell))
+        });
+        Ok(told?.unwrap_or(true))
+    }
+
+    /// Passes the language, the command and a task's description to `take`, unless there is nothing that explains words. Most tasks were
+    /// described when the command was heard. One whose description is another's too is described again, once, and then takes the other's:
+    /// `take` is told so.
+    #[inline(never)]
+    fn with_explained<D: Domain, T>(
+        &mut self,
+        domain: &D,
+        task: usize,
+        take: impl FnOnce(&mut LanguageMut<'_>, &[Option<Symbol>], &[Symbol], bool) -> Result<T, CapacityError>,
+    ) -> Result<Option<T>, AgentError> {
         if self.domain != digest(domain) {
             return Err(AgentError::OtherDomain);
         }
@@ -318,14 +381,19 @@ impl<M: AgentMemory> Agent<M> {
         let start = self.start.ok_or(AgentError::NotNow(Phase::Idle))?;
         let AgentTables { language, session, workspace } = self.memory.lend();
         let mut language = self.language.with(language, workspace);
-        let Some(task) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(()) };
-        if language.model() != Model::Roles {
-            return Ok(());
+        let Some(grounded) = session.tasks.get(..self.task_count).and_then(|tasks| tasks.get(task)) else { return Ok(None) };
+        if language.model() != Model::Roles || language.read().tables().words() == 0 || language.read().is_training() {
+            return Ok(None);
         }
-        let mut description = Tokens::new();
-        let mut scene = Scene::new(domain.keyed(start));
-        describe(domain, &self.lifted, task, &mut scene, language.tokens_mut(), &mut description)?;
-        Ok(language.explain(&self.sentence, &description, tell)?)
+        let candidates = CandidatesRef::new(session.candidates.read(), self.candidates);
+        let alike = language.begin_explaining(task, None);
+        if let Some(entry) = candidates.added_for(task).or(alike).and_then(|added| candidates.entries().get(added)) {
+            return Ok(Some(take(&mut language, &self.sentence, candidates.tokens(entry), false)?));
+        }
+        let (mut description, mut scene) = (Tokens::new(), Scene::new(domain.keyed(start)));
+        describe(domain, &self.lifted, grounded, &mut scene, language.tokens_mut(), &mut description)?;
+        let found = language.begin_explaining(task, candidates.find(&description));
+        Ok(Some(take(&mut language, &self.sentence, &description, found.is_some())?))
     }
 
     /// A description depends on the places of the robot and the objects in the start state: each session can have its own.
