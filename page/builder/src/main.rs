@@ -7,6 +7,7 @@
 mod assemble;
 mod budget;
 mod languages;
+mod order;
 mod pack;
 mod scripts;
 
