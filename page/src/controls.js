@@ -13,12 +13,13 @@ import { setUpSerial } from './serial.js';
 import { isThere, refresh, wake } from './session.js';
 import { LOOKS, RULES, SPEEDS, TABS, isSetting, keepSetting } from './settings.js';
 import { setUpShare, share } from './share.js';
+import { sound } from './sound.js';
 import { $, all, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
 import { change, giveStarter, logOf } from './store.js';
 import { finishSession, giveFeedback, leaveSession, stepOnce, takeBack, thatWasIt, togglePause } from './training.js';
 
-const SWITCHES = ['presenter', 'questions', 'voice', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['presenter', 'questions', 'voice', 'sound', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -100,6 +101,7 @@ export function setUpSettings() {
       if (name === 'pull' && !await leaveSession()) return render();
       keepSetting(name, value);
       if (name === 'pull') enterHome(world.environment());
+      if (name === 'sound') sound('good');
       return render();
     });
   }
