@@ -1,7 +1,7 @@
 // The front door: a visitor invents a language, and the robot understands a sentence of it that it never heard.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, linkOf, open, openFirst, pass, reload, sessions, stopTime } from './browser.mjs';
+import { close, downloaded, launch, linkOf, open, openFirst, pass, reload, sessions, stopTime, teachInvention, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -262,5 +262,30 @@ test('who gets the link finds out the words, gets a time, and invents a language
   assert.equal(await sessions(friend), 0);
   assert.ok(await friend.isHidden('#secret'));
   await close(friend);
+  await close(page);
+});
+
+test('in the end there is a clip of the robot that obeys the sentence: it is shown once, and takes five seconds at most', async () => {
+  const page = await openFirst(browser);
+  await teachInvention(page);
+  while (/not sure yet/.test(await page.textContent('#tour-hint'))) {
+    await page.click('#lesson');
+    await toTheGoal(page, /bag to the red/, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  }
+  await page.selectOption('#speed', 'once');
+  await page.click('#lesson');
+  await page.locator('#decode').waitFor();
+  const clip = page.locator('#preview canvas');
+  await clip.waitFor();
+  assert.equal(await clip.getAttribute('aria-label'), '“zot dri mokka” = take the purple bag to the blue room');
+  const began = Date.now();
+  const { name, bytes } = await downloaded(page, '#save-clip');
+  const seconds = (Date.now() - began) / 1000;
+  assert.equal(name, 'my-robot.webm');
+  assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], 'it is a film');
+  console.log(bytes.length + ' bytes, made in ' + seconds.toFixed(1) + ' s');
+  assert.ok(bytes.length > 20000 && bytes.length < 2000000, String(bytes.length));
   await close(page);
 });
