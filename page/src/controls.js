@@ -7,6 +7,7 @@ import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, robotLink } from './link.js';
 import { toMicrobit } from './microbit.js';
 import { writeHomes } from './play.js';
+import { printWorksheet } from './print.js';
 import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, nextGroup, relearn, tellUnread } from './roster.js';
 import { shareSecret } from './secret.js';
 import { setUpSerial } from './serial.js';
@@ -176,6 +177,7 @@ export function setUpSettings() {
     if (await leaveSession()) await newRobot();
   });
   $('next-group').addEventListener('click', nextGroup);
+  $('worksheet').addEventListener('click', printWorksheet);
   $('keep-guest').addEventListener('click', keepGuest);
   $('end-guest').addEventListener('click', endGuest);
 }

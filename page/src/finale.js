@@ -7,6 +7,7 @@ import { percent, t } from './language.js';
 import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
+import { printCertificate, printWorksheet } from './print.js';
 import { rename } from './roster.js';
 import { shareSecret } from './secret.js';
 import { sureness } from './silent.js';
@@ -122,7 +123,9 @@ export function renderFinale(over, score, stops) {
       guest ? null : make('div', { class: 'field grow' }, make('label', { for: 'robot-name' }, t('card.name')), name),
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
       canShare(FILE, 'image/png') ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
-      make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
+      make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save')),
+      known.length ? make('button', { type: 'button', class: 'small', id: 'print-certificate', onclick: () => printCertificate(known) }, t('print.certificate')) : null,
+      state.tour.own ? null : make('button', { type: 'button', class: 'small', id: 'print-worksheet', onclick: printWorksheet }, t('print.worksheet'))),
     make('p', {}, t('card.knows', { n: known.length })),
     make('ul', { class: 'chips' }, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
   if (!world.ways()) renderWorth(stops);
