@@ -33,7 +33,7 @@ async function begin() {
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
   const whole = await expanded(fromSigns(String(packed.textContent)));
   let at = 0;
-  const [module, languages, body, style, script] = sizes.map(size => whole.slice(at, at += size));
+  const [module, script, body, style, languages] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));

@@ -17,7 +17,7 @@ import { setUpShare, share } from './share.js';
 import { sound } from './sound.js';
 import { $, all, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
-import { change, giveStarter, logOf } from './store.js';
+import { change, giveStarter, logOf, tourNow } from './store.js';
 import { finishSession, giveFeedback, leaveSession, stepOnce, takeBack, thatWasIt, togglePause } from './training.js';
 
 const SWITCHES = ['presenter', 'questions', 'voice', 'sound', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
@@ -172,6 +172,13 @@ export function setUpSettings() {
   $('share-class').addEventListener('click', () => share(homeLink(true), t('class.link'), t('class.linkAbout')));
   $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
   $('meet-secret').addEventListener('click', shareSecret);
+  $('along').addEventListener('click', async () => share(await robotLink({ tour: tourNow(), mode: state.mode }), state.robot.name, t('along.about', state.robot), true));
+  $('along-code').addEventListener('change', () => {
+    const text = $('along-code').value.trim();
+    $('along-code').value = '';
+    // The whole link, or its end.
+    if (text) location.hash = 'robot=' + text.replace(/^.*#robot=/, '');
+  });
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();
