@@ -48,8 +48,10 @@ pub fn packable(page: &Path, module: &Path, node: &Path) -> Result<PathBuf> {
     let [named, small] = ["named.wasm", "small.wasm"].map(|end| module.with_extension(end));
     let read = std::fs::read(module).with_context(|| format!("{} cannot be read", module.display()))?;
     std::fs::write(&named, order::named(&read)?).with_context(|| format!("{} cannot be written", named.display()))?;
-    let passes = "remove-unused-brs remove-unused-names merge-blocks optimize-instructions dealign remove-unused-module-elements \
-        duplicate-function-elimination rse vacuum reorder-locals reorder-functions-by-name strip-target-features";
+    // The lowest kilobyte of memory is the end of the stack, so an address may have its constant as an offset.
+    let passes = "low-memory-unused remove-unused-brs remove-unused-names merge-blocks optimize-instructions dealign remove-unused-module-elements \
+        duplicate-function-elimination rse vacuum remove-unused-brs optimize-instructions vacuum optimize-added-constants reorder-locals \
+        reorder-functions-by-name strip-target-features";
     let mut optimizer = Command::new(node);
     optimizer.arg(page.join("node_modules/binaryen/bin/wasm-opt")).args(passes.split(' ').map(|pass| format!("--{pass}")));
     run(optimizer.arg(&named).arg("-o").arg(&small), "binaryen cannot make the module smaller")?;
