@@ -4,8 +4,23 @@ import { noRobot as en } from '../languages/en.json';
 import { noRobot as es } from '../languages/es.json';
 import { noRobot as fr } from '../languages/fr.json';
 import { noRobot as zh } from '../languages/zh.json';
-import { fromBase64 } from './base64.js';
 import { expanded } from './deflate.js';
+
+/** The bytes of a text of signs, each of which has six bits or seven: the builder's pack.rs says which.
+ * @param {string} text */
+function fromSigns(text) {
+  const bytes = new Uint8Array(text.length);
+  let [size, bits, count] = [0, 0, 0];
+  for (let at = 0; at < text.length; at += 1) {
+    const code = text.charCodeAt(at);
+    const place = code - (code > 60 ? 34 : 33);
+    const short = place < 35;
+    bits = short ? bits << 6 | place : bits << 7 | place + 35;
+    count += short ? 6 : 7;
+    if (count >= 8) bytes[size++] = bits >> (count -= 8);
+  }
+  return bytes.subarray(0, size);
+}
 
 async function begin() {
   // The robot of the first paint is seen meanwhile. A message also arrives in a hidden page, which gets no frames.
@@ -16,9 +31,9 @@ async function begin() {
   });
   const packed = /** @type {HTMLElement} */ (document.getElementById('packed'));
   const sizes = String(packed.dataset.sizes).split(' ').map(Number);
-  const whole = await expanded(fromBase64(String(packed.textContent)));
+  const whole = await expanded(fromSigns(String(packed.textContent)));
   let at = 0;
-  const [module, languages, body, style, script] = sizes.map(size => whole.slice(at, at += size));
+  const [module, script, body, style, languages] = sizes.map(size => whole.slice(at, at += size));
   const text = part => new TextDecoder().decode(part);
   const add = (tag, part) => { document.head.append(Object.assign(document.createElement(tag), { textContent: text(part) })); };
   document.body.insertAdjacentHTML('afterbegin', text(body));

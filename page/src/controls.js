@@ -7,18 +7,20 @@ import { names, speakLanguage, t, writePage } from './language.js';
 import { homeLink, robotLink } from './link.js';
 import { toMicrobit } from './microbit.js';
 import { writeHomes } from './play.js';
+import { printWorksheet } from './print.js';
 import { considerWays, endGuest, keepGuest, loadLog, loadModel, newRobot, nextGroup, relearn, tellUnread } from './roster.js';
 import { shareSecret } from './secret.js';
 import { setUpSerial } from './serial.js';
 import { isThere, refresh, wake } from './session.js';
 import { LOOKS, RULES, SPEEDS, TABS, isSetting, keepSetting } from './settings.js';
 import { setUpShare, share } from './share.js';
+import { sound } from './sound.js';
 import { $, all, make, render, state, tell } from './state.js';
 import { enterHome, enterStop } from './stops.js';
-import { change, giveStarter, logOf } from './store.js';
+import { change, giveStarter, logOf, tourNow } from './store.js';
 import { finishSession, giveFeedback, leaveSession, stepOnce, takeBack, thatWasIt, togglePause } from './training.js';
 
-const SWITCHES = ['presenter', 'questions', 'voice', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
+const SWITCHES = ['presenter', 'questions', 'voice', 'sound', 'speech', 'shortcuts', 'ghost', 'names', 'pull'];
 
 export function renderSettings() {
   const { settings } = state;
@@ -100,6 +102,7 @@ export function setUpSettings() {
       if (name === 'pull' && !await leaveSession()) return render();
       keepSetting(name, value);
       if (name === 'pull') enterHome(world.environment());
+      if (name === 'sound') sound('good');
       return render();
     });
   }
@@ -169,11 +172,19 @@ export function setUpSettings() {
   $('share-class').addEventListener('click', () => share(homeLink(true), t('class.link'), t('class.linkAbout')));
   $('meet').addEventListener('click', async () => share(await robotLink(), t('link.meet', state.robot), t('link.robot')));
   $('meet-secret').addEventListener('click', shareSecret);
+  $('along').addEventListener('click', async () => share(await robotLink({ tour: tourNow(), mode: state.mode }), state.robot.name, t('along.about', state.robot), true));
+  $('along-code').addEventListener('change', () => {
+    const text = $('along-code').value.trim();
+    $('along-code').value = '';
+    // The whole link, or its end.
+    if (text) location.hash = 'robot=' + text.replace(/^.*#robot=/, '');
+  });
   setUpShare();
   $('new-robot').addEventListener('click', async () => {
     if (await leaveSession()) await newRobot();
   });
   $('next-group').addEventListener('click', nextGroup);
+  $('worksheet').addEventListener('click', printWorksheet);
   $('keep-guest').addEventListener('click', keepGuest);
   $('end-guest').addEventListener('click', endGuest);
 }

@@ -1,4 +1,5 @@
-// The end of the tour: the robot gets a name and dances, and there is a card of it to keep and to share.
+// The end of the tour: the robot gets a name and dances, and there is a card of it, and after an invented language a clip, to keep and to share.
+import { clipOf, clipType, recorded } from './clip.js';
 import { world } from './core.js';
 import { download } from './files.js';
 import { inItsHome, partsOf } from './invention.js';
@@ -6,6 +7,7 @@ import { percent, t } from './language.js';
 import { clearWords, meaning } from './learned.js';
 import { robotLink } from './link.js';
 import { picture } from './picture.js';
+import { printCertificate, printWorksheet } from './print.js';
 import { rename } from './roster.js';
 import { shareSecret } from './secret.js';
 import { sureness } from './silent.js';
@@ -13,7 +15,8 @@ import { $, announce, isDrawn, make, state, tell } from './state.js';
 import { isMerry } from './stops.js';
 import { logOf } from './store.js';
 import { saveTable } from './tables.js';
-import { quoted } from './words.js';
+import { mayCelebrate } from './training.js';
+import { quoted, taskWords, unspaced } from './words.js';
 
 const FILE = 'my-robot.png';
 // Whether a meaning is so probable that a test counts as understood.
@@ -44,18 +47,39 @@ async function keepCard() {
 }
 
 // The system's own sheet.
-async function shareCard() {
-  const made = await card;
-  if (!made) return;
+async function shareFile(file, url = '') {
   try {
-    await navigator.share({ files: [made.file], title: t('link.meet', state.robot), ...(made.link ? { url: made.link } : {}) });
+    await navigator.share({ files: [file], title: t('link.meet', state.robot), ...(url ? { url } : {}) });
   } catch (error) {
     // Closing the sheet is no error.
     if (error.name !== 'AbortError') tell(error.message, true);
   }
 }
 
-const canShare = () => Boolean(navigator.canShare?.({ files: [new File(['.'], FILE, { type: 'image/png' })] }));
+async function shareCard() {
+  const made = await card;
+  if (made) await shareFile(made.file, made.link);
+}
+
+const canShare = (name, type) => Boolean(navigator.canShare?.({ files: [new File(['.'], name, { type })] }));
+
+/** The robot obeys a sentence that nobody has taught it. It is recorded while it is shown: at once, unless motion is not wanted; then when it is saved.
+ * @param {string} type
+ * @param {{ home: string, intended: string, command: string }} stop */
+async function showClip(type, { home, intended, command }) {
+  const said = quoted(unspaced(command));
+  const clip = await clipOf(home, intended, said, t('own.decode'));
+  const name = FILE.replace('png', type.replace('video/', ''));
+  /** @type {Promise<File> | undefined} */
+  let made;
+  const file = () => (made ??= recorded(clip).then(blob => new File([blob], name, { type })));
+  const button = (id, label, action) => make('button', { type: 'button', class: 'small', id, onclick: async () => action(await file()) }, label);
+  clip.canvas.setAttribute('role', 'img');
+  clip.canvas.setAttribute('aria-label', t('own.means', { command: unspaced(command), task: taskWords(intended) }));
+  $('preview').append(clip.canvas, make('div', { class: 'row' }, button('save-clip', t('clip.save'), one => download(name, one, type)),
+    canShare(name, type) ? button('share-clip', t('clip.share'), one => shareFile(one)) : null));
+  if (mayCelebrate()) file();
+}
 
 /** Lets the robot dance once more. */
 function dance() {
@@ -83,9 +107,12 @@ export function renderFinale(over, score, stops) {
   card = null;
   if (!over) return;
   const made = card = makeCard(score);
+  const type = clipType();
   made.then(({ address }) => {
-    if (made === card) $('preview').replaceChildren(make('img', { src: address, alt: t('card.save') }));
-  }, error => tell(error.message, true));
+    if (made !== card) return undefined;
+    $('preview').replaceChildren(make('img', { src: address, alt: t('card.save') }));
+    return state.tour.own && isMerry() && type ? showClip(type, /** @type {any} */ (stops.at(-1))) : undefined;
+  }).catch(error => tell(error.message, true));
   const known = clearWords();
   const guest = state.robot.log !== undefined;
   const name = make('input', { id: 'robot-name', 'aria-label': t('card.name'), value: state.robot.name, maxlength: 40, autocomplete: 'off' });
@@ -95,8 +122,10 @@ export function renderFinale(over, score, stops) {
       state.tour.own && isMerry() ? make('button', { type: 'button', class: 'primary', id: 'decode', onclick: shareSecret }, t('own.decode')) : null,
       guest ? null : make('div', { class: 'field grow' }, make('label', { for: 'robot-name' }, t('card.name')), name),
       make('button', { type: 'button', class: 'small', id: 'save-card', onclick: keepCard }, t('card.save')),
-      canShare() ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
-      make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save'))),
+      canShare(FILE, 'image/png') ? make('button', { type: 'button', class: 'small', id: 'share-card', onclick: shareCard }, t('card.share')) : null,
+      make('button', { type: 'button', class: 'small', id: 'tour-table', onclick: saveTable }, t('charts.save')),
+      known.length ? make('button', { type: 'button', class: 'small', id: 'print-certificate', onclick: () => printCertificate(known) }, t('print.certificate')) : null,
+      state.tour.own ? null : make('button', { type: 'button', class: 'small', id: 'print-worksheet', onclick: printWorksheet }, t('print.worksheet'))),
     make('p', {}, t('card.knows', { n: known.length })),
     make('ul', { class: 'chips' }, ...known.map(([word, token]) => make('li', {}, make('b', {}, word), meaning(word, token)))));
   if (!world.ways()) renderWorth(stops);

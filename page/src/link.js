@@ -65,7 +65,7 @@ function unchecked(text) {
 }
 
 /** The address of this page with this tab's robot: its model, name, home and settings.
- * @param {{ secret?: boolean, own?: import('./invention.js').Invention | null, home?: object, session?: any[], starter?: string }} more `secret`: the visitor is to find out its words; `own`: an invented language; `home`: another home than the current one; `session`: the records of a log, to be shown
+ * @param {{ secret?: boolean, own?: import('./invention.js').Invention | null, home?: object, session?: any[], starter?: string, tour?: import('./store.js').Tour, mode?: string }} more `secret`: the visitor is to find out its words; `own`: an invented language; `home`: another home than the current one; `session`: the records of a log, to be shown; `tour` and `mode`: its trainer goes on elsewhere
  * @param {string} known its model, as it is kept */
 export async function robotLink(more = {}, known = state.robot.model) {
   const about = new TextEncoder().encode(JSON.stringify({ name: state.robot.name, home: JSON.parse(world.environment()), pull: state.settings.pull, ways: world.ways(), starter: state.robot.starter, ...more }));
@@ -87,17 +87,23 @@ export async function sessionLink() {
   return before && records.length === session.length + 1 ? robotLink({ session, starter: before.had }, before.model) : undefined;
 }
 
+// How far a tour is, whatever the link has.
+const takeTour = ({ at, done, said, own }) => ({
+  at: at >>> 0, done: [...done].map(one => (/^(right|wrong|astray)$/.test(one) ? String(one) : '')), own: own ? { ...takeWords(own), more: Math.min(3, own.more >>> 0) } : null,
+  said: Object.fromEntries(Object.entries(said).map(([command, words]) => [command, String(words)])),
+});
+
 /** The robot in the address, which is removed from it; `null` if there is none, or if it is damaged, which is told.
- * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, starter: string, secret: boolean, own: import('./invention.js').Invention | null, session: any[] | undefined, model: Uint8Array } | null>} */
+ * @returns {Promise<{ name: string, home: object, pull: boolean, ways: boolean, starter: string, secret: boolean, own: import('./invention.js').Invention | null, session: any[] | undefined, tour: import('./store.js').Tour | null, mode: string, model: Uint8Array } | null>} */
 export async function readRobot() {
   const text = takeOff('robot|session');
   if (text === undefined) return null;
   try {
     const whole = await expanded(unchecked(text));
     const length = whole[0] << 8 | whole[1];
-    const { name, home, pull, ways, starter, secret, own, session } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
+    const { name, home, pull, ways, starter, secret, own, session, tour, mode } = JSON.parse(new TextDecoder().decode(whole.slice(2, 2 + length)));
     session?.forEach(checkRecord);
-    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, starter: String(starter || ''), secret: secret === true, own: own ? takeWords(own) : null, session, model: whole.slice(2 + length) };
+    return { name: String(name).slice(0, 40) || t('robots.some'), home, pull: pull === true, ways: ways === true, starter: String(starter || ''), secret: secret === true, own: own ? takeWords(own) : null, session, tour: tour ? takeTour(tour) : null, mode: tour && mode === 'tour' ? mode : 'play', model: whole.slice(2 + length) };
   } catch (error) {
     tell(error.message === t('link.newer') ? error.message : t('link.damaged'), true);
     return null;

@@ -56,10 +56,10 @@ function setUp() {
     const isHome = readLink();
     const visitor = isHome ? null : await meet();
     if (!isHome && !visitor) return;
-    await enterMode('play');
+    await enterMode(visitor?.mode ?? 'play');
     if (isHome) takeLanguage();
     takeStock();
-    nameHome();
+    showMode();
     render();
     showSession(visitor?.session);
   });
@@ -70,6 +70,11 @@ function setUp() {
   });
   // Data that the browser does not keep are lost with the page.
   window.addEventListener('beforeunload', event => { if (wouldBeLost()) event.preventDefault(); });
+}
+
+function showMode() {
+  if (state.mode === 'tour') enterStop(state.tour.at);
+  else nameHome();
 }
 
 // Another tab has taught the robot of this one.
@@ -105,10 +110,7 @@ async function begin(module, languages) {
   const visited = await meet();
   takeStock();
   setUp();
-  if (visited || !await takeUpSession(attend)) {
-    if (state.mode === 'tour') enterStop(state.tour.at);
-    else nameHome();
-  }
+  if (visited || !await takeUpSession(attend)) showMode();
   tellUnread();
   render();
   document.body.classList.add('ready');

@@ -5,7 +5,7 @@ import { squares } from './share.js';
 import { draw } from './state.js';
 
 const FONT = 'Quicksand,Nunito,"Segoe UI",Roboto,"Noto Sans",system-ui,sans-serif';
-const STYLE = 'text{font-family:' + FONT + ';fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
+export const STYLE = 'text{font-family:' + FONT + ';fill:#2c3346}.line,.eye,.mouth{fill:none;stroke:#2a2f40;stroke-width:2;stroke-linecap:round}.eye,.mouth{stroke:#8ff0df}.body{fill:#f9f3e4;stroke:#2a2f40;stroke-width:2}.wheel{fill:#3c4254}.face{fill:#25445a}.lamp{fill:#ffd75e;stroke:#2a2f40}.heart{fill:#e0526a;stroke:#2a2f40}.shadow{opacity:.17}.open,.frown,.down{display:none}';
 const [WIDTH, MIDDLE, EDGE] = [1080, 540, 64];
 const CONFETTI = ['#d8504d', '#4c9f6b', '#4a80c4', '#e6b840', '#8f64b3', '#e2863c'];
 // Pixels of each square of the code: a phone reads it from a screen.
@@ -83,12 +83,19 @@ export async function picture(name, score, known, link = '', meet = '', merry = 
     ...words.drawn,
     ...(code ? [line(meet, below, 34, 700), draw('rect', { x: left, y: under, width: side, height: side, fill: '#fff' }),
       draw('path', { d: code.path, fill: '#000', 'shape-rendering': 'crispEdges', transform: 'translate(' + left + ' ' + under + ') scale(' + side / (code.size + 8) + ') translate(4 4)' })] : []));
+  const image = await rasterized(root);
+  const canvas = Object.assign(document.createElement('canvas'), { width: WIDTH, height });
+  canvas.getContext('2d')?.drawImage(image, 0, 0);
+  return new Promise((done, failed) => { canvas.toBlob(blob => (blob ? done(blob) : failed(new Error('PNG'))), 'image/png'); });
+}
+
+/** A drawing that canvases take.
+ * @param {SVGElement} root */
+export async function rasterized(root) {
   const image = new Image();
   // A name may have characters that XML forbids: with them there would be no picture.
   const xml = new XMLSerializer().serializeToString(root).replace(/[^\t\n\r -\uD7FF\uE000-\uFFFD\u{10000}-\u{10FFFF}]/gu, '\uFFFD');
   image.src = 'data:image/svg+xml,' + encodeURIComponent(xml);
   await image.decode();
-  const canvas = Object.assign(document.createElement('canvas'), { width: WIDTH, height });
-  canvas.getContext('2d')?.drawImage(image, 0, 0);
-  return new Promise((done, failed) => { canvas.toBlob(blob => (blob ? done(blob) : failed(new Error('PNG'))), 'image/png'); });
+  return image;
 }

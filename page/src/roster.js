@@ -161,14 +161,15 @@ export async function beginGuest(name) {
   [state.visitor, state.secret, state.shown] = [false, '', ''];
 }
 
-/** The robot of a link visits: the user's own robot waits. Returns the visitor, if there is one. */
+/** The robot of a link visits: the user's own robot waits. A robot that its trainer takes along is one more of the user's own. Returns the visitor, if there
+ * is one. */
 export async function meet() {
   const visitor = await readRobot();
   if (!visitor) return null;
   const mine = state.robot;
   try {
     await beginGuest(visitor.name);
-    state.mode = 'play';
+    state.mode = visitor.mode;
     await takeModel(visitor.model, visitor.ways, visitor.starter);
     Object.assign(state.robot, newRecord(visitor.name), { log: '', starter: visitor.starter });
     state.robot.tour.own = visitor.own;
@@ -180,6 +181,14 @@ export async function meet() {
     await open(mine);
     tell(t('guest.cannot'), true);
     return null;
+  }
+  if (visitor.tour) {
+    const robot = { ...newRecord(freeName(visitor.name)), starter: visitor.starter, tour: visitor.tour };
+    add(robot);
+    await open(robot);
+    refresh();
+    tell(t('robots.isHere', robot));
+    return visitor;
   }
   state.visitor = true;
   state.secret = visitor.secret ? 'open' : '';

@@ -9,10 +9,12 @@ const MOST_LETTERS = 2200;
 /** Shows a link, with a button that copies it.
  * @param {string} link
  * @param {string} title
- * @param {string} about */
-export function share(link, title, about) {
+ * @param {string} about
+ * @param {boolean} pasted whether the other page takes it as text, too */
+export function share(link, title, about, pasted = false) {
   $('shared-title').textContent = title;
-  $('shared-about').textContent = about + (location.protocol === 'file:' ? ' ' + t('link.file') : '');
+  const more = pasted ? (squares(link) ? '' : t('along.long')) : location.protocol === 'file:' ? t('link.file') : '';
+  $('shared-about').textContent = (about + ' ' + more).trim();
   $('link').value = link;
   drawCode(link);
   $('shared').showModal();

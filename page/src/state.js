@@ -89,7 +89,7 @@ export const state = {
   // Whether the trainer thinks that the next test will be understood: yes, no, or nothing yet.
   guess: '',
   settings: /** @type {Record<string, any>} */ ({
-    speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, speech: true, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
+    speed: 'normal', rule: 'linear', style: 'population', questions: true, voice: false, sound: false, speech: true, presenter: false, shortcuts: true, ghost: true, names: true, theme: 'auto', language: 'auto', pull: false, seed: 2014,
     // The tabs that are not shown, with spaces between them.
     hidden: '',
   }),

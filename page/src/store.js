@@ -93,7 +93,8 @@ function writeLog(robot, log) {
   else shelf.put('log.' + robot.id, log || null);
 }
 
-const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said }, own: state.tour.own && { ...state.tour.own } });
+/** The progress of the tour as it is now. */
+export const tourNow = () => ({ at: state.tour.at, done: [...state.tour.done], said: { ...state.tour.said }, own: state.tour.own && { ...state.tour.own } });
 
 /** @param {Robot} robot */
 const tourOf = ({ tour }) => ({ at: tour.at, done: [...tour.done], said: { ...tour.said }, own: tour.own ? { ...tour.own } : null });

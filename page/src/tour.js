@@ -6,6 +6,7 @@ import { named, percent, t } from './language.js';
 import { heardWords } from './learned.js';
 import { beginGuest, considerWays, endGuest, newRobot, takeTour } from './roster.js';
 import { refresh, stopSession } from './session.js';
+import { sound } from './sound.js';
 import { $, all, announce, make, render, state, tell } from './state.js';
 import { commandOf, count, enterStop, inOwnWords, lengthOfCourse, rightTests, stopAt, stops } from './stops.js';
 import { keepTour, logOf, patch } from './store.js';
@@ -98,6 +99,7 @@ async function passStop(understood, session) {
   state.tour.done[state.tour.at] = astray ? 'astray' : understood && (stop.test || hasStar(session)) ? 'right' : 'wrong';
   const { said } = state;
   if (stop.test) noteTest(stop, session, understood);
+  if (stop.test && understood) sound('goal');
   if (stops()[state.tour.at + 1]?.test) goOnUntilSure();
   const verdict = astray ? t('tour.astray', { name: nameOf(state.tour.at), command: unspaced(session.command), task: session.took.words }) : verdictOf(stop, session);
   const told = [stop.test ? null : said, verdict, astray, astray || (stop.test && !understood)];

@@ -10,6 +10,7 @@ import { answerRecorded, beginAnew, learnFrom } from './logs.js';
 import { hasWords, isThere, keepSession, logNow, newSession, noteAnswer, pause, refresh, stopSession, timeOfStep, wake } from './session.js';
 import { SPEEDS } from './settings.js';
 import { put, underWay } from './shelf.js';
+import { sound } from './sound.js';
 import { $, announce, inParts, nextFrame, render, state, tell } from './state.js';
 import { enterStop, stopAt } from './stops.js';
 import { change, enterMode } from './store.js';
@@ -353,6 +354,7 @@ export function giveFeedback(feedback) {
   if (!session.given || session.feedback !== feedback) session.said = performance.now();
   session.feedback = feedback;
   session.given = true;
+  sound(feedback === 'reward' ? 'good' : 'bad');
   keepSession(session);
   announce(t('judge.given', { word: t(feedback === 'reward' ? 'train.good' : 'train.bad'), did: acted(session.decided.action) }));
   render();
@@ -400,6 +402,7 @@ export async function thatWasIt() {
   const session = state.session;
   if (!session || !session.decided || session.looking || session.question) return;
   Object.assign(session, { feedback: 'reward', given: true, said: performance.now(), affirmed: true });
+  sound('goal');
   await finishSession();
 }
 

@@ -1,7 +1,7 @@
 // The trainer's controls: pace, pause, feedback, speech.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { address, close, launch, open, pass, play, stopTime } from './browser.mjs';
+import { address, close, launch, open, pass, play, reload, stopTime } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -190,5 +190,43 @@ test('a large home never stops the page', async () => {
   const [whole, longest] = [Date.now() - started, await page.evaluate(() => window.longest)];
   console.log('planned and looked ahead in ' + whole + ' ms; the longest frame took ' + Math.round(longest) + ' ms');
   assert.ok(longest < whole / 2, longest + ' of ' + whole + ' ms in one go');
+  await close(page);
+});
+
+test('Good, Bad and the goal have tones of their own, which are off until they are switched on, and stay so', async () => {
+  const page = await open(browser);
+  await page.evaluate(() => {
+    window.heard = [];
+    const { start } = OscillatorNode.prototype;
+    OscillatorNode.prototype.start = function (when) {
+      window.heard.push(this.frequency.value);
+      return start.call(this, when);
+    };
+  });
+  const heard = () => page.evaluate(() => window.heard.splice(0));
+  await play(page, 'A');
+  await tell(page, 'go to the red room');
+  await page.click('#bad');
+  assert.deepEqual(await heard(), [], 'nothing is heard at first');
+  assert.ok(!await page.isChecked('#set-sound'));
+  await page.check('#set-sound');
+  const good = await heard();
+  assert.ok(good.length, 'the switch gives an example');
+  await page.click('#good');
+  assert.deepEqual(await heard(), good);
+  await page.click('#bad');
+  const bad = await heard();
+  assert.ok(bad.length && bad[0] > bad[1] && good[0] < good[1], 'Good goes up, and Bad goes down');
+  await page.click('#drop');
+  await page.click('[data-mode=tour]');
+  await page.click('#lesson');
+  await page.getByText('Good or Bad?').waitFor();
+  for (let step = 0; step < 40 && !/Yes, that was it/.test(await page.textContent('#finish')); step += 1) await page.click('#next');
+  await heard();
+  await page.click('#good');
+  const goal = await heard();
+  assert.ok(goal.length && goal.join() !== good.join(), 'the goal has another tone than Good');
+  await reload(page);
+  assert.ok(await page.isChecked('#set-sound'));
   await close(page);
 });

@@ -1,7 +1,7 @@
 // The front door: a visitor invents a language, and the robot understands a sentence of it that it never heard.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { close, launch, linkOf, open, openFirst, pass, reload, sessions, stopTime } from './browser.mjs';
+import { close, downloaded, launch, linkOf, open, openFirst, pass, reload, sessions, stopTime, teachInvention, toTheGoal } from './browser.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -262,5 +262,50 @@ test('who gets the link finds out the words, gets a time, and invents a language
   assert.equal(await sessions(friend), 0);
   assert.ok(await friend.isHidden('#secret'));
   await close(friend);
+  await close(page);
+});
+
+// The times of a WebM file's pictures, in seconds. Its parts have an identity, a size and contents; segments, clusters and groups have parts in them.
+function times(bytes) {
+  const found = [];
+  const number = (at, keepsMark) => {
+    const length = Math.clz32(bytes[at]) - 23;
+    let value = keepsMark ? bytes[at] : bytes[at] & (0xff >> length);
+    for (let more = 1; more < length; more += 1) value = value * 256 + bytes[at + more];
+    return [value, at + length];
+  };
+  let cluster = 0;
+  for (let at = 0; at < bytes.length;) {
+    const [kind, size] = number(at, true);
+    const [length, contents] = number(size, false);
+    if (kind === 0xe7) cluster = bytes.readUIntBE(contents, length);
+    if (kind === 0xa3 || kind === 0xa1) found.push((cluster + bytes.readInt16BE(contents + 1)) / 1000);
+    at = [0x18538067, 0x1f43b675, 0xa0].includes(kind) ? contents : contents + length;
+  }
+  return found;
+}
+
+test('in the end there is a clip of the robot that obeys the sentence: it is shown once, and takes five seconds at most', async () => {
+  const page = await openFirst(browser);
+  await teachInvention(page);
+  while (/not sure yet/.test(await page.textContent('#tour-hint'))) {
+    await page.click('#lesson');
+    await toTheGoal(page, /bag to the red/, good => page.click(good ? '#good' : '#bad'));
+    await page.click('#finish');
+    await page.waitForFunction(() => document.body.dataset.phase === 'none');
+  }
+  await page.selectOption('#speed', 'once');
+  await page.click('#lesson');
+  await page.locator('#decode').waitFor();
+  const clip = page.locator('#preview canvas');
+  await clip.waitFor();
+  assert.equal(await clip.getAttribute('aria-label'), '“zot dri mokka” = take the purple bag to the blue room');
+  const { name, bytes } = await downloaded(page, '#save-clip');
+  assert.equal(name, 'my-robot.webm');
+  assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], 'it is a film');
+  const pictures = times(bytes);
+  console.log(bytes.length + ' bytes, ' + pictures.length + ' pictures in ' + pictures.at(-1) + ' s');
+  assert.ok(pictures.length > 5 && pictures.at(-1) > 1 && pictures.at(-1) <= 5, String(pictures));
+  assert.ok(bytes.length < 2000000, String(bytes.length));
   await close(page);
 });

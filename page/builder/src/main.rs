@@ -7,6 +7,7 @@
 mod assemble;
 mod budget;
 mod languages;
+mod order;
 mod pack;
 mod scripts;
 
@@ -37,10 +38,10 @@ fn main() -> Result<()> {
     // In the order in which page/src/begin.js takes them. They pack best so.
     let parts: [(&str, &[u8]); 5] = [
         ("the module", &module),
-        ("the texts", texts.as_bytes()),
+        ("the scripts with the glue", scripts.others.as_bytes()),
         ("the body", body.as_bytes()),
         ("the style", scripts.style.as_bytes()),
-        ("the scripts with the glue", scripts.others.as_bytes()),
+        ("the texts", texts.as_bytes()),
     ];
     let page = assemble::assemble(&source, &parts, &scripts.begin)?;
     if let Some(dist) = out.parent() {
