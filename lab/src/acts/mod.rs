@@ -309,7 +309,8 @@ fn tell(out: &mut impl Write, json: bool, (author, language, above): (&str, &str
 /// The weights as a file of the library.
 fn text(fitted: &Fitted) -> String {
     let rows = |numbers: Vec<String>| numbers.chunks(24).map(|row| format!("    {},\n", row.join(", "))).collect::<String>();
-    let Fitted { clues, scale, words, scale_of_words, bias } = fitted;
+    let Fitted { clues, words, .. } = fitted;
+    let [scale, scale_of_words, bias] = [fitted.scale, fitted.scale_of_words, fitted.bias].map(|weight| weight as f32);
     let (blocks, count) = (HASHED / 256, words.len());
     let before = |block: usize| words.range(..(block * 256) as u32).count();
     let starts = rows((0..=blocks).map(|block| before(block).to_string()).collect());
@@ -319,9 +320,9 @@ fn text(fitted: &Fitted) -> String {
     let clues = rows(clues.iter().map(ToString::to_string).collect());
     let blocks = blocks + 1;
     format!(
-        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The weight of every reading.\npub const BIAS: f32 = {bias:.7};\n/// The value of a \
-         weight of 1 of a clue, and of a word.\npub const SCALE: f32 = {scale:.7};\n/// See `SCALE`.\npub const SCALE_OF_WORDS: f32 = \
-         {scale_of_words:.7};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// Where the \
+        "//! The trained weights, as `goodbot acts` wrote them.\n\n/// The weight of every reading.\npub const BIAS: f32 = {bias};\n/// The value of a \
+         weight of 1 of a clue, and of a word.\npub const SCALE: f32 = {scale};\n/// See `SCALE`.\npub const SCALE_OF_WORDS: f32 = \
+         {scale_of_words};\n/// The weight of each clue.\n#[rustfmt::skip]\npub const WEIGHTS: [i8; super::CLUES] = [\n{clues}];\n/// Where the \
          words' hashes of each block of 256 begin.\n#[rustfmt::skip]\npub const STARTS: [u16; {blocks}] = [\n{starts}];\n/// The hashes that have weights, \
          in order: their places in their blocks.\n#[rustfmt::skip]\npub const HASHES: [u8; {count}] = [\n{hashes}];\n/// Their weights: four bits for \
          each kind of reading, the first in the lowest.\n#[rustfmt::skip]\npub const OF_WORDS: [u16; {count}] = [\n{of_words}];\n"
