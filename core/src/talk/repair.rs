@@ -75,7 +75,19 @@ fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize,
         Shape::All if is_next => words.from(before.end),
         _ => return None,
     };
-    Some(Repair { words: stands, between: words.part(before.end, by.start), shape })
+    let between = words.part(before.end, by.start);
+    (is_interregnum(between) || is_after_mark(words, before.end, by.start)).then_some(Repair { words: stands, between, shape })
+}
+
+/// Whether some of the words belong to no command: "no", "I mean". "To the" are no interregnum.
+fn is_interregnum(words: Words<'_>) -> bool {
+    words.any(&|word| !(word.is_of_lessons() || word.is_toward || word.is_article))
+}
+
+/// Whether a mark stands between the words at two positions.
+pub(super) fn is_after_mark(words: Words<'_>, begin: usize, end: usize) -> bool {
+    let phrase = |at: usize| words.get(at).map(|word| word.phrase);
+    begin.checked_sub(1).and_then(phrase) != phrase(end)
 }
 
 /// The words between two commands: from the last name before a position to the next name.

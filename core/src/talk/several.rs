@@ -4,6 +4,7 @@ use super::context::{Context, View};
 use super::explained::Explained;
 use super::heard::Heard;
 use super::readings::{CUE, EITHER, all, negated};
+use super::repair::is_after_mark;
 use super::words::Words;
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::memory::AgentMemory;
@@ -52,7 +53,10 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
         let is_of_name = word.is_some_and(|word| word.is_name && !word.is_toward || is_named && is_noun(word));
         let ends_name = is_named && !is_of_name;
         is_named = is_of_name;
-        let may_end = (is_comma || ends_name) && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind(is_comma));
+        let begins = |words: Words<'_>| is_comma || words.any(&Heard::may_be_verb);
+        let is_end = is_comma || ends_name;
+        let may_end =
+            is_end && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind(is_comma)) && begins(behind(is_comma));
         phrase = of;
         if at == words.len() || is_connective(at) || may_end {
             if begin < at {
@@ -67,12 +71,6 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
 /// Whether a word after a name may be its noun.
 fn is_noun(word: &Heard) -> bool {
     word.is_of_lessons() && word.is_open() && word.is_plain() && !word.is_toward && !word.is_article
-}
-
-/// Whether a comma or another mark is before the word at a position.
-fn is_after_mark(words: Words<'_>, at: usize) -> bool {
-    let phrase = |at: usize| words.get(at).map(|word| word.phrase);
-    at.checked_sub(1).and_then(phrase) != phrase(at)
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -121,8 +119,8 @@ impl<M: AgentMemory> Agent<M> {
                     Some(&(next, _)) => match words.get(end).filter(|_| next > end) {
                         Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
                         // A comma is no word.
-                        None if is_after_mark(words, end) => Scaled::new(EITHER),
-                        None => Scaled::new(SEVERAL),
+                        None if is_after_mark(words, end, end) => Scaled::new(EITHER),
+                        None => Scaled::new(SEVERAL * CUE),
                     },
                 };
                 let rest = ahead.get(after).copied().unwrap_or(Scaled::ZERO);

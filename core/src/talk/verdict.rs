@@ -154,11 +154,15 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { is_accepted, ..judged });
         }
         let repairs = self.repairs(domain, words, explained, context)?;
-        let of_repair = |repair: &Repaired<'w>| (repair.weight.over(whole.plus(repair.weight)), Some(*repair));
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE);
-        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (hypothesis, (share, None)));
+        let of_hypotheses = |is_command: bool| {
+            let is_one = move |&&(hypothesis, share): &&(Hypothesis, f32)| {
+                asks(hypothesis) && share > NEGLIGIBLE && (hypothesis == Hypothesis::Command) == is_command
+            };
+            weighed.iter().filter(is_one).map(|&(hypothesis, share)| (hypothesis, share, None))
+        };
+        let of_repair = |repair: &Repaired<'w>| (Hypothesis::Command, repair.weight.over(whole.plus(repair.weight)), Some(*repair));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        for (hypothesis, (share, repair)) in of_hypotheses.chain(repairs.iter().map(|it| (Hypothesis::Command, of_repair(it)))) {
+        for (hypothesis, share, repair) in of_hypotheses(true).chain(repairs.iter().map(of_repair)).chain(of_hypotheses(false)) {
             let reading = Judged::likely(hypothesis, repair.map_or(words, |repair| repair.judged.words), share, command);
             let (judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
@@ -192,16 +196,15 @@ impl<M: AgentMemory> Agent<M> {
             let is_reference = repair.is_none() && clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
             let odds = odds(&clues);
             (context.wording.observe)(&Reading { hypothesis, tasks: judged.tasks, is_negated: judged.is_negated, odds, clues: &clues });
-            // After the first of several commands, the others follow.
-            let is_several = hypothesis == Hypothesis::Several;
             let meaning = Meaning {
                 reading,
-                asked: (judged.tasks, judged.is_negated, is_several),
+                asked: (judged.tasks, judged.is_negated, hypothesis == Hypothesis::Several),
                 odds,
                 clear: if is_reference { share * clues.of_tasks } else { 0.0 },
                 least: match () {
                     () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
-                    () if clues.is_done && !is_several => DONE_FROM,
+                    // After the first of several commands, the others follow.
+                    () if clues.is_done && hypothesis != Hypothesis::Several => DONE_FROM,
                     () => ACTS_FROM,
                 },
             };
@@ -213,7 +216,8 @@ impl<M: AgentMemory> Agent<M> {
         for meaning in &meanings {
             let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
             let probability = (same / sum).max(meaning.clear);
-            if best.is_none_or(|(_, most, _)| probability > most) {
+            // Of those with the same tasks, the later says more: what is taken back, or how many are meant.
+            if best.is_none_or(|(_, most, _)| probability >= most) {
                 best = Some((meaning.reading, probability, meaning.clear > 0.0 || probability > meaning.least));
             }
         }

@@ -105,7 +105,7 @@ fn what_is_no_robot_for_a_controller_is_refused() {
         "16 is the most for a controller",
     );
     refused(&LIFT.replacen("\"actions\":[", derived, 1), "field \"derived\": are for hosts");
-    let parents = r#""parents":{"floor":"lift"},"attributes":{"#;
+    let parents = r#""parents":{"lift":"floor"},"attributes":{"#;
     refused(&LIFT.replacen("\"attributes\":{", parents, 1), "field \"parents\": are for hosts");
     let many: Vec<String> = (0..9).map(|kind| format!("\"p{kind}\":[\"lift\"]")).collect();
     refused(

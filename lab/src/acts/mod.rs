@@ -25,7 +25,7 @@ use std::path::PathBuf;
 const FOR_TRAINING: char = '+';
 
 /// The probabilities above which robots are tried.
-const ABOVE: [f64; 9] = [0.6, 0.7, 0.75, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86, 0.9];
+const ABOVE: [f64; 9] = [0.6, 0.7, 0.75, 0.78, ACTS_FROM as f64, 0.82, 0.84, 0.86, 0.9];
 
 /// The options of `goodbot acts`.
 #[derive(Debug, Args)]
@@ -33,7 +33,7 @@ const ABOVE: [f64; 9] = [0.6, 0.7, 0.75, ACTS_FROM as f64, 0.8, 0.82, 0.84, 0.86
 SETS has a line for each set of sentences, with five columns parted by tabs: its author, its language, a model that `goodbot learn` wrote, a home,
 and a file of sentences. A sentence's line has its kind, its words, and its meaning: `none`, or tasks joined by ` then ` (in this order) or ` and `
 (in any order); ` or ` parts meanings of which each is right. Words before ` ||| ` were said and followed before. The sentences of an author whose
-name begins with `+` are for training alone.
+name begins with `+` are for training alone, and left out with those of the same name without it.
 
 A robot with the model reads each sentence in the home. The weights are fitted to tell its right readings from the others. The table is of weights
 fitted without the sentences of their author: \"read\" is the share of sentences with a meaning that have a right reading, \"first\" of those where it is
@@ -57,7 +57,7 @@ pub struct ActsOptions {
     #[arg(long)]
     explain: bool,
     /// The price of the square of a weight: larger prices make smaller weights
-    #[arg(long, value_name = "PRICE", default_value = "3")]
+    #[arg(long, value_name = "PRICE", default_value = "1.5")]
     price: f64,
     /// How many words may have weights
     #[arg(long, value_name = "NUMBER", default_value = "6000")]
@@ -121,7 +121,7 @@ pub fn run(options: &ActsOptions) -> Result<(), Failure> {
     if authors.len() > 1 {
         let progress = bar(authors.len(), "leaving out one author at a time");
         let without = |author: &&str| {
-            let fitted = fitted_to(&said, &|it| it.author != *author, prices);
+            let fitted = fitted_to(&said, &|it| it.author.trim_start_matches(FOR_TRAINING) != *author, prices);
             progress.inc(1);
             fitted
         };
@@ -182,11 +182,12 @@ fn explain(out: &mut impl Write, said: &[Said], fitted: &Fitted) -> Result<(), F
 fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
     let mut by: Vec<Option<Result<&str, ()>>> = vec![None; HASHED];
     for it in said {
+        let author = it.author.trim_start_matches(FOR_TRAINING);
         for (hash, _) in it.features() {
             let by = &mut by[*hash as usize];
             *by = match *by {
-                None => Some(Ok(it.author.as_str())),
-                Some(Ok(author)) if author == it.author => *by,
+                None => Some(Ok(author)),
+                Some(Ok(other)) if author == other => *by,
                 _ => Some(Err(())),
             };
         }

@@ -191,7 +191,7 @@ impl Clues<'_> {
     }
 
     /// The kind of the reading, from 1 to [`KINDS`].
-    pub fn kind(&self) -> usize {
+    fn kind(&self) -> usize {
         if self.repair.is_some() { KINDS } else { kind(self.hypothesis).unwrap_or(0) }
     }
 

@@ -17,16 +17,16 @@ pub(super) use clues::{Sorts, asks, clear_from};
 use weights::{BIAS, SCALE, WEIGHTS};
 pub use words::{HASHED, Spoken};
 
-/// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as four and a half questions: then acting
+/// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as five questions: then acting
 /// costs less than asking. `docs/talk.md` tells how often it is wrong with people whom it never heard.
-pub const ACTS_FROM: f32 = 0.78;
-
-/// The largest log odds.
-const MOST: f32 = 30.0;
+pub const ACTS_FROM: f32 = 0.8;
 
 /// The robot answers that all is done already if that is more probable than this: the answer moves nothing, so a wrong one costs as much
 /// as three questions.
 pub(super) const DONE_FROM: f32 = 0.67;
+
+/// The largest log odds.
+const MOST: f32 = 30.0;
 
 /// The odds of a reading with these clues against nothing that is to be done: a finite number above 0.
 pub(super) fn odds(clues: &Clues<'_>) -> f32 {
