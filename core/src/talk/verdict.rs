@@ -154,15 +154,11 @@ impl<M: AgentMemory> Agent<M> {
             return Ok(Judged { is_accepted, ..judged });
         }
         let repairs = self.repairs(domain, words, explained, context)?;
-        let of_hypotheses = |is_command: bool| {
-            let is_one = move |&&(hypothesis, share): &&(Hypothesis, f32)| {
-                asks(hypothesis) && share > NEGLIGIBLE && (hypothesis == Hypothesis::Command) == is_command
-            };
-            weighed.iter().filter(is_one).map(|&(hypothesis, share)| (hypothesis, share, None))
-        };
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE);
+        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (hypothesis, share, None));
         let of_repair = |repair: &Repaired<'w>| (Hypothesis::Command, repair.weight.over(whole.plus(repair.weight)), Some(*repair));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        for (hypothesis, share, repair) in of_hypotheses(true).chain(repairs.iter().map(of_repair)).chain(of_hypotheses(false)) {
+        for (hypothesis, share, repair) in repairs.iter().map(of_repair).chain(of_hypotheses) {
             let reading = Judged::likely(hypothesis, repair.map_or(words, |repair| repair.judged.words), share, command);
             let (judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
@@ -216,7 +212,7 @@ impl<M: AgentMemory> Agent<M> {
         for meaning in &meanings {
             let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
             let probability = (same / sum).max(meaning.clear);
-            // Of those with the same tasks, the later says more: what is taken back, or how many are meant.
+            // Of those with the same tasks, the later takes back nothing, or says how many are meant.
             if best.is_none_or(|(_, most, _)| probability >= most) {
                 best = Some((meaning.reading, probability, meaning.clear > 0.0 || probability > meaning.least));
             }
