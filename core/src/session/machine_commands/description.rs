@@ -324,6 +324,8 @@ impl<M: AgentMemory> Agent<M> {
     /// # let mut memory = HeapMemory::new(&goodbot::Capacities::SMALL);
     /// # let mut builder = HomeBuilder::new(&mut memory.home);
     /// # builder.room("room0", Area::new(0, 0, 8, 4), "red")?;
+    /// # builder.room("room1", Area::new(0, 4, 8, 8), "blue")?;
+    /// # builder.door("door0", Area::new(4, 4, 4, 4))?;
     /// # builder.agent("agent0", Cell::new(4, 2))?;
     /// # let (home, state) = builder.build(Moves::Push)?;
     /// # let mut agent = Agent::new(memory.agent, &home::paper_tasks()?, Options::DEFAULT)?;
