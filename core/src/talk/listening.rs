@@ -23,7 +23,7 @@ use crate::task::{GroundedTask, TaskSet};
 use crate::voice::classes::ClosedWords;
 use heapless::Vec;
 
-/// The prior of a reworded command: with its place in front: "to the red room take the bag".
+/// The prior of a reworded command, such as one with its place in front: "to the red room take the bag".
 const TURNED: f32 = 0.2;
 /// The probability that a thing already in place is meant when all are to be brought.
 const NOT_MEANT: f32 = 1e-4;

@@ -69,8 +69,7 @@ fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize,
     let (first, by, before) = (names.get(first)?, names.get(by)?, names.get(by.checked_sub(1)?)?);
     let is_next = first == before;
     let stands = match shape {
-        Shape::Name if is_next => words.before(first.start).with(words.from(by.start)),
-        Shape::Clause if !is_next => words.before(first.start).with(words.from(by.start)),
+        Shape::Name | Shape::Clause if is_next == (shape == Shape::Name) => words.before(first.start).with(words.from(by.start)),
         Shape::Earlier if !is_next => words.before(first.start).with(words.part(first.end, before.end)).with(words.from(by.start)),
         Shape::All if is_next => words.from(before.end),
         _ => return None,
