@@ -12,6 +12,8 @@ const NEGATED: f32 = 0.1;
 const ALL: f32 = 0.03;
 /// The probability of a word as a cue for a negation, several commands or all things.
 pub(super) const CUE: f32 = 0.15;
+/// The same if no known cue tells it.
+const UNCUED: f32 = 0.02;
 /// The share of tasks that hold already, if a change may be asked for or not.
 pub(super) const EITHER: f32 = 0.5;
 /// The same if a change is asked for, and the task's goal is to be undone.
@@ -84,7 +86,9 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     let cues = [Class::Negation, Class::Out, Class::But];
     // "All chairs out of the red room".
     let (of_cues, unnamed) = if is_all_out(words) { (&[Class::Out, Class::All][..], UNNAMED) } else { (&cues[..], 1.0) };
-    let (rest, probability) = without(words, of_cues)?;
+    let with_cue = without(words, of_cues);
+    // "The red room is off limits": any word that no lesson had may forbid.
+    let (rest, probability) = with_cue.or_else(|| words.any(&Heard::is_new_word).then_some((words, UNCUED)))?;
     let (is_out, is_not) = (is_out(words), not.is_some());
     // "Leave" implies a present place, and needs no other act word.
     let view = View { done: if is_out { CHANGE } else { EITHER }, has_act: is_out };
@@ -104,7 +108,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
         from: Words::NONE,
         prior: NEGATED * (probability * unnamed) / learned(words, &|word| word.is_any(&cues)),
         view,
-        is_clear: denies && !is_there && !is_twice && !is_other,
+        is_clear: with_cue.is_some() && denies && !is_there && !is_twice && !is_other,
         needs_no_act,
         things_need_no_act: needs_no_act && (is_not || words.has(Class::From)),
         stays,

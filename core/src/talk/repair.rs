@@ -89,13 +89,6 @@ pub(super) fn is_after_mark(words: Words<'_>, begin: usize, end: usize) -> bool 
     begin.checked_sub(1).and_then(phrase) != phrase(end)
 }
 
-/// The words between two commands: from the last name before a position to the next name.
-pub(super) fn between_commands(words: Words<'_>, begin: usize) -> Words<'_> {
-    let last = words.before(begin).last_name().map_or(0, |last| last.saturating_add(1));
-    let next = words.from(begin).position(&|word| word.is_name).map_or(usize::MAX, |next| begin.saturating_add(next));
-    words.part(last, next)
-}
-
 impl<M: AgentMemory> Agent<M> {
     /// The repairs of some words that are most probable, each for another task.
     #[inline(never)]

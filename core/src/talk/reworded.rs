@@ -8,9 +8,6 @@ use crate::voice::classes::Class;
 /// The most words before "it" in "and bring it to".
 const MOST_BEFORE_IT: usize = 3;
 
-/// The most words from "but" to "before" in "but before that". Two signs make a word.
-const MOST_BEFORE_FIRST: usize = 5;
-
 /// The most new words of a phrase that calls somebody.
 const MOST_CALLED: usize = 2;
 
@@ -210,30 +207,6 @@ fn from_verb_on(words: Words<'_>) -> Option<Words<'_>> {
     None
 }
 
-/// The command done first and the one done last, if the last comes first: "before you go to the red room, take the bag to the blue room".
-pub(super) fn reversed<'w>(words: Words<'w>) -> Option<(Words<'w>, Words<'w>)> {
-    let without_order = |part: Words<'w>| part.only(|word| !(word.comes_first || word.classes.is_before() || word.is(Class::But)));
-    let of_both =
-        |first: Words<'w>, last: Words<'w>| (first.has_name() && last.has_name()).then(|| (without_order(first), without_order(last)));
-    let is_before = |word: &Heard| word.classes.is_before();
-    let phrase = words.get(0)?.phrase;
-    let (first, last) = (words.only(|word| word.phrase != phrase), words.of_phrase(phrase));
-    if [last.get(0), last.iter().last()].into_iter().flatten().any(is_before)
-        && let Some(parts) = of_both(first, last)
-    {
-        return Some(parts);
-    }
-    // "Go to the red room, but first take the bag to the blue room", "but before that", "after you have taken".
-    let but = words.at(Class::But);
-    let is_near = |at: usize| but.is_some_and(|but| but < at && at < but.saturating_add(MOST_BEFORE_FIRST));
-    let marks = |(at, word): (usize, &'w Heard)| (word.comes_first || is_before(word) && is_near(at)).then_some((at, word));
-    let (at, mark) = words.iter().enumerate().filter_map(marks).last()?;
-    let begin = but.filter(|&but| but < at).or_else(|| words.position(&|word| word.phrase == mark.phrase))?;
-    // "But before that".
-    let start = if is_before(mark) && is_near(at) { at } else { begin };
-    of_both(words.from(start), words.before(begin))
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::taught::{for_each, left};
@@ -267,28 +240,6 @@ mod tests {
         for_each(&SIMPLER, &|sentence, words, (rule, rest)| {
             let words = rule(words).map_or(String::new(), |words| left(sentence, words));
             assert_eq!(words, *rest, "{sentence}");
-        });
-    }
-
-    #[test]
-    fn the_command_to_do_first_is_found_wherever_it_is_told() {
-        let rows = [
-            ("en", "before you go to the red room, take the purple bag to the blue room", "take the purple bag to the blue room"),
-            ("en", "go to the red room, but first take the purple bag to the blue room", "take the purple bag to the blue room"),
-            ("en", "go to the red room after taking the purple bag to the blue room", "taking the purple bag to the blue room"),
-            ("en", "go to the red room, take the purple bag to the blue room", ""),
-            ("de", "bevor du ins rote Zimmer gehst, bring die lila Tasche ins blaue Zimmer", "bring die lila tasche ins blaue zimmer"),
-            (
-                "fr",
-                "avant d'aller dans la salle rouge, apporte le sac violet dans la salle bleue",
-                "apporte le sac violet dans la salle bleue",
-            ),
-            ("es", "antes de ir a la sala roja, lleva el bolso morado a la sala azul", "lleva el bolso morado a la sala azul"),
-            ("zh", "去红色房间之前，把紫色的包拿到蓝色房间", "把 紫 色 的 包 拿 到 蓝 色 房 间"),
-        ];
-        for_each(&rows, &|sentence, words, first| {
-            let found = reversed(words).map_or(String::new(), |(first, _)| left(sentence, first));
-            assert_eq!(found, *first, "{sentence}");
         });
     }
 }

@@ -16,6 +16,8 @@ use heapless::Vec;
 
 /// The prior of several commands.
 pub(super) const SEVERAL: f32 = 0.05;
+/// The prior of the other order.
+const TURNED: f32 = 0.1;
 /// The most clauses of one command; "take the bag from the red room to the blue room" has three.
 const CLAUSES_PER_COMMAND: usize = 3;
 /// The prior of two commands that share the place in the second: "the bag and the chair to the red room".
@@ -29,6 +31,32 @@ pub(super) struct Parting<'w> {
     pub first: Words<'w>,
     pub begin: usize,
     pub weight: Scaled,
+    /// Whether the second command is to be done first.
+    pub is_turned: bool,
+}
+
+impl<'w> Parting<'w> {
+    /// The same split of two commands with the other order: "before you go to the red room, take the bag to the blue room". Of the `rest`,
+    /// which is the whole utterance again, the second command is done.
+    pub fn turned(self, words: Words<'w>, is_rest: bool) -> Option<Self> {
+        let (front, behind) = (words.before(self.begin), words.from(self.begin));
+        let first = if is_rest { front } else { behind };
+        (front.has_name() && behind.has_name()).then(|| Self { first, weight: self.weight.scaled_by(TURNED), is_turned: true, ..self })
+    }
+
+    /// The words that tell the order: those between the two commands, and if it is turned, those before and after the names, too.
+    pub fn between(self, words: Words<'w>) -> Words<'w> {
+        let between = between_commands(words, self.begin);
+        let (first, last) = (words.position(&|word| word.is_name).unwrap_or(0), words.last_name().unwrap_or(usize::MAX));
+        if self.is_turned { words.before(first).with(between).with(words.after(last)) } else { between }
+    }
+}
+
+/// The words between two commands: from the last name before a position to the next name.
+fn between_commands(words: Words<'_>, begin: usize) -> Words<'_> {
+    let last = words.before(begin).last_name().map_or(0, |last| last.saturating_add(1));
+    let next = words.from(begin).position(&|word| word.is_name).map_or(usize::MAX, |next| begin.saturating_add(next));
+    words.part(last, next)
 }
 
 /// The words of the place that a clause shares with the next one, if it has none of its own: "the bag and the chair to the red room".
@@ -43,7 +71,8 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     let mut clauses = Vec::new();
     let (mut begin, mut phrase, mut is_named) = (0, 0, false);
     let is_connective = |at: usize| words.get(at).is_some_and(|word| word.is(Class::Connective));
-    let is_whole = |words: Words<'_>| words.has_name() && words.any(&|word| word.is_toward || word.is_of_task);
+    let is_whole =
+        |words: Words<'_>, is_comma: bool| words.has_name() && (is_comma || words.any(&|word| word.is_toward || word.is_of_task));
     for at in 0..=words.len() {
         let word = words.get(at);
         let of = word.map_or(phrase, |word| word.phrase);
@@ -55,8 +84,11 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
         is_named = is_of_name;
         let begins = |words: Words<'_>| is_comma || words.any(&Heard::may_be_verb);
         let is_end = is_comma || ends_name;
-        let may_end =
-            is_end && !is_connective(at) && is_whole(words.part(begin, at)) && is_whole(behind(is_comma)) && begins(behind(is_comma));
+        let may_end = is_end
+            && !is_connective(at)
+            && is_whole(words.part(begin, at), is_comma)
+            && is_whole(behind(is_comma), is_comma)
+            && begins(behind(is_comma));
         phrase = of;
         if at == words.len() || is_connective(at) || may_end {
             if begin < at {
@@ -127,7 +159,7 @@ impl<M: AgentMemory> Agent<M> {
                 let weight = here.times(rest).times(connective);
                 if weight.exceeds(best) {
                     best = weight;
-                    parting = next.map(|&(begin, _)| Parting { first: clause, begin, weight });
+                    parting = next.map(|&(begin, _)| Parting { first: clause, begin, weight, is_turned: false });
                 }
             }
             ahead.iter_mut().skip(first).take(1).for_each(|slot| *slot = best);

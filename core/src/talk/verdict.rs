@@ -6,8 +6,7 @@ use super::conversation::Before;
 use super::explained::Explained;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
 use super::readings::{all, is_of_several, negated};
-use super::repair::{Repaired, WEIGHED, between_commands};
-use super::reworded::reversed;
+use super::repair::{Repaired, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
 use super::words::Words;
@@ -19,11 +18,10 @@ use crate::task::TaskSet;
 use crate::voice::classes::Class;
 use heapless::Vec;
 
-/// Readings with a smaller share are not weighed.
-const NEGLIGIBLE: f32 = 1e-4;
-
 /// The most readings of an utterance that are compared.
-const MEANINGS: usize = KINDS + WEIGHED;
+const MEANINGS: usize = KINDS + 1 + WEIGHED + OF_WHOLE;
+/// How many of them may be for a task whose parts are all named, if the most probable task is none.
+const OF_WHOLE: usize = 4;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -79,13 +77,28 @@ pub struct Reading<'r> {
     pub is_negated: bool,
     /// How much more probable it is than that nothing was meant.
     pub odds: f32,
+    /// The byte where the rest of the utterance begins, if it has several commands. It is the whole utterance again if the second command
+    /// is to be done first.
+    pub rest: Option<usize>,
     /// Why.
     pub clues: &'r Clues<'r>,
 }
 
+/// A reading before its tasks are known.
+#[derive(Clone, Copy)]
+struct Candidate<'w> {
+    hypothesis: Hypothesis,
+    words: Words<'w>,
+    share: f32,
+    /// Whether the second of several commands is to be done first.
+    is_turned: bool,
+    /// Whether only tasks with all of their parts named are looked at.
+    of_whole: bool,
+}
+
 /// A reading while it is compared with others.
 struct Meaning<'w> {
-    reading: Judged<'w>,
+    candidate: Candidate<'w>,
     /// Its tasks, whether they are forbidden, and whether others follow.
     asked: (TaskSet, bool, bool),
     odds: f32,
@@ -119,17 +132,6 @@ impl<M: AgentMemory> Agent<M> {
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
-        let (mut words, begin) = (words, words.get(0).map(|word| usize::from(word.piece)));
-        if let Some((first, last)) = reversed(words) {
-            if !context.earlier.is_rest {
-                self.explain_all(domain, first, View::PLAIN, context, explained)?;
-                let part = self.judge_parted(domain, (first, sorts), explained, context, None)?;
-                return Ok(Judged { hypothesis: Hypothesis::Several, rest: begin, ..part });
-            }
-            // The rest is the whole utterance again, with "before": by that time, the command to do first is done.
-            words = last;
-            self.explain_all(domain, words, View::PLAIN, context, explained)?;
-        }
         // The rest of a rest is shorter, so that an utterance that is heard part by part comes to an end.
         let is_shorter = |parting: &Parting<'_>| words.get(parting.begin).is_some_and(|word| word.piece > 0);
         let parting = self.part(domain, words, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
@@ -147,81 +149,105 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         let (weighed, command, whole) = self.hypotheses(domain, words, explained, context, parting)?;
         let (likeliest, most) = likeliest(&weighed, words, context.is_known());
+        let plain = |hypothesis, share| Candidate { hypothesis, words, share, is_turned: false, of_whole: false };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
-            let (judged, _) = self.read(domain, Judged::likely(likeliest, words, most, command), explained, context, parting)?;
+            let (judged, _) = self.read(domain, plain(likeliest, most), command, explained, context, parting)?;
             let is_accepted = judged.hypothesis == Hypothesis::Again && most >= clear_from(self.language().bitext().sessions());
             return Ok(Judged { is_accepted, ..judged });
         }
         let repairs = self.repairs(domain, words, explained, context)?;
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > NEGLIGIBLE);
-        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (hypothesis, share, None));
-        let of_repair = |repair: &Repaired<'w>| (Hypothesis::Command, repair.weight.over(whole.plus(repair.weight)), Some(*repair));
+        let turned = parting.and_then(|parting| parting.turned(words, context.earlier.is_rest));
+        let parting_of = |candidate: Candidate<'w>| if candidate.is_turned { turned } else { parting };
+        let of_repair = |repair: &Repaired<'w>| {
+            let share = repair.weight.over(whole.plus(repair.weight));
+            (Candidate { words: repair.judged.words, ..plain(Hypothesis::Command, share) }, Some(*repair))
+        };
+        let of_turned = |turned: &Parting<'w>| {
+            let share = turned.weight.over(whole.plus(turned.weight));
+            (Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }, None)
+        };
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
+        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (plain(hypothesis, share), None));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        for (hypothesis, share, repair) in repairs.iter().map(of_repair).chain(of_hypotheses) {
-            let reading = Judged::likely(hypothesis, repair.map_or(words, |repair| repair.judged.words), share, command);
-            let (judged, first) = match repair {
-                Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
-                None => self.read(domain, reading, explained, context, parting)?,
-            };
-            if judged.tasks.is_empty() {
-                continue;
-            }
+        for (candidate, repair) in repairs.iter().map(of_repair).chain(turned.iter().map(of_turned)).chain(of_hypotheses) {
+            let Candidate { hypothesis, share, .. } = candidate;
+            let parting = parting_of(candidate).filter(|_| hypothesis == Hypothesis::Several);
             let others = weighed.iter().filter(|&&(other, _)| repair.is_some() || other != hypothesis);
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
-            let parted = parting.filter(|_| hypothesis == Hypothesis::Several).map(|parting| between_commands(words, parting.begin));
-            let between = repair.map(|repair| repair.between).or(parted).map(|words| sorts.between(words));
+            let parted = parting.map(|parting| parting.between(words));
+            let between = repair.map(|repair| repair.between).or(parted).map(|words| sorts.between(words, candidate.is_turned));
             let done = self.done(domain);
-            let clues = Clues {
-                sorts,
-                hypothesis,
-                first,
-                repair: repair.map(|repair| repair.shape),
-                between: between.as_ref(),
-                share,
-                of_tasks: judged.probability / share,
-                rival,
-                tasks: judged.tasks.iter().count(),
-                is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
-                is_asked: words.is_asked,
-                points_back: explained.points_back,
-                lessons: self.language().bitext().sessions(),
-                doubts: judged.doubts,
-            };
-            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-            let is_reference = repair.is_none() && clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
-            let odds = odds(&clues);
-            (context.wording.observe)(&Reading { hypothesis, tasks: judged.tasks, is_negated: judged.is_negated, odds, clues: &clues });
-            let meaning = Meaning {
-                reading,
-                asked: (judged.tasks, judged.is_negated, hypothesis == Hypothesis::Several),
-                odds,
-                clear: if is_reference { share * clues.of_tasks } else { 0.0 },
-                least: match () {
-                    () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
-                    // After the first of several commands, the others follow.
-                    () if clues.is_done && hypothesis != Hypothesis::Several => DONE_FROM,
-                    () => ACTS_FROM,
-                },
-            };
-            let _ = meanings.push(meaning);
+            for of_whole in [false, true] {
+                let candidate = Candidate { of_whole, ..candidate };
+                let (judged, first) = match repair {
+                    Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
+                    None => self.read(domain, candidate, command, explained, context, parting)?,
+                };
+                if judged.tasks.is_empty() {
+                    break;
+                }
+                let clues = Clues {
+                    sorts,
+                    hypothesis,
+                    first,
+                    repair: repair.map(|repair| repair.shape),
+                    between: between.as_ref(),
+                    share,
+                    of_tasks: judged.probability / share,
+                    rival,
+                    tasks: judged.tasks.iter().count(),
+                    is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
+                    is_asked: words.is_asked,
+                    points_back: explained.points_back,
+                    is_rest: context.earlier.is_rest,
+                    is_whole: judged.is_whole,
+                    of_whole,
+                    is_turned: candidate.is_turned,
+                    lessons: self.language().bitext().sessions(),
+                    doubts: judged.doubts,
+                };
+                // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
+                let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
+                let odds = odds(&clues);
+                let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
+                (context.wording.observe)(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+                let meaning = Meaning {
+                    candidate,
+                    asked: (tasks, is_negated, rest.is_some()),
+                    odds,
+                    clear: if repair.is_none() && is_clear { share * clues.of_tasks } else { 0.0 },
+                    least: match () {
+                        () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
+                        // After the first of several commands, the others follow.
+                        () if clues.is_done && rest.is_none() => DONE_FROM,
+                        () => ACTS_FROM,
+                    },
+                };
+                let _ = meanings.push(meaning);
+                if judged.is_whole || repair.is_some() || hypothesis == Hypothesis::All {
+                    break;
+                }
+            }
         }
         // Readings with the same tasks support each other, and the others compete.
         let sum = 1.0 + meanings.iter().map(|meaning| meaning.odds).sum::<f32>();
-        let mut best: Option<(Judged<'w>, f32, bool)> = None;
+        let mut best: Option<(&Meaning<'w>, f32, bool)> = None;
         for meaning in &meanings {
             let same = meanings.iter().filter(|other| other.asked == meaning.asked).map(|other| other.odds).sum::<f32>();
             let probability = (same / sum).max(meaning.clear);
             // Of those with the same tasks, the later takes back nothing, or says how many are meant.
             if best.is_none_or(|(_, most, _)| probability >= most) {
-                best = Some((meaning.reading, probability, meaning.clear > 0.0 || probability > meaning.least));
+                best = Some((meaning, probability, meaning.clear > 0.0 || probability > meaning.least));
             }
         }
         // A reading that is improbable says less than the likeliest hypothesis.
-        let (reading, probability, is_accepted) = best
-            .filter(|&(_, probability, _)| probability > WORTH_ASKING || asks(likeliest))
-            .unwrap_or((Judged::likely(likeliest, words, most, command), 0.0, false));
-        let (judged, _) = self.read(domain, reading, explained, context, parting)?;
+        let best = best.filter(|&(_, probability, _)| probability > WORTH_ASKING || asks(likeliest));
+        let (candidate, probability, is_accepted) = best
+            .map_or((plain(likeliest, most), 0.0, false), |(meaning, probability, is_accepted)| {
+                (meaning.candidate, probability, is_accepted)
+            });
+        let (judged, _) = self.read(domain, candidate, command, explained, context, parting_of(candidate))?;
         if judged.is_negated {
             self.negate(explained);
             self.plan_for(domain, self.task_count)?;
@@ -234,24 +260,29 @@ impl<M: AgentMemory> Agent<M> {
     fn read<'w, D: Domain>(
         &mut self,
         domain: &D,
-        reading: Judged<'w>,
+        candidate: Candidate<'w>,
+        command: f32,
         explained: &mut Explained,
         context: Context<'_>,
         parting: Option<Parting<'w>>,
     ) -> Result<(Judged<'w>, Option<Hypothesis>), AgentError> {
-        let Judged { hypothesis, words, probability, .. } = reading;
+        let Candidate { hypothesis, words, share: probability, of_whole, .. } = candidate;
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
-            return Ok((self.judge_one(domain, reading, explained, context)?, None));
+            let likely = Judged { of_whole, ..Judged::likely(hypothesis, words, probability, command) };
+            return Ok((self.judge_one(domain, likely, explained, context)?, None));
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
         let (weighed, command, _) = self.hypotheses(domain, parting.first, explained, context, None)?;
         let (first, share) = likeliest(&weighed, parting.first, context.is_known());
-        let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
+        let of_first = Judged { of_whole, ..Judged::likely(first, parting.first, share, command) };
+        let part = self.judge_one(domain, of_first, explained, context)?;
+        let begin = if parting.is_turned { 0 } else { words.get(parting.begin).map_or(0, |word| usize::from(word.piece)) };
+        let is_all = parting.is_turned && context.earlier.is_rest;
         let several = Judged {
-            hypothesis,
+            hypothesis: if is_all { part.hypothesis } else { hypothesis },
             probability: probability * part.probability,
-            rest: words.get(parting.begin).map(|word| usize::from(word.piece)),
+            rest: (!is_all).then_some(begin),
             ..part
         };
         Ok((several, Some(part.hypothesis)))
@@ -296,19 +327,22 @@ impl<M: AgentMemory> Agent<M> {
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
         let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
+        let kept = if likeliest.of_whole { explained.keep_whole() } else { 1.0 };
         let (task, of_task) = explained.best();
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
         let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
         // "The red chair must not end up in the blue room", "I don't want you in the red room".
-        let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
+        let is_whole = explained.whole.contains(task);
+        let is_named = is_whole || self.is_only_one(domain, explained, task);
         let has_act = explained.acts || context.earlier.is_rest;
         let is_told = match is_of_thing {
-            true => rest.things_need_no_act || !rest.stays && (has_act || is_whole),
-            false => rest.needs_no_act || has_act || is_whole && words.has(Class::You),
+            true => rest.things_need_no_act || !rest.stays && (has_act || is_named),
+            false => rest.needs_no_act || has_act || is_named && words.has(Class::You),
         };
         let is_possible = !holds || self.done(domain).contains(task);
-        let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_task) };
+        let of_one = if kept > 0.0 { (TaskSet::of(task), kept * of_task) } else { (TaskSet::EMPTY, 0.0) };
+        let (tasks, of_tasks) = if all.0.contains(task) && !likeliest.of_whole { all } else { of_one };
         Ok(Some(Judged {
             words: rest.words,
             task,
@@ -316,6 +350,7 @@ impl<M: AgentMemory> Agent<M> {
             probability: probability * of_tasks,
             command: probability,
             is_negated: !holds,
+            is_whole,
             doubts: Doubts::of(&[
                 (Doubt::Cues, !rest.is_clear),
                 (Doubt::NoAct, !is_told),
@@ -362,15 +397,18 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of a plain command, and any objections to it.
-    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
+    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &mut Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
+        let kept = if likeliest.of_whole { explained.keep_whole() } else { 1.0 };
         let (task, of_command) = explained.best();
+        let is_whole = explained.whole.contains(task);
         let doubts = Doubts::of(&[
             (Doubt::Foreign, !explained.own.contains(task)),
             // A word that names nothing known may be the name of something else.
-            (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
+            (Doubt::NewName, !is_whole && has_new_name(words)),
         ]);
-        Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
+        let tasks = if kept > 0.0 { TaskSet::of(task) } else { TaskSet::EMPTY };
+        Judged { words: explained.naming(words), task, tasks, probability: command * kept * of_command, is_whole, doubts, ..likeliest }
     }
 
     /// Negates all tasks. The session is then about states to avoid.

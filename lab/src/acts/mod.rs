@@ -15,7 +15,7 @@ use goodbot_console::messages::bar;
 use goodbot_console::outcome::Failure;
 use goodbot_console::output;
 use rayon::prelude::*;
-use readings::{Did, Said};
+use readings::{Did, Read, Said};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write;
@@ -198,7 +198,7 @@ fn said_by_several<'s>(said: impl Iterator<Item = &'s Said>) -> Vec<bool> {
 /// Fits weights to the sentences of these people.
 fn fitted_to(said: &[Said], is_in: &dyn Fn(&Said) -> bool, prices: Prices) -> Fitted {
     let of = || said.iter().filter(|it| is_in(it));
-    let utterances: Vec<Vec<Example<'_>>> = of().map(|said| said.examples().collect()).collect();
+    let utterances: Vec<Vec<Example<'_>>> = of().flat_map(Said::commands).map(|said| said.examples().collect()).collect();
     let by_several = said_by_several(of());
     fit::fit(&utterances, &|hash| by_several[hash as usize], prices)
 }
@@ -238,23 +238,42 @@ fn figures<'s>(said: impl Iterator<Item = &'s Said>, fitted: &Fitted, above: f64
         figures.sentences += 1;
         figures.meant += usize::from(sentence.is_meant);
         figures.read += usize::from(sentence.is_meant && sentence.readings.iter().any(|reading| reading.is_right));
-        let odds: Vec<f64> = sentence.examples().map(|example| fitted.odds(&example)).collect();
-        let all = 1.0 + odds.iter().sum::<f64>();
-        let weighed = sentence.readings.iter().map(|reading| {
-            let same = odds.iter().zip(&sentence.readings).filter(|(_, other)| other.asked == reading.asked);
-            (same.map(|(odds, _)| odds).sum::<f64>() / all, reading)
-        });
-        let Some((probability, best)) = weighed.max_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+        let Some((_, best)) = likeliest(sentence, fitted) else { continue };
         figures.first += usize::from(sentence.is_meant && best.is_right);
-        if probability > above {
+        if let Some((probability, last)) = followed(sentence, fitted, above) {
             figures.acted += 1;
-            figures.right += usize::from(best.is_right);
+            figures.right += usize::from(last.is_right);
             figures.said += probability;
-            figures.helpful += usize::from(sentence.is_meant && best.is_right);
-            figures.harmful += usize::from(!best.is_right && !best.is_done);
+            figures.helpful += usize::from(sentence.is_meant && last.is_right);
+            figures.harmful += usize::from(!last.is_right && !last.is_done);
         }
     }
     figures
+}
+
+/// The most probable reading of a command, with the probability of its tasks.
+fn likeliest<'s>(said: &'s Said, fitted: &Fitted) -> Option<(f64, &'s Read)> {
+    let odds: Vec<f64> = said.examples().map(|example| fitted.odds(&example)).collect();
+    let all = 1.0 + odds.iter().sum::<f64>();
+    let weighed = said.readings.iter().map(|reading| {
+        let same = odds.iter().zip(&said.readings).filter(|(_, other)| other.asked == reading.asked);
+        (same.map(|(odds, _)| odds).sum::<f64>() / all, reading)
+    });
+    weighed.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// The reading of the last command that a robot acts on, a wrong one at the latest, with the least probability until there; `None` if it waits
+/// at one of them.
+fn followed<'s>(sentence: &'s Said, fitted: &Fitted, above: f64) -> Option<(f64, &'s Read)> {
+    let mut least = 1.0_f64;
+    for command in sentence.commands() {
+        let (probability, best) = likeliest(command, fitted).filter(|&(probability, _)| probability > above)?;
+        least = least.min(probability);
+        if !best.is_right || best.rest.is_none() {
+            return Some((least, best));
+        }
+    }
+    None
 }
 
 fn share(count: usize, of: usize) -> f64 {

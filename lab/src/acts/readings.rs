@@ -34,6 +34,8 @@ pub struct Said {
     pub is_meant: bool,
     /// Its readings.
     pub readings: Vec<Read>,
+    /// What follows the first of several commands, heard where the first led to; `None` if no reading has the first rightly.
+    pub rest: Option<Box<Said>>,
     /// What the robot did, if it did not wait.
     pub did: Option<Did>,
 }
@@ -58,6 +60,8 @@ pub struct Read {
     pub between: Words,
     /// The tasks that it asks for, and whether others follow.
     pub asked: (Vec<String>, bool),
+    /// Where the others begin.
+    pub rest: Option<usize>,
     /// Its kind for words, from 1.
     pub kind: usize,
     /// The distance from each clue to that for its kind of reading alone.
@@ -71,7 +75,12 @@ pub struct Read {
 impl Said {
     /// All its words, and those between names.
     pub fn features(&self) -> impl Iterator<Item = &(u32, String)> {
-        self.words.iter().chain(self.readings.iter().flat_map(|reading| &reading.between))
+        self.commands().flat_map(|said| said.words.iter().chain(said.readings.iter().flat_map(|reading| &reading.between)))
+    }
+
+    /// The readings of each of its commands: its own, then those of the rest.
+    pub fn commands(&self) -> impl Iterator<Item = &Said> {
+        std::iter::successors(Some(self), |said| said.rest.as_deref())
     }
 
     /// Its readings as examples to learn from.
@@ -98,6 +107,7 @@ struct Weighed {
     hypothesis: Hypothesis,
     tasks: TaskSet,
     is_negated: bool,
+    rest: Option<usize>,
 }
 
 /// Reads the sentences of a set.
@@ -113,20 +123,18 @@ pub fn of(set: &Set) -> Result<Vec<Said>, Failure> {
     let mut agent = restored::agent_beside(&set.model, &lifted, &Default::default())?;
     let mut said = Vec::new();
     for sentence in &set.sentences {
-        let read = readings(&mut agent, &home, &start, sentence);
-        let (words, readings, did) = read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?;
-        let (author, language, kind) = (set.author.clone(), set.language.clone(), sentence.kind.clone());
-        said.push(Said { author, language, kind, words, is_meant: !sentence.meanings.is_empty(), readings, did });
+        let read = heard(&mut agent, &home, &start, (set, sentence));
+        said.push(read.map_err(|error| flaw(format!("{:?}: {error}", sentence.words)))?);
     }
     Ok(said)
 }
 
-fn readings(
+fn heard(
     agent: &mut Agent<AgentHeap>,
     home: &Home<&mut HomeHeap>,
     start: &HomeState,
-    sentence: &Sentence,
-) -> Result<(Words, Vec<Read>, Option<Did>), AgentError> {
+    (set, sentence): (&Set, &Sentence),
+) -> Result<Said, AgentError> {
     agent.resume(goodbot::talk::Conversation::NEW);
     let mut state = *start;
     if let Some(before) = &sentence.before {
@@ -136,6 +144,58 @@ fn readings(
             state = followed(agent, home, &state, &task);
         }
     }
+    let (read, listened) = readings(agent, home, &state, (set, sentence), false)?;
+    let rest = rest(agent, home, &state, (set, sentence), &read, &listened)?;
+    // The rest was heard in between.
+    let listened = agent.listen(home, &state, &sentence.words, CLOSED_WORDS)?;
+    let did = did(agent, home, state, sentence, listened)?;
+    Ok(Said { rest, did, ..read })
+}
+
+/// What follows the first of several commands.
+fn rest(
+    agent: &mut Agent<AgentHeap>,
+    home: &Home<&mut HomeHeap>,
+    state: &HomeState,
+    (set, sentence): (&Set, &Sentence),
+    said: &Said,
+    listened: &Listened,
+) -> Result<Option<Box<Said>>, AgentError> {
+    let right = said.readings.iter().find_map(|reading| reading.rest.filter(|_| reading.is_right).map(|at| (at, reading)));
+    let Some((at, reading)) = right else { return Ok(None) };
+    let is_negated = agent.tasks().get(listened.task).is_some_and(GroundedTask::is_negated);
+    let names = agent.tasks().iter().map(|task| name(agent, home, task, is_negated));
+    let tasks: TaskSet = names.enumerate().filter(|(_, name)| reading.asked.0.contains(name)).map(|(at, _)| at).collect();
+    if tasks.is_empty() || agent.answered(tasks, true, 1e-6, 1).is_err() {
+        return Ok(None);
+    }
+    let so = so(agent, home, state);
+    let holds = |task: &str| so.iter().any(|other| other == task);
+    let followed = tasks.iter().filter_map(|task| agent.tasks().get(task).copied());
+    let state = followed.collect::<Vec<_>>().iter().fold(*state, |state, task| self::followed(agent, home, &state, task));
+    let left = |meaning: &Meaning| {
+        let tasks = meaning.tasks.iter().filter(|task| !reading.asked.0.contains(task)).cloned().collect();
+        Meaning { tasks, ..meaning.clone() }
+    };
+    let is_begun = |meaning: &&Meaning| is_meant(&reading.asked.0, Hypothesis::Several, meaning, &holds);
+    let meanings = sentence.meanings.iter().filter(is_begun).map(left).collect();
+    let words = sentence.words.get(at..).unwrap_or_default().to_owned();
+    let sentence = Sentence { kind: sentence.kind.clone(), words, before: None, meanings };
+    // "A, and B but first C" is the same rest again.
+    let is_shorter = at > 0;
+    let (said, listened) = readings(agent, home, &state, (set, &sentence), true)?;
+    let rest = if is_shorter { rest(agent, home, &state, (set, &sentence), &said, &listened)? } else { None };
+    Ok(Some(Box::new(Said { rest, ..said })))
+}
+
+/// A robot's readings of a sentence, and what it takes it for.
+fn readings(
+    agent: &mut Agent<AgentHeap>,
+    home: &Home<&mut HomeHeap>,
+    state: &HomeState,
+    (set, sentence): (&Set, &Sentence),
+    is_rest: bool,
+) -> Result<(Said, Listened), AgentError> {
     let (weighed, words) = (RefCell::new(Vec::new()), RefCell::new(Vec::new()));
     let observe = |reading: &Reading<'_>| {
         let (mut clues, mut values) = (Vec::new(), Vec::new());
@@ -146,21 +206,24 @@ fn readings(
         if words.borrow().is_empty() {
             *words.borrow_mut() = features(reading.clues.spoken());
         }
-        let &Reading { hypothesis, tasks, is_negated, .. } = reading;
+        let &Reading { hypothesis, tasks, is_negated, rest, .. } = reading;
         let (kind, to_kind) = (reading.clues.kind_of_words(), reading.clues.to_kind());
         let between = reading.clues.between().map(features).unwrap_or_default();
-        weighed.borrow_mut().push(Weighed { between, clues, values, kind, to_kind, hypothesis, tasks, is_negated });
+        weighed.borrow_mut().push(Weighed { between, clues, values, kind, to_kind, hypothesis, tasks, is_negated, rest });
     };
-    let listened = agent.listen_and_show(home, &state, &sentence.words, CLOSED_WORDS, false, (&|| true, &observe))?;
+    let listened = agent.listen_and_show(home, state, &sentence.words, CLOSED_WORDS, is_rest, (&|| true, &observe))?;
+    let so = so(agent, home, state);
     let read = |weighed: Weighed| {
-        let (asked, is_done) = asked(agent, home, &state, weighed.tasks, weighed.is_negated);
-        let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning));
-        let asked = (asked, weighed.hypothesis == Hypothesis::Several);
-        let Weighed { between, clues, values, kind, to_kind, .. } = weighed;
-        Read { asked, between, clues, values, kind, to_kind, is_right, is_done }
+        let (asked, is_done) = asked(agent, home, state, weighed.tasks, weighed.is_negated);
+        let holds = |task: &str| so.iter().any(|other| other == task);
+        let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning, &holds));
+        let Weighed { between, clues, values, kind, to_kind, rest, .. } = weighed;
+        Read { asked: (asked, rest.is_some()), rest, between, clues, values, kind, to_kind, is_right, is_done }
     };
     let readings = weighed.into_inner().into_iter().map(read).collect();
-    Ok((words.into_inner(), readings, did(agent, home, state, sentence, listened)?))
+    let (author, language, kind) = (set.author.clone(), set.language.clone(), sentence.kind.clone());
+    let (words, is_meant) = (words.into_inner(), !sentence.meanings.is_empty());
+    Ok((Said { author, language, kind, words, is_meant, readings, rest: None, did: None }, listened))
 }
 
 /// The words as features.
@@ -182,6 +245,7 @@ fn did(
     sentence: &Sentence,
     mut listened: Listened,
 ) -> Result<Option<Did>, AgentError> {
+    let so = so(agent, home, &state);
     let (mut all, mut did) = (Vec::new(), Did { is_right: false, is_done: true });
     let mut rest = sentence.words.as_str();
     loop {
@@ -199,8 +263,9 @@ fn did(
         rest = after;
         listened = agent.listen_on(home, &state, rest, CLOSED_WORDS)?;
     }
-    let in_order = |meaning: &&Meaning| !meaning.is_ordered || meaning.tasks == all;
-    did.is_right = sentence.meanings.iter().filter(in_order).any(|meaning| is_meant(&all, Hypothesis::Command, meaning));
+    let holds = |task: &str| so.iter().any(|other| other == task);
+    let in_order = |meaning: &&Meaning| !meaning.is_ordered || meaning.tasks == all || meaning.left(&holds).tasks == all;
+    did.is_right = sentence.meanings.iter().filter(in_order).any(|meaning| is_meant(&all, Hypothesis::Command, meaning, &holds));
     Ok(Some(did))
 }
 
@@ -224,8 +289,18 @@ fn name(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, task: &GroundedTas
     format!("{}{}", if is_negated { "!" } else { "" }, name.trim_start_matches('!'))
 }
 
-/// Whether tasks are a meaning; of several commands, the first of one.
-fn is_meant(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning) -> bool {
+/// The names of the tasks that are so already.
+fn so(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, state: &HomeState) -> Vec<String> {
+    let holds = |task: &&GroundedTask| kind(agent, task).is_some_and(|kind| task.propositions(kind).all(|part| home.holds(&part, state)));
+    agent.tasks().iter().filter(holds).map(|task| name(agent, home, task, false)).collect()
+}
+
+/// Whether tasks are a meaning, or what is left to do of it; of several commands, the first of one.
+fn is_meant(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning, holds: &dyn Fn(&str) -> bool) -> bool {
+    [meaning, &meaning.left(holds)].into_iter().any(|meaning| is_whole(tasks, hypothesis, meaning))
+}
+
+fn is_whole(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning) -> bool {
     if tasks.is_empty() {
         return false;
     }

@@ -40,6 +40,13 @@ pub struct Meaning {
     pub is_ordered: bool,
 }
 
+impl Meaning {
+    /// What is left to do if some tasks hold already.
+    pub fn left(&self, holds: &dyn Fn(&str) -> bool) -> Self {
+        Self { tasks: self.tasks.iter().filter(|task| !holds(task)).cloned().collect(), ..*self }
+    }
+}
+
 /// Reads a list of sets.
 ///
 /// # Errors

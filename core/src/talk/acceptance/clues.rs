@@ -27,7 +27,10 @@ const NUMBERS: usize = 5;
 const DONE: usize = NUMBERS;
 const ASKED: usize = DONE + 1;
 const BACK: usize = DONE + 2;
-const TOP: usize = DONE + 3;
+const REST: usize = DONE + 3;
+const WHOLE: usize = DONE + 4;
+const OF_WHOLE: usize = DONE + 5;
+const TOP: usize = DONE + 6;
 const TASKS: usize = TOP + 1 + RIVALS;
 const DOUBTS: usize = TASKS + 4;
 const NEW_WORDS: usize = DOUBTS + Doubts::COUNT;
@@ -39,7 +42,8 @@ const RIVALS: usize = 7;
 const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
 /// Each number once more, as one of [`STEPS`] steps, or none.
-const STEPS_OF: usize = FIRST + RIVALS;
+const TURNED: usize = FIRST + RIVALS;
+const STEPS_OF: usize = TURNED + 1;
 
 /// The upper ends of the steps of a number, without the last.
 const ENDS: [f32; 9] = [-1.5, -1.0, -0.6, -0.3, 0.0, 0.3, 0.6, 1.0, 1.5];
@@ -138,10 +142,15 @@ impl<'u> Sorts<'u> {
         Self { places, new, names: words().filter(|&pair| is_name(pair)).count(), words: end.saturating_add(1), spoken }
     }
 
-    /// Of the words between two names.
-    pub fn between(&self, words: Words<'_>) -> Self {
+    /// The byte where a piece of the utterance begins.
+    pub fn place(&self, piece: Option<usize>) -> Option<usize> {
+        piece.and_then(|piece| self.spoken.place(piece))
+    }
+
+    /// Of the words between two names; if `is_turned`, of those that may turn the order of two commands.
+    pub fn between(&self, words: Words<'_>, is_turned: bool) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
-        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece)), ..*self }
+        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece), is_turned), ..*self }
     }
 }
 
@@ -180,6 +189,12 @@ pub struct Clues<'s> {
     pub(in super::super) is_asked: bool,
     /// Whether it refers to an earlier sentence.
     pub(in super::super) points_back: bool,
+    /// Whether it follows an earlier command of the utterance, and whether the second of two commands is to be done first.
+    pub(in super::super) is_rest: bool,
+    pub(in super::super) is_turned: bool,
+    /// Whether all parts of its task are named, and whether only such tasks were looked at, because the likeliest is none.
+    pub(in super::super) is_whole: bool,
+    pub(in super::super) of_whole: bool,
     pub(in super::super) lessons: usize,
     pub(in super::super) doubts: Doubts,
 }
@@ -243,6 +258,10 @@ impl Clues<'_> {
         mark(DONE, self.is_done);
         mark(ASKED, self.is_asked);
         mark(BACK, self.points_back);
+        mark(REST, self.is_rest);
+        mark(WHOLE, self.is_whole);
+        mark(OF_WHOLE, self.of_whole);
+        mark(TURNED, self.is_turned);
         mark(TOP, is_top);
         mark(TOP + 1 + rival(other), !is_top);
         mark(TASKS + self.tasks.min(3), true);
@@ -287,6 +306,9 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         "done",
         "asked",
         "points back",
+        "follows another command",
+        "all parts named",
+        "only tasks with all parts named",
         "likeliest",
     ];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);
@@ -312,6 +334,7 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
             [name(&WHERE, place), sort_name(sort)]
         }
         KIND => ["", "always"],
+        TURNED => ["", "the second is first"],
         _ if feature < STEPS_OF => ["the first is", name(&OTHERS, feature - FIRST)],
         _ if feature >= BETWEEN => ["between", sort_name(feature - BETWEEN)],
         _ => {

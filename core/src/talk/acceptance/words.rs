@@ -8,6 +8,7 @@ use super::clues::KINDS_OF_WORDS as KINDS;
 use super::weights::{HASHES, OF_WORDS, SCALE_OF_WORDS, STARTS};
 use crate::capacity::WORDS_PER_COMMAND;
 use crate::checksum::fnv;
+use crate::language::tokenizer::start_of_piece;
 use crate::language::{Word, for_each_piece};
 use heapless::Vec;
 
@@ -21,8 +22,9 @@ const _: () = assert!(STARTS.len() == STARTS_OF + 1 && HASHES.len() == OF_WORDS.
 const LETTERS: usize = 4;
 /// What stands before the first word.
 const BORDER: &str = "^";
-/// What stands before each word between two names, which are other features.
+/// What stands before each word between two names, and before those that may turn the order of two commands, which are other features.
 const BETWEEN: &str = "~";
+const TURNING: &str = "<";
 
 /// The words of an utterance.
 #[derive(Clone, Copy)]
@@ -30,8 +32,8 @@ pub struct Spoken<'u> {
     utterance: &'u str,
     /// The pieces that lessons had, one bit each.
     taught: u64,
-    /// Whether they are the words between two names.
-    is_between: bool,
+    /// What stands before each.
+    of: &'static str,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
 }
@@ -40,13 +42,13 @@ impl<'u> Spoken<'u> {
     /// Of an utterance, and the numbers of its pieces that lessons had.
     pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
         let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { utterance, taught, is_between: false, says: [0; KINDS] }.weighed()
+        Self { utterance, taught, of: "", says: [0; KINDS] }.weighed()
     }
 
     /// Of some pieces of the same utterance, between two names.
-    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>) -> Self {
+    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>, is_turned: bool) -> Self {
         let others = pieces.fold(u64::MAX, |others, piece| others & !1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { taught: self.taught | others, is_between: true, ..*self }.weighed()
+        Self { taught: self.taught | others, of: if is_turned { TURNING } else { BETWEEN }, ..*self }.weighed()
     }
 
     /// With what they say.
@@ -67,6 +69,11 @@ impl<'u> Spoken<'u> {
         self
     }
 
+    /// The byte where a piece of the utterance begins.
+    pub(super) fn place(&self, piece: usize) -> Option<usize> {
+        start_of_piece(self.utterance, piece)
+    }
+
     /// What the words say for a kind of reading, from 1: a part of its log odds.
     pub(super) fn says(&self, kind: usize) -> f32 {
         self.says.get(kind.saturating_sub(1)).map_or(0.0, |&sum| f32::from(sum) * SCALE_OF_WORDS)
@@ -75,27 +82,24 @@ impl<'u> Spoken<'u> {
     /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice, and
     /// counts once.
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
-        let (mut number, of) = (0_u32, if self.is_between { BETWEEN } else { "" });
+        let (mut number, of) = (0_u32, self.of);
         let mut take = |texts: [&str; 2]| take(hash(of, texts), texts);
-        // The word before, if it is no such piece.
-        let mut before = Word::try_from(BORDER).ok();
+        // The word before, and whether lessons had it.
+        let (mut before, mut was_taught) = (Word::try_from(BORDER).ok(), false);
         let _ = for_each_piece(self.utterance, |piece| {
             let is_taught = self.taught.checked_shr(number).is_some_and(|taught| taught & 1 == 1);
             number = number.saturating_add(1);
             for word in piece.split('\'').filter(|word| !word.is_empty()) {
-                if is_taught {
-                    before = None;
-                    continue;
+                if !is_taught {
+                    take([word, ""]);
+                    if let Some((end, _)) = word.char_indices().nth(LETTERS) {
+                        take([word.get(..end).unwrap_or(word), "*"]);
+                    }
                 }
-                take([word, ""]);
-                if let Some((end, _)) = word.char_indices().nth(LETTERS) {
-                    let beginning = word.get(..end).unwrap_or(word);
-                    take([beginning, "*"]);
-                }
-                if let Some(first) = &before {
+                if let Some(first) = before.as_ref().filter(|_| !(is_taught && was_taught)) {
                     take([first, word]);
                 }
-                before = Word::try_from(word).ok();
+                (before, was_taught) = (Word::try_from(word).ok(), is_taught);
             }
             Ok(())
         });
