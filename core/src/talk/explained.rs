@@ -132,18 +132,6 @@ impl Explained {
         (self.here, self.absent) = (self.here.times(here), self.absent.times(factors));
     }
 
-    /// Keeps the tasks with all of their parts named, if the most likely one is none of them; returns their share, or 0.
-    pub fn keep_whole(&mut self) -> f32 {
-        if self.whole.contains(self.best().0) {
-            return 0.0;
-        }
-        let all = total(self.weights.iter().copied());
-        for (_, weight) in self.weights.iter_mut().enumerate().filter(|&(task, _)| !self.whole.contains(task)) {
-            *weight = Scaled::ZERO;
-        }
-        total(self.weights.iter().copied()).over(all)
-    }
-
     /// Keeps one task alone.
     pub fn keep_only(&mut self, task: usize) {
         for (position, weight) in self.weights.iter_mut().enumerate() {

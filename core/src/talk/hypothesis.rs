@@ -87,9 +87,6 @@ pub(super) struct Judged<'w> {
     pub command: f32,
     /// Whether they are forbidden.
     pub is_negated: bool,
-    /// Whether only tasks with all of their parts named are looked at, and whether the most likely one is such a task.
-    pub of_whole: bool,
-    pub is_whole: bool,
     /// Whether the robot acts on it.
     pub is_accepted: bool,
     /// What speaks against the tasks.
@@ -109,8 +106,6 @@ impl<'w> Judged<'w> {
             probability,
             command,
             is_negated: false,
-            of_whole: false,
-            is_whole: false,
             is_accepted: false,
             doubts: Doubts::NONE,
             rest: None,

@@ -178,12 +178,4 @@ mod tests {
             assert_eq!(read, *parts, "{sentence}");
         });
     }
-
-    #[test]
-    fn the_words_between_two_commands_are_those_between_their_names() {
-        let rows = [("en", "go to the red room and then take the purple bag to the blue room", "room and then take the")];
-        for_each(&rows, &|sentence, words, between| {
-            assert_eq!(left(sentence, between_commands(words, 6)), *between);
-        });
-    }
 }

@@ -41,7 +41,14 @@ impl<'w> Parting<'w> {
     pub fn turned(self, words: Words<'w>, is_rest: bool) -> Option<Self> {
         let (front, behind) = (words.before(self.begin), words.from(self.begin));
         let first = if is_rest { front } else { behind };
-        (front.has_name() && behind.has_name()).then(|| Self { first, weight: self.weight.scaled_by(TURNED), is_turned: true, ..self })
+        // "The bag and the chair to the red room" tells no order.
+        let is_shared = self.first.len() > front.len();
+        (front.has_name() && behind.has_name() && !is_shared).then(|| Self {
+            first,
+            weight: self.weight.scaled_by(TURNED),
+            is_turned: true,
+            ..self
+        })
     }
 
     /// The words that tell the order: those between the two commands, and if it is turned, those before and after the names, too.
@@ -178,5 +185,45 @@ impl<M: AgentMemory> Agent<M> {
             sum = sum.plus(explained.here.scaled_by(rest.prior));
         }
         Ok(sum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::taught::{for_each, left};
+    use super::*;
+
+    fn split(words: Words<'_>) -> Parting<'_> {
+        let begin = clauses(words).get(1).map_or(0, |&(begin, _)| begin);
+        Parting { first: words.before(begin), begin, weight: Scaled::ONE, is_turned: false }
+    }
+
+    #[test]
+    fn the_second_of_two_commands_may_be_first_and_words_around_the_names_tell_it() {
+        let rows = [
+            (
+                "en",
+                "go to the red room and then take the purple bag to the blue room",
+                ["room and then take the", "take the purple bag to the blue room"],
+            ),
+            (
+                "en",
+                "before you go to the red room take the purple bag to the blue room",
+                ["room take the", "take the purple bag to the blue room"],
+            ),
+            (
+                "de",
+                "geh ins rote Zimmer, aber bring vorher die lila Tasche ins blaue Zimmer",
+                ["zimmer aber bring vorher die", "aber bring vorher die lila tasche ins blaue zimmer"],
+            ),
+        ];
+        for_each(&rows, &|sentence, words, [between, second]| {
+            let parting = split(words);
+            assert_eq!(left(sentence, parting.between(words)), *between, "{sentence}");
+            let turned = parting.turned(words, false).expect(sentence);
+            assert_eq!(left(sentence, turned.first), *second, "{sentence}");
+            let rest = parting.turned(words, true).expect(sentence);
+            assert_eq!(left(sentence, rest.first), left(sentence, words.before(parting.begin)), "{sentence}");
+        });
     }
 }

@@ -19,9 +19,7 @@ use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The most readings of an utterance that are compared.
-const MEANINGS: usize = KINDS + 1 + WEIGHED + OF_WHOLE;
-/// How many of them may be for a task whose parts are all named, if the most probable task is none.
-const OF_WHOLE: usize = 4;
+const MEANINGS: usize = KINDS + 1 + WEIGHED;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -92,8 +90,6 @@ struct Candidate<'w> {
     share: f32,
     /// Whether the second of several commands is to be done first.
     is_turned: bool,
-    /// Whether only tasks with all of their parts named are looked at.
-    of_whole: bool,
 }
 
 /// A reading while it is compared with others.
@@ -149,7 +145,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Judged<'w>, AgentError> {
         let (weighed, command, whole) = self.hypotheses(domain, words, explained, context, parting)?;
         let (likeliest, most) = likeliest(&weighed, words, context.is_known());
-        let plain = |hypothesis, share| Candidate { hypothesis, words, share, is_turned: false, of_whole: false };
+        let plain = |hypothesis, share| Candidate { hypothesis, words, share, is_turned: false };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
             let (judged, _) = self.read(domain, plain(likeliest, most), command, explained, context, parting)?;
@@ -178,57 +174,49 @@ impl<M: AgentMemory> Agent<M> {
             let parted = parting.map(|parting| parting.between(words));
             let between = repair.map(|repair| repair.between).or(parted).map(|words| sorts.between(words, candidate.is_turned));
             let done = self.done(domain);
-            for of_whole in [false, true] {
-                let candidate = Candidate { of_whole, ..candidate };
-                let (judged, first) = match repair {
-                    Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
-                    None => self.read(domain, candidate, command, explained, context, parting)?,
-                };
-                if judged.tasks.is_empty() {
-                    break;
-                }
-                let clues = Clues {
-                    sorts,
-                    hypothesis,
-                    first,
-                    repair: repair.map(|repair| repair.shape),
-                    between: between.as_ref(),
-                    share,
-                    of_tasks: judged.probability / share,
-                    rival,
-                    tasks: judged.tasks.iter().count(),
-                    is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
-                    is_asked: words.is_asked,
-                    points_back: explained.points_back,
-                    is_rest: context.earlier.is_rest,
-                    is_whole: judged.is_whole,
-                    of_whole,
-                    is_turned: candidate.is_turned,
-                    lessons: self.language().bitext().sessions(),
-                    doubts: judged.doubts,
-                };
-                // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
-                let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
-                let odds = odds(&clues);
-                let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
-                (context.wording.observe)(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
-                let meaning = Meaning {
-                    candidate,
-                    asked: (tasks, is_negated, rest.is_some()),
-                    odds,
-                    clear: if repair.is_none() && is_clear { share * clues.of_tasks } else { 0.0 },
-                    least: match () {
-                        () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
-                        // After the first of several commands, the others follow.
-                        () if clues.is_done && rest.is_none() => DONE_FROM,
-                        () => ACTS_FROM,
-                    },
-                };
-                let _ = meanings.push(meaning);
-                if judged.is_whole || repair.is_some() || hypothesis == Hypothesis::All {
-                    break;
-                }
+            let (judged, first) = match repair {
+                Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
+                None => self.read(domain, candidate, command, explained, context, parting)?,
+            };
+            if judged.tasks.is_empty() {
+                continue;
             }
+            let clues = Clues {
+                sorts,
+                hypothesis,
+                first,
+                repair: repair.map(|repair| repair.shape),
+                between: between.as_ref(),
+                share,
+                of_tasks: judged.probability / share,
+                rival,
+                tasks: judged.tasks.iter().count(),
+                is_done: if judged.is_negated { judged.tasks.common(done).is_empty() } else { judged.tasks.without(done).is_empty() },
+                is_asked: words.is_asked,
+                points_back: explained.points_back,
+                is_rest: context.earlier.is_rest,
+                is_turned: candidate.is_turned,
+                lessons: self.language().bitext().sessions(),
+                doubts: judged.doubts,
+            };
+            // The trained weights know few conversations. What refers to earlier sentences need not be so probable, if it is clear.
+            let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
+            let odds = odds(&clues);
+            let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
+            (context.wording.observe)(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+            let meaning = Meaning {
+                candidate,
+                asked: (tasks, is_negated, rest.is_some()),
+                odds,
+                clear: if repair.is_none() && is_clear { share * clues.of_tasks } else { 0.0 },
+                least: match () {
+                    () if judged.doubts.has(Doubt::Impossible as usize) => f32::INFINITY,
+                    // After the first of several commands, the others follow.
+                    () if clues.is_done && rest.is_none() => DONE_FROM,
+                    () => ACTS_FROM,
+                },
+            };
+            let _ = meanings.push(meaning);
         }
         // Readings with the same tasks support each other, and the others compete.
         let sum = 1.0 + meanings.iter().map(|meaning| meaning.odds).sum::<f32>();
@@ -266,17 +254,16 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
         parting: Option<Parting<'w>>,
     ) -> Result<(Judged<'w>, Option<Hypothesis>), AgentError> {
-        let Candidate { hypothesis, words, share: probability, of_whole, .. } = candidate;
+        let Candidate { hypothesis, words, share: probability, .. } = candidate;
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
-            let likely = Judged { of_whole, ..Judged::likely(hypothesis, words, probability, command) };
+            let likely = Judged::likely(hypothesis, words, probability, command);
             return Ok((self.judge_one(domain, likely, explained, context)?, None));
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
         let (weighed, command, _) = self.hypotheses(domain, parting.first, explained, context, None)?;
         let (first, share) = likeliest(&weighed, parting.first, context.is_known());
-        let of_first = Judged { of_whole, ..Judged::likely(first, parting.first, share, command) };
-        let part = self.judge_one(domain, of_first, explained, context)?;
+        let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
         let begin = if parting.is_turned { 0 } else { words.get(parting.begin).map_or(0, |word| usize::from(word.piece)) };
         let is_all = parting.is_turned && context.earlier.is_rest;
         let several = Judged {
@@ -327,22 +314,19 @@ impl<M: AgentMemory> Agent<M> {
         self.explain_all(domain, rest.words, rest.view, context, explained)?;
         // "Both chairs out of the red room".
         let all = if is_of_several(words) { self.all_that_fit(domain, explained) } else { (TaskSet::EMPTY, 0.0) };
-        let kept = if likeliest.of_whole { explained.keep_whole() } else { 1.0 };
         let (task, of_task) = explained.best();
         let is_of_thing = self.place_of_thing(domain, task).is_some();
         // "Don't leave the red room" asks for a goal that holds, "don't leave the bag in the red room" does not.
         let holds = rest.is_double && !(is_of_thing && words.any(&|word| word.leaves));
         // "The red chair must not end up in the blue room", "I don't want you in the red room".
-        let is_whole = explained.whole.contains(task);
-        let is_named = is_whole || self.is_only_one(domain, explained, task);
+        let is_whole = explained.whole.contains(task) || self.is_only_one(domain, explained, task);
         let has_act = explained.acts || context.earlier.is_rest;
         let is_told = match is_of_thing {
-            true => rest.things_need_no_act || !rest.stays && (has_act || is_named),
-            false => rest.needs_no_act || has_act || is_named && words.has(Class::You),
+            true => rest.things_need_no_act || !rest.stays && (has_act || is_whole),
+            false => rest.needs_no_act || has_act || is_whole && words.has(Class::You),
         };
         let is_possible = !holds || self.done(domain).contains(task);
-        let of_one = if kept > 0.0 { (TaskSet::of(task), kept * of_task) } else { (TaskSet::EMPTY, 0.0) };
-        let (tasks, of_tasks) = if all.0.contains(task) && !likeliest.of_whole { all } else { of_one };
+        let (tasks, of_tasks) = if all.0.contains(task) { all } else { (TaskSet::of(task), of_task) };
         Ok(Some(Judged {
             words: rest.words,
             task,
@@ -350,7 +334,6 @@ impl<M: AgentMemory> Agent<M> {
             probability: probability * of_tasks,
             command: probability,
             is_negated: !holds,
-            is_whole,
             doubts: Doubts::of(&[
                 (Doubt::Cues, !rest.is_clear),
                 (Doubt::NoAct, !is_told),
@@ -397,18 +380,15 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The task of a plain command, and any objections to it.
-    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &mut Explained) -> Judged<'w> {
+    pub(super) fn judge_command<'w>(&self, likeliest: Judged<'w>, explained: &Explained) -> Judged<'w> {
         let Judged { words, command, .. } = likeliest;
-        let kept = if likeliest.of_whole { explained.keep_whole() } else { 1.0 };
         let (task, of_command) = explained.best();
-        let is_whole = explained.whole.contains(task);
         let doubts = Doubts::of(&[
             (Doubt::Foreign, !explained.own.contains(task)),
             // A word that names nothing known may be the name of something else.
-            (Doubt::NewName, !is_whole && has_new_name(words)),
+            (Doubt::NewName, !explained.whole.contains(task) && has_new_name(words)),
         ]);
-        let tasks = if kept > 0.0 { TaskSet::of(task) } else { TaskSet::EMPTY };
-        Judged { words: explained.naming(words), task, tasks, probability: command * kept * of_command, is_whole, doubts, ..likeliest }
+        Judged { words: explained.naming(words), task, tasks: TaskSet::of(task), probability: command * of_command, doubts, ..likeliest }
     }
 
     /// Negates all tasks. The session is then about states to avoid.

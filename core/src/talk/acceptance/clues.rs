@@ -28,9 +28,7 @@ const DONE: usize = NUMBERS;
 const ASKED: usize = DONE + 1;
 const BACK: usize = DONE + 2;
 const REST: usize = DONE + 3;
-const WHOLE: usize = DONE + 4;
-const OF_WHOLE: usize = DONE + 5;
-const TOP: usize = DONE + 6;
+const TOP: usize = DONE + 4;
 const TASKS: usize = TOP + 1 + RIVALS;
 const DOUBTS: usize = TASKS + 4;
 const NEW_WORDS: usize = DOUBTS + Doubts::COUNT;
@@ -192,9 +190,6 @@ pub struct Clues<'s> {
     /// Whether it follows an earlier command of the utterance, and whether the second of two commands is to be done first.
     pub(in super::super) is_rest: bool,
     pub(in super::super) is_turned: bool,
-    /// Whether all parts of its task are named, and whether only such tasks were looked at, because the likeliest is none.
-    pub(in super::super) is_whole: bool,
-    pub(in super::super) of_whole: bool,
     pub(in super::super) lessons: usize,
     pub(in super::super) doubts: Doubts,
 }
@@ -259,8 +254,6 @@ impl Clues<'_> {
         mark(ASKED, self.is_asked);
         mark(BACK, self.points_back);
         mark(REST, self.is_rest);
-        mark(WHOLE, self.is_whole);
-        mark(OF_WHOLE, self.of_whole);
         mark(TURNED, self.is_turned);
         mark(TOP, is_top);
         mark(TOP + 1 + rival(other), !is_top);
@@ -307,8 +300,6 @@ pub fn clue_name(clue: u16) -> [&'static str; 4] {
         "asked",
         "points back",
         "follows another command",
-        "all parts named",
-        "only tasks with all parts named",
         "likeliest",
     ];
     let (reading, feature) = (usize::from(clue) / FEATURES, usize::from(clue) % FEATURES);

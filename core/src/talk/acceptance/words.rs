@@ -1,4 +1,4 @@
-//! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours. "Paint" and
+//! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours with such a word. "Paint" and
 //! "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
@@ -135,7 +135,8 @@ mod tests {
 
     #[test]
     fn words_their_beginnings_and_pairs_are_features_unless_lessons_had_them() {
-        let here = ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "please~", "plea~*"];
+        let here =
+            ["nip~", "^~nip", "over~", "nip~over", "to~", "over~to", "the~", "to~the", "the~red", "please~", "plea~*", "room~please"];
         assert_eq!(features("Nip over to the RED room, please", &[4, 5]), here);
         assert_eq!(features("don't", &[]), ["don~", "^~don", "t~", "don~t"]);
     }
