@@ -3,8 +3,9 @@
 //! The stack is below everything else in the RAM: a stack that overflows leaves the RAM, and the processor raises a fault. With the stack
 //! on top, it would silently overwrite the statics.
 
-use std::path::PathBuf;
-use std::{env, fs};
+mod linker;
+
+use std::env;
 
 const KIB: u32 = 1024;
 const FLASH: u32 = 256 * KIB;
@@ -54,14 +55,7 @@ fn main() {
         bytes - stack,
         regions.concat()
     );
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("memory.x"), memory).expect("memory.x can be written");
-    println!("cargo::rustc-link-search={}", out.display());
-    // The linker script for Cortex-M includes it by itself.
-    if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32") {
-        println!("cargo::rustc-link-arg-bins=-Tmemory.x");
-    }
-    println!("cargo::rustc-link-arg-bins=-Tlink.x");
-    println!("cargo::rustc-link-arg-bins=--nmagic");
-    println!("cargo::rerun-if-changed=build.rs");
+    // The linker script for Cortex-M includes the memory by itself.
+    let is_riscv = env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|arch| arch == "riscv32");
+    linker::link(&memory, if is_riscv { &["memory.x", "link.x"] } else { &["link.x"] });
 }

@@ -120,19 +120,7 @@ pub struct LessonReport {
 }
 
 impl<S: Copy + PartialEq> Lesson<S> {
-    /// Says the command to the agent.
-    ///
-    /// # Errors
-    /// [`CourseError::Agent`], and [`CourseError::NotPosed`] if the intended task is not possible in `start`.
-    pub fn begin<D>(agent: &mut Agent<impl AgentMemory>, domain: &D, start: &S, exercise: &Exercise) -> Result<Self, CourseError>
-    where
-        D: Domain<State = S>,
-    {
-        agent.hear(domain, start, exercise.command)?;
-        Self::heard(agent, domain, start, exercise)
-    }
-
-    /// A lesson whose command the agent has heard already, in parts.
+    /// A lesson whose command the agent has heard already.
     ///
     /// # Errors
     /// [`CourseError::NotPosed`] if the intended task is not possible in `start`.
@@ -199,29 +187,8 @@ impl<S: Copy + PartialEq> Lesson<S> {
         D: Domain<State = S>,
         R: Rng + ?Sized,
     {
-        self.act_in(agent, domain, trainer, random, |_, _, expected, _| expected)
-    }
-
-    /// The same in a world that may differ from its description. `happens` carries the decision out: it gets the agent, the decision and
-    /// the expected state, and returns the sensed state.
-    ///
-    /// # Errors
-    /// [`CourseError`].
-    pub fn act_in<D, R, M>(
-        &mut self,
-        agent: &mut Agent<M>,
-        domain: &D,
-        trainer: &impl Trainer,
-        random: &mut R,
-        happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
-    ) -> Result<Turn, CourseError>
-    where
-        D: Domain<State = S>,
-        R: Rng + ?Sized,
-        M: AgentMemory,
-    {
         let (right, intended) = (agent.planned().optimal(self.intended), self.intended);
-        self.turn(agent, domain, trainer, random, right, |task| task == intended, happens)
+        self.turn(agent, domain, trainer, random, right, |task| task == intended)
     }
 
     /// As [`act`](Self::act), where each of several tasks will do.
@@ -241,25 +208,23 @@ impl<S: Copy + PartialEq> Lesson<S> {
         R: Rng + ?Sized,
     {
         let right = right_for_any(&agent.planned(), meant);
-        self.turn(agent, domain, trainer, random, right, |task| meant.contains(task), |_, _, expected, _| expected)
+        self.turn(agent, domain, trainer, random, right, |task| meant.contains(task))
     }
 
     /// One turn in which `right` is right, and `is_meant` says whether a task is.
     #[expect(clippy::too_many_arguments, reason = "what a turn needs")]
-    fn turn<D, R, M>(
+    fn turn<D, R>(
         &mut self,
-        agent: &mut Agent<M>,
+        agent: &mut Agent<impl AgentMemory>,
         domain: &D,
         trainer: &impl Trainer,
         random: &mut R,
         right: OptimalSet,
         is_meant: impl FnOnce(usize) -> bool,
-        happens: impl FnOnce(&Agent<M>, Decision, S, &mut R) -> S,
     ) -> Result<Turn, CourseError>
     where
         D: Domain<State = S>,
         R: Rng + ?Sized,
-        M: AgentMemory,
     {
         if let Some(ending) = self.ending(right) {
             return Ok(Turn::Ended(ending));
@@ -268,8 +233,7 @@ impl<S: Copy + PartialEq> Lesson<S> {
         self.understood.get_or_insert(is_meant(decision.task));
         // The trainer takes a way that only seems shortest for a shortest one.
         let correct = right.exact().or(right.onward()).is_some_and(|actions| actions.contains(decision.action));
-        let expected = agent.acted(domain, &self.state, decision.action)?;
-        let next = happens(agent, decision, expected, random);
+        let next = agent.acted(domain, &self.state, decision.action)?;
         let feedback = trainer.feedback(correct, random);
         let evidence = agent.feedback(feedback)?;
         self.feedback.count(feedback);
@@ -326,7 +290,8 @@ where
     R: Rng + ?Sized,
     M: AgentMemory,
 {
-    let mut lesson = Lesson::begin(agent, domain, start, exercise)?;
+    agent.hear(domain, start, exercise.command)?;
+    let mut lesson = Lesson::heard(agent, domain, start, exercise)?;
     on_step(agent, start, &lesson, None);
     loop {
         let before = *lesson.state();

@@ -1,8 +1,8 @@
 //! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, and the last pages of the flash kept for the
 //! learned model.
 
-use std::path::PathBuf;
-use std::{env, fs};
+#[path = "../linker.rs"]
+mod linker;
 
 const MEMORY: &str = "\
 MEMORY
@@ -17,10 +17,5 @@ _stack_end = ORIGIN(STACK);
 ";
 
 fn main() {
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("memory.x"), MEMORY).expect("memory.x can be written");
-    println!("cargo::rustc-link-search={}", out.display());
-    println!("cargo::rustc-link-arg-bins=-Tlink.x");
-    println!("cargo::rustc-link-arg-bins=--nmagic");
-    println!("cargo::rerun-if-changed=build.rs");
+    linker::link(MEMORY, &["link.x"]);
 }

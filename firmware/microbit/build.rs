@@ -1,8 +1,8 @@
 //! Gives the linker the micro:bit's memory: the stack below everything else in the RAM, as on the other boards, and the last pages of the
 //! flash kept for a chosen home and for the learned model.
 
-use std::path::PathBuf;
-use std::{env, fs};
+#[path = "../linker.rs"]
+mod linker;
 
 const MEMORY: &str = "\
 MEMORY
@@ -20,10 +20,5 @@ _learned_end = ORIGIN(LEARNED) + LENGTH(LEARNED);
 ";
 
 fn main() {
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("memory.x"), MEMORY).expect("memory.x can be written");
-    println!("cargo::rustc-link-search={}", out.display());
-    println!("cargo::rustc-link-arg-bins=-Tlink.x");
-    println!("cargo::rustc-link-arg-bins=--nmagic");
-    println!("cargo::rerun-if-changed=build.rs");
+    linker::link(MEMORY, &["link.x"]);
 }

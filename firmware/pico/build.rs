@@ -1,7 +1,7 @@
 //! Gives the linker the Pico's memory; the first 256 bytes of the flash are the chip's own second loader.
 
-use std::path::PathBuf;
-use std::{env, fs};
+#[path = "../linker.rs"]
+mod linker;
 
 const MEMORY: &str = "\
 MEMORY
@@ -13,11 +13,5 @@ MEMORY
 ";
 
 fn main() {
-    let out = PathBuf::from(env::var_os("OUT_DIR").expect("cargo sets OUT_DIR"));
-    fs::write(out.join("memory.x"), MEMORY).expect("memory.x can be written");
-    println!("cargo::rustc-link-search={}", out.display());
-    for argument in ["-Tlink.x", "-Tlink-rp.x", "--nmagic"] {
-        println!("cargo::rustc-link-arg-bins={argument}");
-    }
-    println!("cargo::rerun-if-changed=build.rs");
+    linker::link(MEMORY, &["link.x", "link-rp.x"]);
 }

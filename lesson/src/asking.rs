@@ -98,6 +98,15 @@ impl Restraint {
     }
 }
 
+/// An answer from its text: `yes`, `no` (none of these, if there are choices), or the number of a choice, from 1 on.
+pub fn answer_of(text: &str) -> Option<Answer> {
+    match text {
+        "yes" => Some(Answer::Yes),
+        "no" => Some(Answer::No),
+        number => number.parse::<u8>().ok()?.checked_sub(1).map(Answer::This),
+    }
+}
+
 /// The tasks of a question, and those of each of its choices.
 fn sets(question: &Question) -> impl Iterator<Item = TaskSet> {
     let count = usize::from(question.subject.choices());

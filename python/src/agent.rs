@@ -44,14 +44,6 @@ use std::sync::{Mutex, TryLockError};
 /// The most entries of the table of possible tasks, whatever the capacities say.
 const MOST_OF_A_FIELD: usize = 1 << 24;
 
-pub const fn evidence_name(evidence: Evidence) -> &'static str {
-    match evidence {
-        Evidence::Used => "used",
-        Evidence::Uninformative => "says nothing",
-        Evidence::Impossible => "impossible",
-    }
-}
-
 /// A trainer's feedback, by name; `None` is silence.
 pub fn feedback_of(name: Option<&str>) -> PyResult<Feedback> {
     match name {
@@ -584,7 +576,7 @@ impl Agent {
     #[pyo3(signature = (feedback))]
     fn feedback(&self, py: Python<'_>, feedback: Option<&str>) -> PyResult<&'static str> {
         let feedback = feedback_of(feedback)?;
-        self.with(|mind| mind.core.feedback(feedback).map(evidence_name).map_err(|refused| error::agent(py, refused)))
+        self.with(|mind| mind.core.feedback(feedback).map(Evidence::name).map_err(|refused| error::agent(py, refused)))
     }
 
     /// Takes in an action that the trainer did to show the way, in a state that was planned for. Returns the same as `feedback`.
@@ -593,7 +585,7 @@ impl Agent {
             let place = mind.place(domain, state)?;
             let action = place.action(action)?;
             let evidence = in_place!(&place, |domain, state| mind.core.demonstrated(domain, state, action));
-            mind.settled(domain.py(), &place, evidence).map(evidence_name)
+            mind.settled(domain.py(), &place, evidence).map(Evidence::name)
         })
     }
 
@@ -655,7 +647,7 @@ impl Agent {
                 answer.extract().map_err(|_| value(format!("{answer} is no answer; say \"yes\", \"no\" or the position of a choice")))?,
             ),
         };
-        self.with(|mind| mind.core.answer(said).map(evidence_name).map_err(|refused| error::agent(py, refused)))
+        self.with(|mind| mind.core.answer(said).map(Evidence::name).map_err(|refused| error::agent(py, refused)))
     }
 
     /// Ends the session and learns from it. Returns how many older sessions were forgotten because memory was full.

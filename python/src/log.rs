@@ -1,6 +1,6 @@
 //! Recorded sessions: read, written, and replayed.
 
-use crate::agent::{Agent, evidence_name, feedback_of};
+use crate::agent::{Agent, feedback_of};
 use crate::arrays::array;
 use crate::error::{self, format, value};
 use crate::home::{Home, Rooms};
@@ -189,7 +189,7 @@ impl Session {
                     replayed.beliefs.push(mind.beliefs());
                 }
                 Event::Took(_, came) => {
-                    replayed.evidence.push(evidence_name(came));
+                    replayed.evidence.push(came.name());
                     replayed.beliefs.push(mind.beliefs());
                 }
                 Event::Answered(_) | Event::Planned(_) | Event::Closed(_) => {}

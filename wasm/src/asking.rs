@@ -3,11 +3,11 @@ use wasm_bindgen::prelude::*;
 
 use crate::view::{About, AnswerEvidence, Question};
 use crate::world::{Refusal, World};
-use goodbot::asking::{Answer, Asking, Considered, Subject};
+use goodbot::asking::{Asking, Considered, Subject};
 use goodbot::home::BLOCK_IN_ROOM;
 use goodbot::oomdp::ObjectId;
-use goodbot::session::Evidence;
 use goodbot::task::{Part, TaskSet};
+use goodbot_lesson::asking::answer_of;
 
 impl World {
     /// Proposes a question if it teaches more than acting, with at most about `budget` node expansions: see
@@ -64,20 +64,9 @@ impl World {
     /// # Errors
     /// Where there is no open question, or this is no answer to it.
     pub fn answer(&mut self, answer: &str) -> Result<AnswerEvidence, Refusal> {
-        let given = match answer {
-            "yes" => Answer::Yes,
-            "no" => Answer::No,
-            number => {
-                let number = number.parse::<u8>().ok().and_then(|number| number.checked_sub(1));
-                Answer::This(number.ok_or_else(|| Refusal(format!("{answer} is no answer; say yes, no or the number of a choice")))?)
-            }
-        };
+        let given = answer_of(answer).ok_or_else(|| Refusal(format!("{answer} is no answer; say yes, no or the number of a choice")))?;
         let before = self.probabilities();
-        let outcome = match self.lesson.answer(given).map_err(Refusal::from)? {
-            Evidence::Used => "used",
-            Evidence::Uninformative => "says nothing",
-            Evidence::Impossible => "impossible",
-        };
+        let outcome = self.lesson.answer(given).map_err(Refusal::from)?.name();
         Ok(AnswerEvidence { outcome, before, after: self.probabilities() })
     }
 }

@@ -8,7 +8,7 @@ use goodbot::home::{Home, HomeState};
 use goodbot::memory::HomeMemory;
 use goodbot::planning::{Judgement, Progress};
 use goodbot::random::unit;
-use goodbot::session::{self, Finished};
+use goodbot::session::Finished;
 use goodbot::talk::Conversation;
 use goodbot::task::GroundedTask;
 use goodbot_formats::environment::EnvironmentFile;
@@ -116,11 +116,7 @@ impl World {
     /// # Errors
     /// Where no action waits for feedback.
     pub fn judge(&mut self, feedback: &str) -> Result<Evidence, Refusal> {
-        let feedback = match feedback {
-            "reward" => Feedback::Reward,
-            "punish" => Feedback::Punish,
-            _ => Feedback::Neutral,
-        };
+        let feedback = feedback.parse().unwrap_or(Feedback::Neutral);
         let words = |judgement: &Judgement| match judgement {
             Judgement::Correct => "right",
             Judgement::Incorrect => "wrong",
@@ -128,11 +124,7 @@ impl World {
         };
         let Some(Acted { action, judgements, .. }) = self.lesson.acted().cloned() else { return Err(Refusal::from(LiveError::NoStep)) };
         let before = self.probabilities();
-        let outcome = match self.lesson.judge(feedback).map_err(Refusal::from)? {
-            session::Evidence::Used => "used",
-            session::Evidence::Uninformative => "says nothing",
-            session::Evidence::Impossible => "impossible",
-        };
+        let outcome = self.lesson.judge(feedback).map_err(Refusal::from)?.name();
         self.lesson.go_on().map_err(Refusal::from)?;
         let judgements = judgements.iter().map(words).collect();
         Ok(Evidence { action, feedback: feedback.name(), outcome, judgements, before, after: self.probabilities() })

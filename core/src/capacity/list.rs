@@ -238,7 +238,7 @@ impl Capacities {
 
     /// The smaller capacity of each table.
     #[must_use]
-    pub const fn at_most(self, other: Self) -> Self {
+    pub(crate) const fn at_most(self, other: Self) -> Self {
         self.each(other, false)
     }
 

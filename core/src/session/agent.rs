@@ -62,6 +62,17 @@ pub enum Evidence {
     Impossible,
 }
 
+impl Evidence {
+    /// A short name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Used => "used",
+            Self::Uninformative => "says nothing",
+            Self::Impossible => "impossible",
+        }
+    }
+}
+
 /// Observes that the session ends, or goes on, in the state of this plan.
 #[cfg(feature = "learning")]
 #[inline(never)]

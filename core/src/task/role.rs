@@ -39,7 +39,7 @@ impl RoleKind {
         [Self::Goal, Self::Subject, Self::Start, Self::OtherPlace, Self::Other, Self::Through, Self::Avoiding, Self::Before];
 
     /// The kind of the objects in a part of a task.
-    pub const fn of_part(part: Part) -> Self {
+    pub(crate) const fn of_part(part: Part) -> Self {
         match part {
             Part::Goal => Self::Goal,
             Part::Before(_) => Self::Before,
@@ -54,7 +54,7 @@ impl RoleKind {
     }
 
     /// Whether such objects are part of the task itself; the others are its context.
-    pub const fn is_of_task(self) -> bool {
+    pub(crate) const fn is_of_task(self) -> bool {
         matches!(self, Self::Goal | Self::Subject | Self::Through | Self::Avoiding | Self::Before)
     }
 

@@ -60,7 +60,7 @@ impl WayState {
     }
 
     /// Whether the task was done once. Its way then requires nothing more.
-    pub const fn has_ended(self) -> bool {
+    pub(crate) const fn has_ended(self) -> bool {
         self.0 & ENDED != 0
     }
 
@@ -75,7 +75,7 @@ impl WayState {
     }
 
     /// Whether a clause `through` was met.
-    pub const fn has_passed(self, clause: u8) -> bool {
+    pub(crate) const fn has_passed(self, clause: u8) -> bool {
         self.0 & PASSED & (1_u8.wrapping_shl(clause as u32)) != 0
     }
 

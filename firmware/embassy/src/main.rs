@@ -8,6 +8,7 @@
 //! | [`flash`] | the learned model, in a flash with asynchronous calls |
 //! | [`time`] | embassy's clock |
 //! | [`serial`] | the line on which it reports |
+//! | [`nrf51`] | what both programs for this board have |
 //! | `board`, `fault` | a stack overflow, which must stop the robot and change nothing |
 
 #![no_std]
@@ -18,6 +19,8 @@ mod buttons;
 #[path = "../../src/fault.rs"]
 mod fault;
 mod flash;
+#[path = "../../src/nrf51.rs"]
+mod nrf51;
 mod robot;
 mod serial;
 #[path = "../../src/stack.rs"]

@@ -1,7 +1,8 @@
 //! The robot's task. Hearing, planning, ending a lesson and learning go in small parts, and after each the other tasks run.
 
 use crate::buttons::{PRESSES, Press};
-use crate::flash::{self, Flash, SLOT, START};
+use crate::flash::Flash;
+use crate::nrf51::{self, SLOT, START};
 use crate::serial::{print, print_number, say};
 use crate::stack;
 use embassy_futures::yield_now;
@@ -104,7 +105,7 @@ impl Robot {
             say(&["nothing is stored"]);
             return Ok(());
         };
-        let model = flash::model(at, length).ok_or("the flash cannot be read")?;
+        let model = nrf51::model(at, length).ok_or("the flash cannot be read")?;
         self.takes_back(model)?;
         tell("stored: ", length as u32, " bytes");
         self.learn().await;
@@ -226,13 +227,13 @@ fn say_place(name: &str, cell: Cell) {
     print(name);
     for number in [cell.x, cell.y] {
         print(" ");
-        print_number(number as u32);
+        print_number(number);
     }
 }
 
 fn tell(before: &str, number: u32, after: &str) {
     print(before);
-    print_number(number);
+    print_number(number as i32);
     say(&[after]);
 }
 

@@ -1,19 +1,12 @@
 //! The last pages of the flash: a home that came with the program's file, and the learned model, which is kept without power.
 
 use crate::memory::{Agent, CAPACITIES};
+use crate::nrf51::{self, FLASH, Refused, SLOT, START, check};
 use crate::wiring::wiring;
-use embedded_storage::nor_flash::{ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash};
+use embedded_storage::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 use goodbot::snapshot::{RestoreError, most_bytes};
 use goodbot::storage::{SLOT_HEADER_BYTES, StorageError, TwoSlots};
 use nrf51_pac::NVMC;
-
-/// Bytes that are erased together: a page of V2, four of V1.
-const BLOCK: u32 = 4_096;
-/// The end of the flash of V1. V2 has more, which stays free.
-const FLASH: u32 = 256 * 1_024;
-/// The start of the two slots: the linker keeps the program out of them.
-const START: u32 = 0x3_E000;
-const SLOT: u32 = BLOCK;
 
 /// The start of the home and the commands that came with the file: text, then erased flash up to the slots. In an emulator, erased flash is
 /// 0.
@@ -22,30 +15,14 @@ const ERASED: [u8; 2] = [0xff, 0];
 
 /// The most bytes of a model of this robot: they fit into a slot, and into the memory where it is written.
 const MODEL: usize = most_bytes(&CAPACITIES);
-const _: () = assert!(MODEL <= SLOT as usize - SLOT_HEADER_BYTES && MODEL <= 8 * CAPACITIES.workspace_words() && START + 2 * SLOT == FLASH);
+const _: () = assert!(MODEL <= SLOT as usize - SLOT_HEADER_BYTES && MODEL <= 8 * CAPACITIES.workspace_words());
 
 /// The processor's own flash.
 #[derive(Debug)]
 struct Flash;
 
-/// The flash refused.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Refused;
-
-impl NorFlashError for Refused {
-    fn kind(&self) -> NorFlashErrorKind {
-        NorFlashErrorKind::OutOfBounds
-    }
-}
-
 impl ErrorType for Flash {
     type Error = Refused;
-}
-
-/// Checks that a range lies where models are stored.
-fn check(from: u32, bytes: usize) -> Result<(), Refused> {
-    let end = u64::from(from) + bytes as u64;
-    if from >= START && end <= u64::from(FLASH) { Ok(()) } else { Err(Refused) }
 }
 
 fn controller() -> &'static nrf51_pac::nvmc::RegisterBlock {
@@ -61,12 +38,7 @@ impl ReadNorFlash for Flash {
     const READ_SIZE: usize = 1;
 
     fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), Refused> {
-        check(offset, bytes.len())?;
-        for (byte, at) in bytes.iter_mut().zip(offset..) {
-            // SAFETY: this is within the flash, which is always readable, and no part of the program.
-            *byte = unsafe { (at as *const u8).read_volatile() };
-        }
-        Ok(())
+        nrf51::read(offset, bytes)
     }
 
     fn capacity(&self) -> usize {
@@ -76,7 +48,8 @@ impl ReadNorFlash for Flash {
 
 impl NorFlash for Flash {
     const WRITE_SIZE: usize = 4;
-    const ERASE_SIZE: usize = BLOCK as usize;
+    /// A page of V2, four of V1.
+    const ERASE_SIZE: usize = SLOT as usize;
 
     fn erase(&mut self, from: u32, to: u32) -> Result<(), Refused> {
         check(from, to.saturating_sub(from) as usize)?;
@@ -93,15 +66,11 @@ impl NorFlash for Flash {
     }
 
     fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), Refused> {
-        check(offset, bytes.len())?;
-        let (words, rest) = bytes.as_chunks::<4>();
-        if !offset.is_multiple_of(4) || !rest.is_empty() {
-            return Err(Refused);
-        }
+        let words = nrf51::words(offset, bytes)?;
         controller().config.write(|config| config.wen().wen());
-        for (word, at) in words.iter().zip((offset..).step_by(4)) {
+        for (at, word) in words {
             // SAFETY: an aligned word of the flash that holds no part of the program.
-            unsafe { (at as *mut u32).write_volatile(u32::from_le_bytes(*word)) };
+            unsafe { at.write_volatile(word) };
             wait();
         }
         controller().config.write(|config| config.wen().ren());
@@ -141,9 +110,7 @@ pub fn chosen() -> Option<&'static str> {
 #[inline(never)]
 pub fn restore(agent: &mut Agent) -> Result<usize, &'static str> {
     let Some((at, length)) = slots().and_then(|mut slots| slots.find()).map_err(|_| "the flash cannot be read")? else { return Ok(0) };
-    check(at, length).map_err(|_| "the flash cannot be read")?;
-    // SAFETY: this is within the flash, which is always readable, and nobody writes to it meanwhile.
-    let model = unsafe { core::slice::from_raw_parts(at as *const u8, length) };
+    let model = nrf51::model(at, length).ok_or("the flash cannot be read")?;
     agent.restore(model).map_err(|error| match error {
         RestoreError::Version { .. } => "what is stored was written by a newer version",
         RestoreError::OtherDomain => "what is stored was learned by another kind of robot",

@@ -13,6 +13,7 @@
 //! | [`flash`] | the learned model, kept without power |
 //! | [`clock`], [`lights`], [`buttons`], [`serial`] | the board's parts |
 //! | [`wiring`] | the differences between the two versions |
+//! | [`nrf51`] | what both programs for this board have |
 //! | `board`, `fault`, [`stack`] | a stack overflow, which must stop the robot and change nothing |
 
 #![no_std]
@@ -27,6 +28,8 @@ mod flash;
 mod house;
 mod lights;
 mod memory;
+#[path = "../../src/nrf51.rs"]
+mod nrf51;
 mod picture;
 mod request;
 mod robot;

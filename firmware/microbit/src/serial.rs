@@ -1,5 +1,6 @@
 //! The serial line over USB: 115,200 baud, 8 bits, no parity, one stop bit. The interrupt keeps received bytes until they are read.
 
+pub use crate::nrf51::{print_number, say};
 use crate::wiring::wiring;
 use core::sync::atomic::{AtomicBool, AtomicU8, Ordering::Relaxed};
 use nrf51_pac::{Interrupt, NVIC, Peripherals, UART0, interrupt};
@@ -101,28 +102,4 @@ pub fn print_digits(bytes: &[u8]) {
         }
     }
     say(&[]);
-}
-
-/// Sends a number.
-pub fn print_number(number: i32) {
-    let mut digits = [b'0'; 10];
-    let (mut rest, mut length) = (number.unsigned_abs(), 0_usize);
-    for digit in digits.iter_mut().rev() {
-        *digit = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        length += 1;
-        if rest == 0 {
-            break;
-        }
-    }
-    print(if number < 0 { "-" } else { "" });
-    if let Some(text) = digits.get(digits.len().saturating_sub(length)..).and_then(|digits| core::str::from_utf8(digits).ok()) {
-        print(text);
-    }
-}
-
-/// Sends several texts and ends the line.
-pub fn say(parts: &[&str]) {
-    parts.iter().for_each(|part| print(part));
-    print("\r\n");
 }

@@ -15,6 +15,7 @@ use goodbot::talk::Class;
 use goodbot::talk::Said;
 use goodbot_console::outcome::Failure;
 use goodbot_formats::environment::{EnvironmentFile, ObjectRecord};
+use goodbot_lesson::asking::answer_of;
 use lines::Lines;
 use serde_json::{Map, Value, json};
 use std::io::{self, BufRead, Write};
@@ -366,15 +367,10 @@ impl Speaker<'_> {
     }
 
     fn reply(&mut self, answer: &str) -> Answers {
-        let given = match answer {
-            "yes" => Answer::Yes,
-            "no" => Answer::No,
-            number => match number.parse::<u8>().ok().and_then(|number| number.checked_sub(1)) {
-                Some(chosen) => Answer::This(chosen),
-                None => return refused(&format!("{number:?} is no answer"), ASK_FIRST),
-            },
-        };
-        self.reply_as(answer, given)
+        match answer_of(answer) {
+            Some(given) => self.reply_as(answer, given),
+            None => refused(&format!("{answer:?} is no answer"), ASK_FIRST),
+        }
     }
 
     fn reply_as(&mut self, answer: &str, given: Answer) -> Answers {
