@@ -214,7 +214,7 @@ mod tests {
             (
                 "de",
                 "geh ins rote Zimmer, aber bring vorher die lila Tasche ins blaue Zimmer",
-                ["zimmer aber bring vorher die", "aber bring vorher die lila tasche ins blaue zimmer"],
+                ["zimmer aber bring vorher", "aber bring vorher die lila tasche ins blaue zimmer"],
             ),
         ];
         for_each(&rows, &|sentence, words, [between, second]| {

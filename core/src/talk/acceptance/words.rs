@@ -84,8 +84,8 @@ impl<'u> Spoken<'u> {
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
         let (mut number, of) = (0_u32, self.of);
         let mut take = |texts: [&str; 2]| take(hash(of, texts), texts);
-        // The word before, and whether lessons had it.
-        let (mut before, mut was_taught) = (Word::try_from(BORDER).ok(), false);
+        // The word before, and whether lessons had it; how a command begins, lessons have told.
+        let (mut before, mut was_taught) = (Word::try_from(BORDER).ok(), true);
         let _ = for_each_piece(self.utterance, |piece| {
             let is_taught = self.taught.checked_shr(number).is_some_and(|taught| taught & 1 == 1);
             number = number.saturating_add(1);
