@@ -22,6 +22,8 @@ const CHANGE: f32 = 0.65;
 const UNNAMED: f32 = 54.598_15;
 /// The same for a plural, which is more probable than a slip.
 const PLURAL: f32 = 1_000.0;
+/// The classes of words that negate a command.
+const NEGATING: [Class; 3] = [Class::Negation, Class::Out, Class::But];
 /// The number of words after "all" that may name the things.
 const NAME_OF_ALL: usize = 2;
 
@@ -76,17 +78,26 @@ fn is_taken_from(words: Words<'_>) -> bool {
     begins_with_verb && !words.has_way() && words.at(Class::From).is_some_and(|from| words.from(from).has_name())
 }
 
-/// The words read as a negated command, if there is a cue for one.
+/// The words without the cues for a negation, if there are some.
+fn without_negation(words: Words<'_>) -> Option<(Words<'_>, f32)> {
+    without(words, if is_all_out(words) { &[Class::Out, Class::All] } else { &NEGATING })
+}
+
+/// Whether a known cue tells that words forbid.
+pub(super) fn has_negation(words: Words<'_>) -> bool {
+    without_negation(words).is_some()
+}
+
+/// The words read as a negated command, if there is a cue for one, or a new word that may be one.
 pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
     let not = words.at(Class::Negation);
     // "All chairs out of the blue room into the red room" states a goal.
     if not.is_none() && has_place_of_all(words) {
         return None;
     }
-    let cues = [Class::Negation, Class::Out, Class::But];
     // "All chairs out of the red room".
-    let (of_cues, unnamed) = if is_all_out(words) { (&[Class::Out, Class::All][..], UNNAMED) } else { (&cues[..], 1.0) };
-    let with_cue = without(words, of_cues);
+    let unnamed = if is_all_out(words) { UNNAMED } else { 1.0 };
+    let with_cue = without_negation(words);
     // "The red room is off limits": any word that no lesson had may forbid.
     let (rest, probability) = with_cue.or_else(|| words.any(&Heard::is_new_word).then_some((words, UNCUED)))?;
     let (is_out, is_not) = (is_out(words), not.is_some());
@@ -106,7 +117,7 @@ pub(super) fn negated(words: Words<'_>) -> Option<WithoutCues<'_>> {
         words: rest,
         except: Words::NONE,
         from: Words::NONE,
-        prior: NEGATED * (probability * unnamed) / learned(words, &|word| word.is_any(&cues)),
+        prior: NEGATED * (probability * unnamed) / learned(words, &|word| word.is_any(&NEGATING)),
         view,
         is_clear: with_cue.is_some() && denies && !is_there && !is_twice && !is_other,
         needs_no_act,

@@ -5,7 +5,7 @@ use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
-use super::readings::{all, is_of_several, negated};
+use super::readings::{all, has_negation, is_of_several, negated};
 use super::repair::{Repaired, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -163,7 +163,9 @@ impl<M: AgentMemory> Agent<M> {
             let share = turned.weight.over(whole.plus(turned.weight));
             (Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }, None)
         };
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
+        // A new word forbids only if people were heard to forbid with it: a young robot takes its first words for commands.
+        let may_be = |hypothesis| hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids();
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0 && may_be(hypothesis));
         let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (plain(hypothesis, share), None));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
         for (candidate, repair) in repairs.iter().map(of_repair).chain(turned.iter().map(of_turned)).chain(of_hypotheses) {

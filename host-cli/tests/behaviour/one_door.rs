@@ -171,7 +171,7 @@ fn a_robot_in_a_world_does_what_it_is_told_and_nothing_for_other_talk_and_teach_
             _ => {}
         }
     }
-    assert!(missed.len() <= 2, "{}", missed.join("\n"));
+    assert!(missed.len() <= 3, "{}", missed.join("\n"));
     assert!(wrong.len() <= 3, "of {} sentences that ask for nothing, these are carried out: {wrong:?}", NOTHING.len());
     assert_same_through_teach(folder.path(), &model, &place, &sentences, &answers);
 }

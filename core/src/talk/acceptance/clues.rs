@@ -145,6 +145,12 @@ impl<'u> Sorts<'u> {
         piece.and_then(|piece| self.spoken.place(piece))
     }
 
+    /// Whether its words speak for a prohibition rather than a command.
+    pub fn forbids(&self) -> bool {
+        let of = |hypothesis| self.spoken.says(kind(hypothesis).unwrap_or(0));
+        of(Hypothesis::Negated) > of(Hypothesis::Command)
+    }
+
     /// Of the words between two names; if `is_turned`, of those that may turn the order of two commands.
     pub fn between(&self, words: Words<'_>, is_turned: bool) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));

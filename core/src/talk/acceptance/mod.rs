@@ -17,9 +17,9 @@ pub(super) use clues::{Sorts, asks, clear_from};
 use weights::{BIAS, SCALE, WEIGHTS};
 pub use words::{HASHED, Spoken};
 
-/// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as six questions: then acting
+/// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as five questions: then acting
 /// costs less than asking. `docs/talk.md` tells how often it is wrong with people whom it never heard.
-pub const ACTS_FROM: f32 = 0.83;
+pub const ACTS_FROM: f32 = 0.8;
 
 /// The robot answers that all is done already if that is more probable than this: the answer moves nothing, so a wrong one costs as much
 /// as three questions.
