@@ -212,7 +212,6 @@ impl<S: Copy + PartialEq> Lesson<S> {
     }
 
     /// One turn in which `right` is right, and `is_meant` says whether a task is.
-    #[expect(clippy::too_many_arguments, reason = "what a turn needs")]
     fn turn<D, R>(
         &mut self,
         agent: &mut Agent<impl AgentMemory>,
