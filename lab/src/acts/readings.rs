@@ -170,14 +170,13 @@ fn rest(
         return Ok(None);
     }
     let so = so(agent, home, state);
-    let holds = |task: &str| so.iter().any(|other| other == task);
     let followed = tasks.iter().filter_map(|task| agent.tasks().get(task).copied());
     let state = followed.collect::<Vec<_>>().iter().fold(*state, |state, task| self::followed(agent, home, &state, task));
     let left = |meaning: &Meaning| {
         let tasks = meaning.tasks.iter().filter(|task| !reading.asked.0.contains(task)).cloned().collect();
         Meaning { tasks, ..meaning.clone() }
     };
-    let is_begun = |meaning: &&Meaning| is_meant(&reading.asked.0, Hypothesis::Several, meaning, &holds);
+    let is_begun = |meaning: &&Meaning| is_meant(&reading.asked.0, Hypothesis::Several, meaning, &so);
     let meanings = sentence.meanings.iter().filter(is_begun).map(left).collect();
     let words = sentence.words.get(at..).unwrap_or_default().to_owned();
     let sentence = Sentence { kind: sentence.kind.clone(), words, before: None, meanings };
@@ -215,8 +214,7 @@ fn readings(
     let so = so(agent, home, state);
     let read = |weighed: Weighed| {
         let (asked, is_done) = asked(agent, home, state, weighed.tasks, weighed.is_negated);
-        let holds = |task: &str| so.iter().any(|other| other == task);
-        let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning, &holds));
+        let is_right = sentence.meanings.iter().any(|meaning| is_meant(&asked, weighed.hypothesis, meaning, &so));
         let Weighed { between, clues, values, kind, to_kind, rest, .. } = weighed;
         Read { asked: (asked, rest.is_some()), rest, between, clues, values, kind, to_kind, is_right, is_done }
     };
@@ -263,9 +261,8 @@ fn did(
         rest = after;
         listened = agent.listen_on(home, &state, rest, CLOSED_WORDS)?;
     }
-    let holds = |task: &str| so.iter().any(|other| other == task);
-    let in_order = |meaning: &&Meaning| !meaning.is_ordered || meaning.tasks == all || meaning.left(&holds).tasks == all;
-    did.is_right = sentence.meanings.iter().filter(in_order).any(|meaning| is_meant(&all, Hypothesis::Command, meaning, &holds));
+    let in_order = |meaning: &&Meaning| !meaning.is_ordered || meaning.tasks == all || meaning.left(&so).tasks == all;
+    did.is_right = sentence.meanings.iter().filter(in_order).any(|meaning| is_meant(&all, Hypothesis::Command, meaning, &so));
     Ok(Some(did))
 }
 
@@ -296,8 +293,8 @@ fn so(agent: &Agent<AgentHeap>, home: &Home<&mut HomeHeap>, state: &HomeState) -
 }
 
 /// Whether tasks are a meaning, or what is left to do of it; of several commands, the first of one.
-fn is_meant(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning, holds: &dyn Fn(&str) -> bool) -> bool {
-    [meaning, &meaning.left(holds)].into_iter().any(|meaning| is_whole(tasks, hypothesis, meaning))
+fn is_meant(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning, so: &[String]) -> bool {
+    [meaning, &meaning.left(so)].into_iter().any(|meaning| is_whole(tasks, hypothesis, meaning))
 }
 
 fn is_whole(tasks: &[String], hypothesis: Hypothesis, meaning: &Meaning) -> bool {

@@ -41,9 +41,9 @@ pub struct Meaning {
 }
 
 impl Meaning {
-    /// What is left to do if some tasks hold already.
-    pub fn left(&self, holds: &dyn Fn(&str) -> bool) -> Self {
-        Self { tasks: self.tasks.iter().filter(|task| !holds(task)).cloned().collect(), ..*self }
+    /// What is left to do if these tasks are so already.
+    pub fn left(&self, so: &[String]) -> Self {
+        Self { tasks: self.tasks.iter().filter(|task| !so.contains(task)).cloned().collect(), ..*self }
     }
 }
 

@@ -39,8 +39,8 @@ const WORDS: usize = NAMES + 6;
 const RIVALS: usize = 7;
 const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
-/// Each number once more, as one of [`STEPS`] steps, or none.
 const TURNED: usize = FIRST + RIVALS;
+/// Each number once more, as one of [`STEPS`] steps, or none.
 const STEPS_OF: usize = TURNED + 1;
 
 /// The upper ends of the steps of a number, without the last.

@@ -1,5 +1,5 @@
-//! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours with such a word. "Paint" and
-//! "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
+//! The features of an utterance that its words tell: each word that no lesson had, its beginning, and each pair of neighbours with such a
+//! word. "Paint" and "nip over to" stand before the same names, and only who has heard many people knows which of the two a robot can do.
 //!
 //! A feature is known by a hash of its letters (Weinberger et al. 2009, *Feature hashing for large scale multitask learning*), so no text is
 //! stored: 3 bytes for each feature that has weights, whatever its language.
