@@ -77,12 +77,15 @@ export async function renderNext() {
   const key = JSON.stringify([state.robot.id, state.robot.changed, state.sessions, $('wanted').value, document.documentElement.lang]);
   if (key === sought) return;
   sought = key;
+  // What stands there is the answer to what was asked before.
+  $('next-card').ariaBusy = 'true';
   const isStale = () => key !== sought || Boolean(state.session) || state.phase !== 'none';
   const found = await next(isStale);
   if (isStale()) {
     if (key === sought) sought = '';
     return;
   }
+  $('next-card').ariaBusy = 'false';
   const well = found?.why.known;
   lesson = found && !well ? found.lesson : null;
   $('next-lesson').hidden = $('teach-next').hidden = !lesson;

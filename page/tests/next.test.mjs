@@ -17,16 +17,19 @@ async function teach(page, home, command, count) {
   await learned(page, count);
 }
 
+// What to teach next is worked out when there is time.
+const thoughtOver = page => page.locator('#next-card[aria-busy=false]').waitFor();
+
 test('what to teach next is the lesson with the word that is wanted and was heard least, and it says why', async () => {
   const page = await open(browser);
   await page.selectOption('#speed', 'step');
   await play(page, 'A');
   assert.equal(await page.locator('#next-card').isVisible(), false, 'there is nothing to propose at first');
   await teach(page, 'A', 'go to the green room', 1);
-  // It is worked out when there is time.
-  await page.waitForFunction(() => document.querySelector('#next-why').textContent);
+  await thoughtOver(page);
   assert.match(await page.textContent('#next-why'), /heard that word in 1 session only/);
   await page.fill('#wanted', 'go to the green room\ngo to the yellow room\ntake the purple bag to the yellow room');
+  await thoughtOver(page);
   assert.match(await page.textContent('#next-lesson'), /take the purple bag|to the yellow room/);
   assert.match(await page.textContent('#next-why'), /“(yellow|take|purple|bag)” is in \d of the commands .* it has never heard that word/);
   await reload(page);
@@ -39,6 +42,7 @@ test('what is proposed can be taught at once, in a home that has what it names',
   await page.selectOption('#speed', 'step');
   await teach(page, 'A', 'go to the green room', 1);
   await page.fill('#wanted', 'take the blue chair to the yellow room');
+  await thoughtOver(page);
   const proposed = (await page.textContent('#next-lesson')).match(/“(.*)”/)[1];
   assert.match(proposed, /blue|chair|yellow|take/);
   await page.click('#teach-next');
@@ -54,9 +58,11 @@ test('words of one’s own are proposed again, and what was heard often is no le
   const page = await open(browser);
   await page.selectOption('#speed', 'step');
   for (let count = 1; count <= 6; count += 1) await teach(page, 'A', 'zorp blik', count);
+  await thoughtOver(page);
   assert.match(await page.textContent('#next-why'), /little left to teach/);
   assert.equal(await page.locator('#teach-next').isVisible(), false);
   await page.fill('#wanted', 'zorp mung');
+  await thoughtOver(page);
   assert.match(await page.textContent('#next-lesson'), /zorp mung/);
   assert.match(await page.textContent('#next-why'), /“mung”/);
   const pasted = await page.evaluate(() => {
