@@ -111,6 +111,15 @@
 // Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 #define GOODBOT_TABLE_BYTES 1344
 
+// The most bytes of the small preset's model: a buffer for it. A slot of a flash takes `GOODBOT_FLASH_UNIT` more.
+#define GOODBOT_SMALL_MODEL_BYTES 3830
+
+// The most bytes of the tiny preset's model.
+#define GOODBOT_TINY_MODEL_BYTES 2752
+
+// The most bytes of the model of the preset for a robot of one's own.
+#define GOODBOT_OWN_MODEL_BYTES 5778
+
 // Most kinds of tasks.
 #define GOODBOT_MOST_TASKS 8
 
