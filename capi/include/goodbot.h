@@ -1115,8 +1115,9 @@ goodbot_status goodbot_decide(struct goodbot *robot,
                               uint32_t *plan);
 
 // Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-// `GOODBOT_NEUTRAL`, if nothing was said to it: silence says something too. It may be called at any time until the next action is done,
-// also while the robot plans; of several words the last counts. An action of which nothing is told is no evidence. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+// `GOODBOT_NEUTRAL`, if nothing was said to it: that silence says something, too. It may be called at any time until the next action is
+// done, also while the robot plans; of several words the last counts. If it is not called, the action is no evidence. `evidence` receives
+// `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1134,8 +1135,8 @@ GOODBOT_MUST_USE
 goodbot_status goodbot_remark(const struct goodbot *robot,
                               const char **text);
 
-// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+// Takes in that the trainer ended the session in the current state, whose plan must be done, before `goodbot_finish`: people end a session
+// more often where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
