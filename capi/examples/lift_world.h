@@ -123,7 +123,7 @@ static const goodbot_table lift_table = {
 
 /* With these, every lesson is kept and every plan is exact. Where a pointer has four bytes, the robot takes LIFT_BYTES_32 bytes;
    goodbot_table_size(&lift_capacities) says how many it takes. */
-#define LIFT_BYTES_32 12888
+#define LIFT_BYTES_32 13112
 #if GOODBOT_CAPACITIES != 25
 #error "print these capacities with the goodbot that this library comes from"
 #endif
@@ -133,8 +133,8 @@ static const goodbot_capacities lift_capacities = { {
     49, /* name_bytes */
     0, /* cells */
     4, /* tasks */
-    1, /* strategies */
-    4, /* beliefs */
+    3, /* strategies */
+    12, /* beliefs */
     4, /* candidates */
     48, /* candidate_tokens */
     4, /* ground_propositions */

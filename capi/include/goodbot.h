@@ -111,6 +111,15 @@
 // Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 #define GOODBOT_TABLE_BYTES 1344
 
+// The most bytes of the small preset's model: a buffer for it. A slot of a flash takes `GOODBOT_FLASH_UNIT` more.
+#define GOODBOT_SMALL_MODEL_BYTES 3830
+
+// The most bytes of the tiny preset's model.
+#define GOODBOT_TINY_MODEL_BYTES 2752
+
+// The most bytes of the model of the preset for a robot of one's own.
+#define GOODBOT_OWN_MODEL_BYTES 5778
+
 // Most kinds of tasks.
 #define GOODBOT_MOST_TASKS 8
 
@@ -1106,8 +1115,9 @@ goodbot_status goodbot_decide(struct goodbot *robot,
                               uint32_t *plan);
 
 // Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-// `GOODBOT_NEUTRAL`, if nothing was said to it: silence says something too. It may be called at any time until the next action is done,
-// also while the robot plans; of several words the last counts. An action of which nothing is told is no evidence. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+// `GOODBOT_NEUTRAL`, if nothing was said to it: that silence says something, too. It may be called at any time until the next action is
+// done, also while the robot plans; of several words the last counts. If it is not called, the action is no evidence. `evidence` receives
+// `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.
@@ -1125,8 +1135,8 @@ GOODBOT_MUST_USE
 goodbot_status goodbot_remark(const struct goodbot *robot,
                               const char **text);
 
-// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+// Takes in that the trainer ended the session in the current state, whose plan must be done, before `goodbot_finish`: people end a session
+// more often where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 //
 // The caller sees to it:
 // `robot` is null or a handle, `evidence` null or room for a number.

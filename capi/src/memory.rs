@@ -26,6 +26,12 @@ pub const GOODBOT_OWN_BYTES_32: usize = 28_320;
 pub const GOODBOT_OWN_BYTES_64: usize = 28_896;
 /// Bytes that a robot of the caller's own takes beyond the small or the tiny preset.
 pub const GOODBOT_TABLE_BYTES: usize = 1_344;
+/// The most bytes of the small preset's model: a buffer for it. A slot of a flash takes `GOODBOT_FLASH_UNIT` more.
+pub const GOODBOT_SMALL_MODEL_BYTES: usize = 3_830;
+/// The most bytes of the tiny preset's model.
+pub const GOODBOT_TINY_MODEL_BYTES: usize = 2_752;
+/// The most bytes of the model of the preset for a robot of one's own.
+pub const GOODBOT_OWN_MODEL_BYTES: usize = 5_778;
 
 #[cfg(target_pointer_width = "32")]
 const PROMISED: (usize, usize, usize) = (GOODBOT_SMALL_BYTES_32, GOODBOT_TINY_BYTES_32, GOODBOT_OWN_BYTES_32);
@@ -40,6 +46,14 @@ const _: () = assert!(!FOR_C || bytes(&Capacities::TINY, false) <= PROMISED.1, "
 const _: () = assert!(!FOR_C || bytes(&Capacities::SMALL, true) <= PROMISED.0 + GOODBOT_TABLE_BYTES, "raise GOODBOT_TABLE_BYTES");
 #[cfg(feature = "table")]
 const _: () = assert!(!FOR_C || bytes(&Capacities::OWN, true) <= PROMISED.2, "raise GOODBOT_OWN_BYTES");
+
+#[cfg(feature = "learning")]
+const _: () = {
+    use goodbot::snapshot::most_bytes;
+    assert!(most_bytes(&Capacities::SMALL) == GOODBOT_SMALL_MODEL_BYTES, "change GOODBOT_SMALL_MODEL_BYTES");
+    assert!(most_bytes(&Capacities::TINY) == GOODBOT_TINY_MODEL_BYTES, "change GOODBOT_TINY_MODEL_BYTES");
+    assert!(most_bytes(&Capacities::OWN) == GOODBOT_OWN_MODEL_BYTES, "change GOODBOT_OWN_MODEL_BYTES");
+};
 
 /// Bytes that a robot takes, in memory that is aligned to 8.
 pub const fn bytes(capacities: &Capacities, table: bool) -> usize {

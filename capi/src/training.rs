@@ -282,8 +282,9 @@ pub(crate) fn write(evidence: Evidence) -> u32 {
 }
 
 /// Takes in the trainer's feedback to the action that was done last (see `goodbot_done`): `GOODBOT_REWARD`, `GOODBOT_PUNISH` or
-/// `GOODBOT_NEUTRAL`, if nothing was said to it: silence says something too. It may be called at any time until the next action is done,
-/// also while the robot plans; of several words the last counts. An action of which nothing is told is no evidence. `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+/// `GOODBOT_NEUTRAL`, if nothing was said to it: that silence says something, too. It may be called at any time until the next action is
+/// done, also while the robot plans; of several words the last counts. If it is not called, the action is no evidence. `evidence` receives
+/// `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.
@@ -332,8 +333,8 @@ pub unsafe extern "C" fn goodbot_remark(robot: *const Goodbot, text: *mut *const
     }
 }
 
-/// Takes in that the trainer ended the session in the state that was planned for last, before `goodbot_finish`: people end a session more often
-/// where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
+/// Takes in that the trainer ended the session in the current state, whose plan must be done, before `goodbot_finish`: people end a session
+/// more often where the task is done (`ends_at_goal` and `ends_elsewhere` of the options). `evidence` receives `GOODBOT_EVIDENCE_USED` and so on.
 ///
 /// # Safety
 /// `robot` is null or a handle, `evidence` null or room for a number.

@@ -40,6 +40,7 @@ static const char *const names[CALLS] = {
 };
 static uint32_t most[CALLS], now[CALLS];
 
+extern uint32_t instructions(void);
 static uint32_t begun;
 #define COUNT(call, what) (paint(call), begun = systick[2], counted(call, (int32_t)(what)))
 
@@ -224,6 +225,12 @@ static void say(int most_words) {
     *to = 0;
 }
 
+/* The table of closed words that `goodbot example closed-words` prints, of all languages. */
+#define WORDS_OF(language) ".incbin \"core/src/voice/classes/" language ".txt\"\n"
+__asm__(".section .rodata.closed_words, \"a\"\nclosed_words:\n" WORDS_OF("english") WORDS_OF("german") WORDS_OF("french") WORDS_OF("spanish")
+        WORDS_OF("chinese") ".ascii \"language:\\n\"\n.byte 0\n.previous");
+extern const char closed_words[];
+
 #define REQUIRE(status) do { if ((status) != GOODBOT_STATUS_OK) return; } while (0)
 
 static goodbot *robot;
@@ -264,7 +271,11 @@ static void ask_about(void) {
     (void)COUNT(USAGE, goodbot_usage(robot, &usage));
     (void)COUNT(FULL, goodbot_full(robot, text, sizeof text, &limit, &given));
     (void)COUNT(REMARK, goodbot_remark(robot, &remark));
-    (void)COUNT(SAID, goodbot_said(robot, sentence, NULL, &said, &answer));
+    uint32_t before = instructions();
+    (void)COUNT(SAID, goodbot_said(robot, sentence, closed_words, &said, &answer));
+    uint32_t taken = instructions() - before;
+    /* The counter runs over after ten million. To paint the stack takes part of this. */
+    if (taken > 8000000 && taken > now[SAID]) now[SAID] = taken;
 }
 
 static goodbot_status hear(void) {

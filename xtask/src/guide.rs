@@ -121,7 +121,7 @@ fn with_own_features(sh: &Shell, in_c: &Part<'_>, gcc: &Path) -> Result<()> {
     let folder = sh.create_dir(in_c.folder.join("own"))?;
     headers_beside(sh, &named, &folder)?;
     let (trolley, library) = (in_c.folder.join("trolley.c"), library(None, &named)?);
-    cmd!(sh, "{gcc} -std=c11 -I {folder} {trolley} {library} -o {folder}/trolley").run()?;
+    cmd!(sh, "{gcc} -std=c11 -Wall -Wextra -Werror -I {folder} {trolley} {library} -o {folder}/trolley").run()?;
     Ok(())
 }
 

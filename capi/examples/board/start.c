@@ -21,7 +21,9 @@ static volatile uint32_t periods;
 
 static void tick(void) { periods++; }
 
-static uint32_t instructions(void) {
+/* Since the start. A program may declare it, too. */
+uint32_t instructions(void);
+uint32_t instructions(void) {
     uint32_t before, left;
     do {
         before = periods;

@@ -275,9 +275,11 @@ impl<'t> ClosedWords<'t> {
     /// # Errors
     /// A [`ClosedWordsError`] for the first line that is wrong.
     pub fn new(text: &'t str) -> Result<Self, ClosedWordsError<'t>> {
+        let table = Self { text, silent: 0 };
+        let opposites = table.marks(&[Class::Blame, Class::No]);
         for (line, content) in lines(text).enumerate() {
             let line = line.saturating_add(1);
-            let Some((name, words)) = parted(content) else {
+            let Some(Line { name, words }) = parted(content) else {
                 match content.split_ascii_whitespace().next() {
                     None => continue,
                     Some(word) => return Err(ClosedWordsError::NoClass { word, line }),
@@ -289,49 +291,60 @@ impl<'t> ClosedWords<'t> {
             let Some(class) = named(name) else {
                 return Err(ClosedWordsError::NoSuchClass { name, line });
             };
+            let is_for = matches!(class, Class::Praise | Class::Yes);
             for word in words.split_ascii_whitespace() {
-                // A word in a script without spaces has several signs.
-                let mut rest = Some(word);
-                let heard = for_each_piece(word, |piece| {
-                    rest = rest.and_then(|rest| rest.strip_prefix(piece));
-                    Ok(())
-                });
-                if heard.is_err() || rest != Some("") {
+                if !is_piece(word) {
                     return Err(ClosedWordsError::NotAWord { word, line });
                 }
                 // Such a word would make the trainer's praise punish the robot.
-                let against = [Class::Blame, Class::No];
-                if matches!(class, Class::Praise | Class::Yes) && (Self { text, silent: 0 }).of(word).contains_any(&against) {
+                if is_for && opposites.may_have(word) && table.of(word).contains_any(&[Class::Blame, Class::No]) {
                     return Err(ClosedWordsError::Opposites { word, line });
                 }
             }
         }
-        Ok(Self { text, silent: 0 })
+        Ok(table)
+    }
+
+    /// Marks of all words of these classes.
+    fn marks(self, classes: &[Class]) -> Marks {
+        let mut marks = Marks::default();
+        for line in self.lines().filter(|line| classes.iter().any(|class| class.name() == line.name)) {
+            line.words().for_each(|word| marks.add(word));
+        }
+        marks
     }
 
     fn lines(self) -> impl Iterator<Item = Line<'t>> {
-        self.lines_of_languages().filter(move |line| self.silent & line.language == 0)
+        self.lines_of_languages().filter_map(move |(language, line)| (self.silent & language == 0).then_some(line))
     }
 
-    /// The lines of all languages, also of those that are not spoken.
-    fn lines_of_languages(self) -> impl Iterator<Item = Line<'t>> {
-        let (mut last, mut language) = (1_u32, 1_u32);
-        lines(self.text).filter_map(move |line| {
-            let (name, words) = parted(line)?;
-            if name == LANGUAGE {
-                let is_named = words.split_ascii_whitespace().next().is_some();
-                last = if is_named { last.rotate_left(1) } else { last };
-                language = if is_named { last } else { 1 };
-                return None;
-            }
-            Some(Line { language, name, words })
-        })
+    /// The lines of all languages, also of those that are not spoken, with the bit of each.
+    fn lines_of_languages(self) -> impl Iterator<Item = (u32, Line<'t>)> {
+        let mut languages = Languages::default();
+        lines(self.text).filter_map(move |line| Some((languages.now, languages.pass(parted(line)?)?)))
+    }
+
+    /// The lines that have a word which begins with these bytes, and perhaps others. A table is long and has few such lines, so they are
+    /// looked for by bytes, and only they are read.
+    fn lines_with<'b>(self, front: &'b [u8]) -> impl Iterator<Item = Line<'t>> + use<'t, 'b> {
+        lines_with(self.text, front)
+            .filter(move |&(start, line)| line.name != LANGUAGE && (self.silent == 0 || self.silent & self.language_at(start) == 0))
+            .map(|(_, line)| line)
+    }
+
+    /// The bit of the language of a line.
+    fn language_at(self, start: usize) -> u32 {
+        let mut languages = Languages::default();
+        for (_, line) in lines_with(self.text.get(..start).unwrap_or(""), LANGUAGE.as_bytes()) {
+            languages.pass(line);
+        }
+        languages.now
     }
 
     /// The classes of a word, as [`for_each_piece`] passes it.
     pub fn of(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
-        for line in self.lines().filter(|line| line.words().any(|other| other == word)) {
+        for line in self.lines_with(word.as_bytes()).filter(|line| line.words().any(|other| other == word)) {
             classes = classes.and(line.classes());
         }
         classes
@@ -354,9 +367,9 @@ impl ClosedWords<'_> {
     /// before the first language, and after an unnamed one, belong to all. "Sal" means to go out in Spanish, and resembles a French room.
     pub(crate) fn spoken(self, knows: &dyn Fn(&str) -> bool) -> Self {
         let mut known = [0_u16; u32::BITS as usize];
-        for line in self.lines_of_languages() {
+        for (language, line) in self.lines_of_languages() {
             let count = line.words().filter(|word| knows(word)).count() as u16;
-            known.iter_mut().skip(line.language.trailing_zeros() as usize).take(1).for_each(|known| *known = known.saturating_add(count));
+            known.iter_mut().skip(language.trailing_zeros() as usize).take(1).for_each(|known| *known = known.saturating_add(count));
         }
         let most = known.iter().skip(1).copied().max().unwrap_or(0);
         let is_silent = |(at, &count): (usize, &u16)| u32::from(at > 0 && count < most && count <= most / 2) << at;
@@ -365,9 +378,10 @@ impl ClosedWords<'_> {
 
     /// The number of signs of the longest word at the front of these signs, and its classes. Scripts without spaces are heard sign by sign.
     pub(crate) fn of_signs(self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
+        let (first, mut bytes) = (signs.first().copied().flatten()?, [0; 4]);
         let begins = |word: &str| word.chars().zip(signs).filter(|&(letter, &sign)| sign == Some(letter)).count() == word.chars().count();
         let (mut most, mut classes) = (1, Classes::NONE);
-        for line in self.lines() {
+        for line in self.lines_with(first.encode_utf8(&mut bytes).as_bytes()) {
             for length in line.words().filter(|word| begins(word)).map(|word| word.chars().count()) {
                 if length > most {
                     (most, classes) = (length, Classes::NONE);
@@ -384,12 +398,11 @@ impl ClosedWords<'_> {
     pub(crate) fn of_slip(self, word: &str) -> Classes {
         let mut classes = Classes::NONE;
         let cues = [Class::Negation, Class::Out, Class::All, Class::Connective];
-        for line in self.lines() {
-            let of_line = line.classes();
+        for line in self.lines().filter(|line| cues.iter().any(|cue| cue.name() == line.name)) {
             // Slips in the first letter are rare.
             let is_slip_for = |other: &str| word.chars().next() == other.chars().next() && is_slip(word, other);
-            if of_line.contains_any(&cues) && line.words().any(is_slip_for) {
-                classes = classes.and(of_line);
+            if line.words().any(is_slip_for) {
+                classes = classes.and(line.classes());
             }
         }
         classes
@@ -411,8 +424,6 @@ impl fmt::Display for ClosedWords<'_> {
 /// A line of a table.
 #[derive(Clone, Copy)]
 struct Line<'t> {
-    /// The bit of its language.
-    language: u32,
     /// The name of its class.
     name: &'t str,
     words: &'t str,
@@ -428,6 +439,75 @@ impl<'t> Line<'t> {
         named(self.name).map_or(Classes::NONE, Classes::of)
     }
 }
+
+/// Which language the lines of a table are in, from the first line on.
+struct Languages {
+    last: u32,
+    now: u32,
+}
+
+impl Default for Languages {
+    fn default() -> Self {
+        Self { last: 1, now: 1 }
+    }
+}
+
+impl Languages {
+    /// The line, if it has a class.
+    fn pass<'t>(&mut self, line: Line<'t>) -> Option<Line<'t>> {
+        if line.name != LANGUAGE {
+            return Some(line);
+        }
+        let is_named = line.words().next().is_some();
+        self.last = if is_named { self.last.rotate_left(1) } else { self.last };
+        self.now = if is_named { self.last } else { 1 };
+        None
+    }
+}
+
+/// A set of words that may have others as well.
+struct Marks([u32; 64]);
+
+impl Default for Marks {
+    fn default() -> Self {
+        Self([0; 64])
+    }
+}
+
+impl Marks {
+    /// The place of a word's mark, and its bit.
+    fn place(word: &str) -> (usize, u32) {
+        let mark = word.bytes().fold(0_u32, |mark, byte| mark.wrapping_mul(31).wrapping_add(u32::from(byte)));
+        (mark as usize / 32 % 64, 1 << (mark % 32))
+    }
+
+    fn add(&mut self, word: &str) {
+        let (at, bit) = Self::place(word);
+        self.0.iter_mut().skip(at).take(1).for_each(|marks| *marks |= bit);
+    }
+
+    fn may_have(&self, word: &str) -> bool {
+        let (at, bit) = Self::place(word);
+        self.0.get(at).is_some_and(|marks| marks & bit != 0)
+    }
+}
+
+/// Whether a word of a table is in the form in which words are heard. In a script without spaces it has several signs.
+fn is_piece(word: &str) -> bool {
+    // Most words are; to take them to pieces would take ten times as long.
+    if word.len() <= SHORT_WORD && word.bytes().all(|byte| byte.is_ascii_lowercase()) {
+        return true;
+    }
+    let mut rest = Some(word);
+    let heard = for_each_piece(word, |piece| {
+        rest = rest.and_then(|rest| rest.strip_prefix(piece));
+        Ok(())
+    });
+    heard.is_ok() && rest == Some("")
+}
+
+/// No word of so many bytes is too long to be heard.
+const SHORT_WORD: usize = 24;
 
 /// The class with this name.
 fn named(name: &str) -> Option<Class> {
@@ -451,10 +531,39 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The name of a class, and its words.
-fn parted(line: &str) -> Option<(&str, &str)> {
+/// A line with a class, or with a language.
+fn parted(line: &str) -> Option<Line<'_>> {
     let (name, words) = cut(line, b':');
-    Some((name.trim_ascii(), words?))
+    Some(Line { name: name.trim_ascii(), words: words? })
+}
+
+/// The lines with a word or a name that begins with these bytes, and perhaps others, and where each begins.
+fn lines_with<'t, 'b>(text: &'t str, front: &'b [u8]) -> impl Iterator<Item = (usize, Line<'t>)> + use<'t, 'b> {
+    let mut from = 0;
+    core::iter::from_fn(move || {
+        loop {
+            let found = front_of_word(text.as_bytes(), from, front)?;
+            let start = text.as_bytes().get(..found)?.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end.saturating_add(1));
+            let (line, after) = cut(text.get(start..)?, b'\n');
+            from = text.len().saturating_sub(after.map_or(0, str::len));
+            if let Some(line) = parted(cut(line, b'#').0) {
+                return Some((start, line));
+            }
+        }
+    })
+}
+
+/// Where a word begins with these bytes, from a place on.
+fn front_of_word(text: &[u8], mut from: usize, front: &[u8]) -> Option<usize> {
+    let (&first, others) = front.split_first()?;
+    loop {
+        let at = from.saturating_add(text.get(from..)?.iter().position(|&byte| byte == first)?);
+        let is_begin = at.checked_sub(1).and_then(|before| text.get(before)).is_none_or(|&byte| byte == b':' || byte.is_ascii_whitespace());
+        from = at.saturating_add(1);
+        if is_begin && text.get(from..)?.starts_with(others) {
+            return Some(at);
+        }
+    }
 }
 
 /// Why a text is no table of closed classes.
@@ -498,7 +607,8 @@ pub enum ClosedWordsError<'t> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::string::ToString;
+    use std::string::{String, ToString};
+    use std::vec::Vec;
 
     #[test]
     fn the_languages_that_no_lesson_was_in_are_silent() {
@@ -537,5 +647,94 @@ mod tests {
         assert!(ClosedWords::new("connective: after\npolite: after\nno: no\nnegation: no\nyes: ok\nyes: ok").is_ok());
         let all = ClosedWords::ALL.to_string();
         assert_eq!(ClosedWords::new(&all), Ok(ClosedWords { text: &all, silent: 0 }));
+    }
+
+    /// The lookups as the table says them: line by line, and word by word.
+    struct Plain<'t>(Vec<(Classes, Vec<&'t str>)>);
+
+    impl<'t> Plain<'t> {
+        fn new(table: ClosedWords<'t>) -> Self {
+            let (mut last, mut language, mut lines) = (1_u32, 1_u32, Vec::new());
+            for line in table.text.lines() {
+                let Some((name, words)) = line.split('#').next().and_then(|line| line.split_once(':')) else { continue };
+                if name.trim() == LANGUAGE {
+                    last = if words.trim().is_empty() { last } else { last.rotate_left(1) };
+                    language = if words.trim().is_empty() { 1 } else { last };
+                } else if table.silent & language == 0 {
+                    lines.push((Classes::of(named(name.trim()).unwrap()), words.split_whitespace().collect()));
+                }
+            }
+            Self(lines)
+        }
+
+        fn of_lines(&self, has: impl Fn(&Classes, &[&str]) -> bool) -> Classes {
+            let lines = self.0.iter().filter(|(classes, words)| has(classes, words));
+            lines.fold(Classes::NONE, |all, (classes, _)| all.and(*classes))
+        }
+
+        fn of(&self, word: &str) -> Classes {
+            self.of_lines(|_, words| words.contains(&word))
+        }
+
+        fn of_signs(&self, signs: &[Option<char>]) -> Option<(usize, Classes)> {
+            let length = |word: &str| word.chars().count();
+            let begins = |word: &str| word.chars().enumerate().all(|(at, letter)| signs.get(at) == Some(&Some(letter)));
+            let words = self.0.iter().flat_map(|(_, words)| words);
+            let most = words.filter(|word| begins(word)).map(|word| length(word)).max().filter(|&most| most > 1)?;
+            Some((most, self.of_lines(|_, words| words.iter().any(|word| begins(word) && length(word) == most))))
+        }
+
+        fn of_slip(&self, word: &str) -> Classes {
+            let cues = [Class::Negation, Class::Out, Class::All, Class::Connective];
+            let is_slip_for = |other: &&str| word.chars().next() == other.chars().next() && is_slip(word, other);
+            self.of_lines(|classes, words| classes.contains_any(&cues) && words.iter().any(is_slip_for))
+        }
+    }
+
+    /// A word, without each letter, with each letter doubled, and with neighbours exchanged.
+    fn misspelt(word: &str) -> Vec<String> {
+        let letters: Vec<char> = word.chars().collect();
+        let mut all = Vec::from([word.to_string()]);
+        for at in 0..letters.len() {
+            let (before, after) = (&letters[..at], &letters[at + 1..]);
+            all.push([before, after].concat().into_iter().collect());
+            all.push([before, &[letters[at]; 2], after].concat().into_iter().collect());
+            if let [next, rest @ ..] = after {
+                all.push([before, &[*next, letters[at]], rest].concat().into_iter().collect());
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn each_word_of_the_tables_and_each_misspelt_one_has_the_classes_that_its_lines_say() {
+        let comments = "# no: stop\n\tstop :halt  stop# wait\r\nlanguage: one #\n no:stop\n\nlanguage:\nall: st sto\x0cstop";
+        let own = ClosedWords::new(comments).unwrap();
+        for table in [ClosedWords::ALL, ClosedWords::ENGLISH, ClosedWords::NONE, own] {
+            for silent in [0, 0b10, 0b11100, 0b110, 1] {
+                let table = ClosedWords { silent, ..table };
+                let plain = Plain::new(table);
+                let words = Plain::new(ClosedWords { silent: 0, ..table }).0.into_iter().flat_map(|(_, words)| words);
+                for (at, word) in words.chain(["", " ", "stop halt", "no:", "language", "#", "é"]).enumerate() {
+                    // To misspell all would take long.
+                    for word in misspelt(word).into_iter().take(if at % 9 == 0 { usize::MAX } else { 1 }) {
+                        assert_eq!(table.of(&word), plain.of(&word), "{word} {silent}");
+                        assert_eq!(table.of_slip(&word), plain.of_slip(&word), "{word} {silent}");
+                        let signs: Vec<_> = word.chars().chain("的".chars()).map(Some).chain([None]).collect();
+                        assert_eq!(table.of_signs(&signs), plain.of_signs(&signs), "{word} {silent}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_word_of_any_form_is_a_piece_if_it_is_heard_as_it_is_written() {
+        for word in ["stop", "o'clock", "don't", "nächste", "停下", "a", "3"] {
+            assert!(is_piece(word), "{word}");
+        }
+        for word in ["Stop", "stop!", "two-fold", "'s", "…", &"a".repeat(65)] {
+            assert!(!is_piece(word), "{word}");
+        }
     }
 }

@@ -95,7 +95,7 @@ fn print(out: &mut impl Write, needs: &Needs) -> Result<(), Failure> {
     writeln!(out)?;
     writeln!(
         out,
-        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes as measured in docs/footprint.md",
+        "  RAM    {:>7} bytes on a 32-bit controller, and a stack of {} bytes, as docs/footprint.md says of the course",
         needs.ram(),
         needs::STACK
     )?;

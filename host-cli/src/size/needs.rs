@@ -1,6 +1,7 @@
 //! Computes capacities for homes and lessons, and their memory.
 
 use super::SizeOptions;
+use goodbot::feedback::Strategy;
 use goodbot::home::{Home, HomeState, Moves};
 use goodbot::language::Model;
 use goodbot::memory::{AgentHeap, HomeHeap};
@@ -29,8 +30,14 @@ const OF_CONTROLLERS: Capacities = Capacities { tasks: TaskSet::MOST_OF_ONE_WORD
 /// The most objects and blocks of a home on a controller.
 const MOST_OBJECTS: usize = 32;
 const MOST_BLOCKS: usize = 8;
-/// The deepest stack of the course, in `docs/footprint.md`, rounded up.
-pub const STACK: usize = 5_632;
+/// The strategies that a robot in C expects: without room for them it does not find out who presses one button only.
+const TRAINERS: [(Strategy, f32); 3] = Strategy::ONE_BUTTON_OR_BOTH;
+/// The deepest stack of the course in `docs/footprint.md`; `cargo xtask footprint` writes both.
+pub const STACK: usize = match usize::from_str_radix(include_str!("stack.txt").trim_ascii(), 10) {
+    Ok(bytes) => bytes,
+    Err(_) => 0,
+};
+const _: () = assert!(STACK > 0, "stack.txt has no number");
 /// Flash is usually erased in units of a power of two from this one on.
 const LEAST_SLOT: usize = 1_024;
 /// The header of a slot, and the bytes that are written at once.
@@ -96,6 +103,7 @@ impl Needs {
             None => {
                 let homes = build(homes, &log)?;
                 let mut agent = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner)?;
+                agent.set_strategies(&TRAINERS)?;
                 let least = agent.least_capacities_of_all(homes.iter().map(|(home, _)| home), &lessons)?;
                 (homes.len(), None, least)
             }
@@ -177,8 +185,10 @@ pub fn is_for_controllers(robot: &Robot<'_>) -> Result<(), WorldFlaw> {
 /// The fault of the world.
 pub fn least_of_world(robot: &Robot<'_>, lessons: &Lessons, learner: Options) -> Result<Capacities, WorldFlaw> {
     let lifted = robot::tasks(robot.file(), robot)?;
-    let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner);
-    let least = least.and_then(|mut agent| agent.least_capacities(robot, lessons));
+    let least = Agent::new(AgentHeap::new(&OF_CONTROLLERS), &lifted, learner).and_then(|mut agent| {
+        agent.set_strategies(&TRAINERS)?;
+        agent.least_capacities(robot, lessons)
+    });
     least.map_err(|error| {
         let (field, message) = refusal::in_a_world(&error);
         WorldFlaw { field: field.to_owned(), message }

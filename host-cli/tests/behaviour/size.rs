@@ -27,6 +27,23 @@ fn a_robot_is_trained_on_the_log_in_that_memory_and_keeps_every_session() {
 }
 
 #[test]
+fn there_is_room_for_the_trainers_that_a_robot_in_c_tells_apart() {
+    for place in [MAP, VACUUM] {
+        let capacities = &json(&["-"], place)["capacities"];
+        assert_eq!(capacities["strategies"], 3);
+        assert_eq!(capacities["beliefs"].as_u64(), capacities["tasks"].as_u64().map(|tasks| 3 * tasks));
+    }
+}
+
+#[test]
+fn the_stack_is_the_one_that_the_page_about_footprints_has() {
+    let page = include_str!("../../../docs/footprint.md");
+    let stack = json(&["-"], MAP)["ram"]["stack"].as_u64().expect("a number");
+    let grouped = format!("| {},{:03} |", stack / 1000, stack % 1000);
+    assert!(page.contains(&grouped), "{grouped}");
+}
+
+#[test]
 fn the_words_of_a_log_are_counted_once() {
     let lines = [
         session(AGENT, "feedback", "go to the green room", ""),
