@@ -220,12 +220,14 @@ impl<M: AgentMemory> Agent<M> {
         if told.is_some() {
             self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
         }
+        // A simpler wording of one command leaves out what repairs it, such as "er", and turns the order of several.
+        let said = words;
         for reword in REWORDINGS {
             if let Some(other) = reword(words) {
                 self.try_wording(domain, &mut words, other, TURNED, context, &mut explained)?;
             }
         }
-        let judged = self.judge(domain, (words, sorts), &mut explained, context)?;
+        let judged = self.judge(domain, (words, said, sorts), &mut explained, context)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
         let verdict = if judged.is_accepted && (unread.is_none() || judged.rest.is_some()) {

@@ -3,6 +3,7 @@
 
 use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
+use super::super::readings::Gathering;
 use super::super::repair::Shape;
 use super::super::verdict::Doubts;
 use super::super::words::Words;
@@ -39,6 +40,8 @@ const WORDS: usize = NAMES + 6;
 const RIVALS: usize = 7;
 const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
+/// What tells that all things are meant, in the place of what the first is if it asks for nothing.
+const GATHERING: usize = FIRST + 4;
 const TURNED: usize = FIRST + RIVALS;
 /// Each number once more, as one of [`STEPS`] steps, or none.
 const STEPS_OF: usize = TURNED + 1;
@@ -151,10 +154,10 @@ impl<'u> Sorts<'u> {
         of(Hypothesis::Negated) > of(Hypothesis::Command)
     }
 
-    /// Of the words between two names; if `is_turned`, of those that may turn the order of two commands.
-    pub fn between(&self, words: Words<'_>, is_turned: bool) -> Self {
+    /// Of some of its words, with a sign before each, such as [`BETWEEN`](super::BETWEEN).
+    pub fn between(&self, words: Words<'_>, sign: &'static str) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
-        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece), is_turned), ..*self }
+        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece), sign), ..*self }
     }
 }
 
@@ -182,6 +185,8 @@ pub struct Clues<'s> {
     pub(in super::super) first: Option<Hypothesis>,
     /// Of a repair, what it takes back; and the words between two commands, or in a repair.
     pub(in super::super) repair: Option<Shape>,
+    /// Of a command about all things that no known cue tells, what tells it.
+    pub(in super::super) gathering: Option<Gathering>,
     pub(in super::super) between: Option<&'s Sorts<'s>>,
     /// The probability of the hypothesis, and of its tasks if it holds.
     pub(in super::super) share: f32,
@@ -275,6 +280,9 @@ impl Clues<'_> {
         }
         if let Some(shape) = self.repair {
             mark(FIRST + shape as usize, true);
+        }
+        if let Some(gathering) = self.gathering {
+            mark(GATHERING + gathering as usize, true);
         }
         let between = self.between.map_or(0, |sorts| sorts.places[0]);
         for sort in 0..SORTS {

@@ -23,8 +23,8 @@ const LETTERS: usize = 4;
 /// What stands before the first word.
 const BORDER: &str = "^";
 /// What stands before each word between two names, and before those that may turn the order of two commands, which are other features.
-const BETWEEN: &str = "~";
-const TURNING: &str = "<";
+pub(in super::super) const BETWEEN: &str = "~";
+pub(in super::super) const TURNING: &str = "<";
 
 /// The words of an utterance.
 #[derive(Clone, Copy)]
@@ -45,10 +45,10 @@ impl<'u> Spoken<'u> {
         Self { utterance, taught, of: "", says: [0; KINDS] }.weighed()
     }
 
-    /// Of some pieces of the same utterance, between two names.
-    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>, is_turned: bool) -> Self {
+    /// Of some pieces of the same utterance, with a sign before each.
+    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>, of: &'static str) -> Self {
         let others = pieces.fold(u64::MAX, |others, piece| others & !1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { taught: self.taught | others, of: if is_turned { TURNING } else { BETWEEN }, ..*self }.weighed()
+        Self { taught: self.taught | others, of, ..*self }.weighed()
     }
 
     /// With what they say.
