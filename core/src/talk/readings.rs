@@ -381,7 +381,7 @@ mod tests {
             assert_eq!(read, *names, "{sentence}");
         });
         for_each(&[("en", "shift the lot to the red room bar the purple bag", ())], &|sentence, words, ()| {
-            let of_bag = |gathering| gatherings(words).iter().copied().filter(|it| it.0 == gathering).last();
+            let of_bag = |gathering| gatherings(words).iter().copied().rfind(|it| it.0 == gathering);
             let (except, name) = of_bag(Gathering::Except).expect(sentence);
             let rest = except.read(words, name);
             assert_eq!(left(sentence, rest.words), "shift the lot to the red room bar the");

@@ -199,6 +199,10 @@ impl<M: AgentMemory> Agent<M> {
                 _ => None,
             };
             let between = between.map(|(words, sign)| sorts.between(words, sign));
+            // As with what forbids: other words mean all things only if people were heard to say so with them.
+            if gathering.is_some() && !between.is_some_and(|words| words.asks()) {
+                continue;
+            }
             let done = self.done(domain);
             let (mut judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),

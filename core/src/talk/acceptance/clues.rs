@@ -154,6 +154,11 @@ impl<'u> Sorts<'u> {
         of(Hypothesis::Negated) > of(Hypothesis::Command)
     }
 
+    /// Whether its words speak for a command.
+    pub fn asks(&self) -> bool {
+        self.spoken.says(kind(Hypothesis::Command).unwrap_or(0)) > 0.0
+    }
+
     /// Of some of its words, with a sign before each, such as [`BETWEEN`](super::BETWEEN).
     pub fn between(&self, words: Words<'_>, sign: &'static str) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
