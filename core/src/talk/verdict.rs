@@ -19,7 +19,7 @@ use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The most readings of an utterance that are compared.
-const MEANINGS: usize = KINDS + 3 + WEIGHED + GATHERINGS;
+const MEANINGS: usize = KINDS + 2 + WEIGHED + GATHERINGS;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;

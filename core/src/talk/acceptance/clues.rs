@@ -59,8 +59,8 @@ const FEATURES: usize = BETWEEN + SORTS;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
-/// The kinds of readings with weights of their own: a command, a prohibition, several, all, a repair.
-pub const KINDS: usize = 5;
+/// The kinds of readings with weights of their own: a command, a prohibition, several, all, a repair, and all that no known cue tells.
+pub const KINDS: usize = 6;
 /// The same for words: those of "all" are those of a command.
 pub const KINDS_OF_WORDS: usize = 4;
 const _: () = assert!(CLUES <= u16::MAX as usize);
@@ -218,13 +218,17 @@ impl Clues<'_> {
 
     /// The kind of the reading, from 1 to [`KINDS`].
     fn kind(&self) -> usize {
-        if self.repair.is_some() { KINDS } else { kind(self.hypothesis).unwrap_or(0) }
+        match (self.repair, self.gathering) {
+            (Some(_), _) => KINDS - 1,
+            (_, Some(_)) => KINDS,
+            _ => kind(self.hypothesis).unwrap_or(0),
+        }
     }
 
     /// The kind of the reading for words, from 1 to [`KINDS_OF_WORDS`].
     pub fn kind_of_words(&self) -> usize {
         match self.kind() {
-            4 => 1,
+            4 | KINDS => 1,
             kind => kind.min(KINDS_OF_WORDS),
         }
     }
@@ -304,7 +308,7 @@ impl Clues<'_> {
 /// The name of a clue, in words: the kind of reading for which it counts, then for most clues the place of a word, what is there, and
 /// whether lessons had it.
 pub fn clue_name(clue: u16) -> [&'static str; 4] {
-    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all", "repair"];
+    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all", "repair", "all in other words"];
     const OTHERS: [&str; RIVALS] = ["command", "prohibition", "several", "all", "nothing", "absent", "talk"];
     const WHERE: [&str; PLACES] = ["before names", "between names", "after names", "first", "last"];
     const FEW: [&str; 7] = ["0", "1", "2", "3", "4", "5", "6"];
