@@ -200,7 +200,9 @@ impl<M: AgentMemory> Agent<M> {
             };
             let between = between.map(|(words, sign)| sorts.between(words, sign));
             // As with what forbids: other words mean all things only if people were heard to say so with them.
-            if gathering.is_some() && !between.is_some_and(|words| words.asks()) {
+            let is_heard = gathering.is_none() || between.is_some_and(|words| words.asks());
+            let observe = context.wording.observe;
+            if !is_heard && observe.is_none() {
                 continue;
             }
             let done = self.done(domain);
@@ -239,7 +241,12 @@ impl<M: AgentMemory> Agent<M> {
             let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
             let odds = odds(&clues);
             let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
-            (context.wording.observe)(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+            if let Some(observe) = observe {
+                observe(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+            }
+            if !is_heard {
+                continue;
+            }
             let meaning = Meaning {
                 candidate,
                 asked: (tasks, is_negated, rest.is_some()),
