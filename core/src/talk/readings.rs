@@ -1,5 +1,6 @@
 //! Readings of an utterance that differ from one plain command: negated commands, and all things of a kind.
 
+use super::acceptance::FAR;
 use super::context::View;
 use super::heard::Heard;
 use super::repair::{is_interregnum, names};
@@ -30,6 +31,10 @@ const PLURAL: f32 = 1_000.0;
 const NEGATING: [Class; 3] = [Class::Negation, Class::Out, Class::But];
 /// The number of words after "all" that may name the things.
 const NAME_OF_ALL: usize = 2;
+
+/// So many words before a name, and after it, are near it.
+const BEFORE_NAME: u8 = 3;
+const AFTER_NAME: u8 = 2;
 
 /// The most names of a command about all things that no known cue tells, and its readings.
 const MOST_NAMES: usize = 3;
@@ -219,7 +224,7 @@ impl Gathering {
     /// What stands before the words that tell it, for the [acceptance](super::acceptance).
     pub const fn sign(self) -> &'static str {
         match self {
-            Self::Whole => "*",
+            Self::Whole => FAR,
             Self::Except => "-",
             Self::From => "@",
         }
@@ -247,17 +252,29 @@ impl Gathering {
     }
 }
 
+/// Whether a word is so near a name that it may tell what is said of it: "all but the", "the ... stays".
+pub(super) fn is_near(word: &Heard, name: Words<'_>) -> bool {
+    let (begin, end) = (name.get(0).map_or(u8::MAX, |first| first.piece), name.iter().last().map_or(0, |last| last.piece));
+    word.piece.saturating_add(BEFORE_NAME) >= begin && word.piece <= end.saturating_add(AFTER_NAME)
+}
+
 /// The commands about all things that words may be, although no known cue tells it, each with the name that tells it.
 pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Words<'_>), GATHERINGS> {
     let (names, mut gatherings) = (names(words), Vec::new());
     if !is_interregnum(words) || names.len() > MOST_NAMES {
         return gatherings;
     }
-    let _ = gatherings.push((Gathering::Whole, Words::NONE));
+    // What a known cue tells needs no other words.
+    let cued = all(words);
+    let (has_exception, has_place) = cued.map_or((false, false), |all| (!all.except.is_empty(), !all.from.is_empty()));
+    if cued.is_none() {
+        let _ = gatherings.push((Gathering::Whole, Words::NONE));
+    }
     for name in names {
         let noun = usize::from(words.get(name.end).is_some_and(Heard::is_noun));
         let name = words.part(name.start, name.end.saturating_add(noun));
-        let _ = gatherings.extend_from_slice(&[(Gathering::Except, name), (Gathering::From, name)]);
+        let of_name = [(Gathering::Except, has_exception), (Gathering::From, has_place)];
+        gatherings.extend(of_name.into_iter().filter(|&(_, is_told)| !is_told).map(|(gathering, _)| (gathering, name)));
     }
     gatherings
 }

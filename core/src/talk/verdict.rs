@@ -4,8 +4,9 @@ use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, KINDS, Sorts, TURN
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
+use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
-use super::readings::{GATHERED, GATHERINGS, Gathering, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
+use super::readings::{GATHERED, GATHERINGS, Gathering, WithoutCues, all, gatherings, has_negation, is_near, is_of_several, negated};
 use super::repair::{Repaired, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -198,7 +199,8 @@ impl<M: AgentMemory> Agent<M> {
                 (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
                 _ => None,
             };
-            let between = between.map(|(words, sign)| sorts.between(words, sign));
+            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| is_near(word, name));
+            let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
             // As with what forbids: other words mean all things only if people were heard to say so with them.
             let is_heard = gathering.is_none() || between.is_some_and(|words| words.asks());
             let observe = context.wording.observe;

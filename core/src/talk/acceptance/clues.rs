@@ -159,10 +159,10 @@ impl<'u> Sorts<'u> {
         self.spoken.says(kind(Hypothesis::Command).unwrap_or(0)) > 0.0
     }
 
-    /// Of some of its words, with a sign before each, such as [`BETWEEN`](super::BETWEEN).
-    pub fn between(&self, words: Words<'_>, sign: &'static str) -> Self {
+    /// Of some of its words, with a sign before each of those that are near, such as [`BETWEEN`](super::BETWEEN).
+    pub fn between(&self, words: Words<'_>, is_near: &dyn Fn(&Heard) -> bool, sign: &'static str) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
-        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece), sign), ..*self }
+        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| (word.piece, is_near(word))), sign), ..*self }
     }
 }
 
