@@ -264,17 +264,18 @@ pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Words<'_>), GATHER
     if !is_interregnum(words) || names.len() > MOST_NAMES {
         return gatherings;
     }
-    // What a known cue tells needs no other words.
     let cued = all(words);
-    let (has_exception, has_place) = cued.map_or((false, false), |all| (!all.except.is_empty(), !all.from.is_empty()));
+    // What known cues tell needs no other words.
+    if cued.is_some_and(|all| !(all.except.is_empty() && all.from.is_empty())) {
+        return gatherings;
+    }
     if cued.is_none() {
         let _ = gatherings.push((Gathering::Whole, Words::NONE));
     }
     for name in names {
         let noun = usize::from(words.get(name.end).is_some_and(Heard::is_noun));
         let name = words.part(name.start, name.end.saturating_add(noun));
-        let of_name = [(Gathering::Except, has_exception), (Gathering::From, has_place)];
-        gatherings.extend(of_name.into_iter().filter(|&(_, is_told)| !is_told).map(|(gathering, _)| (gathering, name)));
+        let _ = gatherings.extend_from_slice(&[(Gathering::Except, name), (Gathering::From, name)]);
     }
     gatherings
 }

@@ -110,8 +110,9 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
 
 /// Whether the noun of a name ends before a position, and another name follows: "red room green room".
 fn begins_name(words: Words<'_>, at: usize) -> bool {
-    let noun = words.before(at).last_name().map_or(0, |last| last.saturating_add(1));
-    let is_noun = noun > 0 && noun < at && words.part(noun, at).iter().all(Heard::is_noun);
+    let name = words.before(at).last(&|word| word.is_name || word.is_toward);
+    let noun = name.filter(|&name| words.get(name).is_some_and(|word| !word.is_toward)).map_or(at, |name| name.saturating_add(1));
+    let is_noun = noun < at && words.part(noun, at).iter().all(Heard::is_noun);
     is_noun && words.get(at).is_some_and(|word| word.is_name)
 }
 
