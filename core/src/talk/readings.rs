@@ -231,7 +231,8 @@ impl Gathering {
     }
 
     /// The words read so, with the name that tells it.
-    pub fn read<'w>(self, words: Words<'w>, name: Words<'w>) -> WithoutCues<'w> {
+    pub fn read(self, words: Words<'_>, name: Name) -> WithoutCues<'_> {
+        let name = name.of(words);
         let (except, from) = match self {
             Self::Whole => (Words::NONE, Words::NONE),
             Self::Except => (name, Words::NONE),
@@ -252,14 +253,31 @@ impl Gathering {
     }
 }
 
-/// Whether a word is so near a name that it may tell what is said of it: "all but the", "the ... stays".
-pub(super) fn is_near(word: &Heard, name: Words<'_>) -> bool {
-    let (begin, end) = (name.get(0).map_or(u8::MAX, |first| first.piece), name.iter().last().map_or(0, |last| last.piece));
-    word.piece.saturating_add(BEFORE_NAME) >= begin && word.piece <= end.saturating_add(AFTER_NAME)
+/// A name, from one position among words to another.
+#[derive(Clone, Copy)]
+pub(super) struct Name {
+    begin: u8,
+    end: u8,
+}
+
+impl Name {
+    const NONE: Self = Self { begin: 0, end: 0 };
+
+    /// Its words.
+    fn of(self, words: Words<'_>) -> Words<'_> {
+        words.part(self.begin.into(), self.end.into())
+    }
+
+    /// Whether a word is so near that it may tell what is said of it: "all but the", "the ... stays".
+    pub fn is_near(self, words: Words<'_>, word: &Heard) -> bool {
+        let name = self.of(words);
+        let (begin, end) = (name.get(0).map_or(u8::MAX, |first| first.piece), name.iter().last().map_or(0, |last| last.piece));
+        word.piece.saturating_add(BEFORE_NAME) >= begin && word.piece <= end.saturating_add(AFTER_NAME)
+    }
 }
 
 /// The commands about all things that words may be, although no known cue tells it, each with the name that tells it.
-pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Words<'_>), GATHERINGS> {
+pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Name), GATHERINGS> {
     let (names, mut gatherings) = (names(words), Vec::new());
     if !is_interregnum(words) || names.len() > MOST_NAMES {
         return gatherings;
@@ -270,11 +288,11 @@ pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Words<'_>), GATHER
         return gatherings;
     }
     if cued.is_none() {
-        let _ = gatherings.push((Gathering::Whole, Words::NONE));
+        let _ = gatherings.push((Gathering::Whole, Name::NONE));
     }
     for name in names {
         let noun = usize::from(words.get(name.end).is_some_and(Heard::is_noun));
-        let name = words.part(name.start, name.end.saturating_add(noun));
+        let name = Name { begin: name.start as u8, end: name.end.saturating_add(noun) as u8 };
         let _ = gatherings.extend_from_slice(&[(Gathering::Except, name), (Gathering::From, name)]);
     }
     gatherings
@@ -395,7 +413,7 @@ mod tests {
             ("en", "go to the red room", std::vec![]),
         ];
         for_each(&rows, &|sentence, words, names| {
-            let read: std::vec::Vec<_> = gatherings(words).iter().map(|&(_, name)| left(sentence, name)).collect();
+            let read: std::vec::Vec<_> = gatherings(words).iter().map(|&(_, name)| left(sentence, name.of(words))).collect();
             assert_eq!(read, *names, "{sentence}");
         });
         for_each(&[("en", "shift the lot to the red room bar the purple bag", ())], &|sentence, words, ()| {

@@ -6,7 +6,7 @@ use super::conversation::Before;
 use super::explained::Explained;
 use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
-use super::readings::{GATHERED, GATHERINGS, Gathering, WithoutCues, all, gatherings, has_negation, is_near, is_of_several, negated};
+use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
 use super::repair::{Repaired, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -94,7 +94,7 @@ struct Candidate<'w> {
     /// Whether the first of several commands is a plain one, although another reading of it is likelier: "but first take ...".
     is_plain: bool,
     /// Of a command about all things that no known cue tells, what tells it, with the name that does.
-    gathering: Option<(Gathering, Words<'w>)>,
+    gathering: Option<(Gathering, Name)>,
 }
 
 /// A reading while it is compared with others.
@@ -169,7 +169,7 @@ impl<M: AgentMemory> Agent<M> {
             (Candidate { words: repair.judged.words, ..plain(Hypothesis::Command, share) }, Some(*repair))
         };
         let gatherings = gatherings(said);
-        let of_gathering = |&it: &(Gathering, Words<'w>)| {
+        let of_gathering = |&it: &(Gathering, Name)| {
             // Its share is known when its words are explained.
             (Candidate { words: said, gathering: Some(it), ..plain(Hypothesis::All, 1.0) }, None)
         };
@@ -199,7 +199,7 @@ impl<M: AgentMemory> Agent<M> {
                 (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
                 _ => None,
             };
-            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| is_near(word, name));
+            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
             let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
             // As with what forbids: other words mean all things only if people were heard to say so with them.
             let is_heard = gathering.is_none() || between.is_some_and(|words| words.asks());

@@ -102,6 +102,9 @@ pub(in super::super) fn clear_from(lessons: usize) -> f32 {
     (0.6 + 2.4 / lessons.max(1) as f32).min(0.95)
 }
 
+/// The log odds from which words clearly say something.
+const CLEARLY: f32 = 1.0;
+
 /// The words of an utterance, and their sorts at each place, one bit each.
 #[derive(Clone, Copy)]
 pub(in super::super) struct Sorts<'u> {
@@ -148,10 +151,10 @@ impl<'u> Sorts<'u> {
         piece.and_then(|piece| self.spoken.place(piece))
     }
 
-    /// Whether its words speak for a prohibition rather than a command.
+    /// Whether its words clearly speak for a prohibition rather than a command.
     pub fn forbids(&self) -> bool {
         let of = |hypothesis| self.spoken.says(kind(hypothesis).unwrap_or(0));
-        of(Hypothesis::Negated) > of(Hypothesis::Command)
+        of(Hypothesis::Negated) > of(Hypothesis::Command) + CLEARLY
     }
 
     /// Whether its words speak for a command.
