@@ -177,9 +177,7 @@ impl<M: AgentMemory> Agent<M> {
             let share = turned.weight.over(whole.plus(turned.weight));
             (Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }, None)
         };
-        // A new word forbids only if people were heard to forbid with it: a young robot takes its first words for commands.
-        let may_be = |hypothesis| hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids();
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0 && may_be(hypothesis));
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
         let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (plain(hypothesis, share), None));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
         let or_plain = |it: (Candidate<'w>, Option<Repaired<'w>>)| {
@@ -201,8 +199,12 @@ impl<M: AgentMemory> Agent<M> {
             };
             let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
             let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
-            // As with what forbids: other words mean all things only if people were heard to say so with them.
-            let is_heard = gathering.is_none() || between.is_some_and(|words| words.asks());
+            // New words forbid, or mean all things, only if people were heard to say so with them: a young robot takes its first words for
+            // commands.
+            let is_heard = match gathering {
+                Some(_) => between.is_some_and(|words| words.asks()),
+                None => hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids(),
+            };
             let observe = context.wording.observe;
             if !is_heard && observe.is_none() {
                 continue;

@@ -102,8 +102,8 @@ pub(in super::super) fn clear_from(lessons: usize) -> f32 {
     (0.6 + 2.4 / lessons.max(1) as f32).min(0.95)
 }
 
-/// The log odds from which words clearly say something.
-const CLEARLY: f32 = 1.0;
+/// The log odds of a command against a prohibition before its words are heard: 9 to 1.
+const MOSTLY_ASKED: f32 = 2.2;
 
 /// The words of an utterance, and their sorts at each place, one bit each.
 #[derive(Clone, Copy)]
@@ -151,10 +151,10 @@ impl<'u> Sorts<'u> {
         piece.and_then(|piece| self.spoken.place(piece))
     }
 
-    /// Whether its words clearly speak for a prohibition rather than a command.
+    /// Whether its words speak for a prohibition rather than a command, although that is rarer.
     pub fn forbids(&self) -> bool {
         let of = |hypothesis| self.spoken.says(kind(hypothesis).unwrap_or(0));
-        of(Hypothesis::Negated) > of(Hypothesis::Command) + CLEARLY
+        of(Hypothesis::Negated) > of(Hypothesis::Command) + MOSTLY_ASKED
     }
 
     /// Whether its words speak for a command.
