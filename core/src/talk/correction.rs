@@ -167,7 +167,7 @@ impl<M: AgentMemory> Agent<M> {
         if words.is_empty() || words.iter().all(|word| word.is_new) {
             return Ok(None);
         }
-        let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, (&|| true, &|_| ()));
+        let wording = Wording::of(self.language(), closed, (domain.world().schema.attributes.len() << 1) as u8, (&|| true, None));
         let mut explained = Explained::NEW;
         self.explain_all(domain, Words::new(words, false), View { done: EITHER, has_act: true }, Context::of(&wording), &mut explained)?;
         self.share(domain, View::PLAIN.done);

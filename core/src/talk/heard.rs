@@ -170,6 +170,11 @@ impl Heard {
         !(self.is_new || self.is_of_task || self.is_name)
     }
 
+    /// Whether it may be the noun of a name before it: "room" of "the red room".
+    pub fn is_noun(&self) -> bool {
+        self.is_of_lessons() && self.is_open() && self.is_plain() && !self.is_toward && !self.is_article
+    }
+
     /// Whether it may be an act word, or a direction.
     pub const fn may_act(&self) -> bool {
         self.is_new || self.is_of_task

@@ -96,10 +96,11 @@ impl<M: AgentMemory> Agent<M> {
         is_rest: bool,
         pause: &dyn Fn() -> bool,
     ) -> Result<Listened, AgentError> {
-        self.listen_and_show(domain, state, utterance, words, is_rest, (pause, &|_| ()))
+        self.listen_and_show(domain, state, utterance, words, is_rest, (pause, None))
     }
 
-    /// As [`listen_in_parts`](Self::listen_in_parts), and shows each reading that is weighed to `observe`, before one is chosen.
+    /// As [`listen_in_parts`](Self::listen_in_parts), and shows each reading to `observe`, if anything, before one is chosen: also those that are left out,
+    /// because nobody was heard to mean them with such words.
     ///
     /// # Errors
     /// As [`listen_in_parts`](Self::listen_in_parts).
@@ -153,7 +154,7 @@ impl<M: AgentMemory> Agent<M> {
     ) -> Result<Listened, AgentError> {
         let conversation = self.conversation.here(domain);
         let earlier = Earlier { is_rest: true, kind, before: conversation.before() };
-        self.listen_to(domain, state, rest, words, earlier, (&|| true, &|_| ()))
+        self.listen_to(domain, state, rest, words, earlier, (&|| true, None))
     }
 
     fn listen_to<D: Domain>(
@@ -220,12 +221,14 @@ impl<M: AgentMemory> Agent<M> {
         if told.is_some() {
             self.explain_all(domain, words, View::PLAIN, context, &mut explained)?;
         }
+        // A simpler wording of one command leaves out what repairs it, such as "er", and turns the order of several.
+        let said = words;
         for reword in REWORDINGS {
             if let Some(other) = reword(words) {
                 self.try_wording(domain, &mut words, other, TURNED, context, &mut explained)?;
             }
         }
-        let judged = self.judge(domain, (words, sorts), &mut explained, context)?;
+        let judged = self.judge(domain, (words, said, sorts), &mut explained, context)?;
         let done = self.done(domain);
         let is_done = !judged.tasks.is_empty() && judged.tasks.without(done).is_empty();
         let verdict = if judged.is_accepted && (unread.is_none() || judged.rest.is_some()) {

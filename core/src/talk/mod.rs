@@ -14,7 +14,7 @@
 //! - `wording`: how commands are worded in the lessons; `context`: whether words come after another command;
 //! - `told`: places told by a thing, and things told by their place;
 //! - `explained`: how well the tasks here explain the words; `absent`: tasks about things that are not here;
-//! - `readings`: negated commands, and all things of a kind; `several`: several commands; `repair`: what people take back in a sentence;
+//! - `readings`: negated commands, and all things of a kind or a place; `several`: several commands; `repair`: what people take back in a sentence;
 //! - `hypothesis`: the hypotheses and their probabilities; `verdict`: the decision among them; `acceptance`: the probability of each, as
 //!   trained; `objects`: the things and places of tasks;
 //! - `listening`: the calls, and the session that they begin;

@@ -56,6 +56,7 @@ impl<M: AgentMemory> Agent<M> {
         })?;
         excuse(words);
         mark_verbs_before_way(words);
+        unmark_adjectives(words);
         Ok(())
     }
 }
@@ -140,6 +141,14 @@ fn mark_verbs_before_way(words: &mut [Heard]) {
     }
 }
 
+/// In "gelbes Zimmer", the ending is no plural's, because the noun has none.
+fn unmark_adjectives(words: &mut [Heard]) {
+    for at in 0..words.len() {
+        let Some([word, noun]) = words.get_mut(at..).and_then(|words| words.first_chunk_mut::<2>()) else { break };
+        word.is_plural &= noun.is_plural || !noun.is_noun();
+    }
+}
+
 /// Whether a letter is a mark between phrases.
 const fn ends_phrase(letter: char) -> bool {
     matches!(letter, ',' | '.' | ';' | ':' | '!' | '?' | '…' | '，' | '。' | '；' | '！' | '？' | '、')
@@ -182,6 +191,19 @@ fn verb_before_clitic(language: LanguageRef<'_>, closed: ClosedWords<'_>, word: 
 #[cfg(test)]
 mod tests {
     use super::super::taught::for_each;
+
+    #[test]
+    fn an_adjective_before_a_singular_noun_is_no_plural() {
+        let rows = [
+            ("en", "take the chairs to the red room", true),
+            ("fr", "apporte les chaises dans la salle rouge", true),
+            ("de", "zuerst rotes Zimmer", false),
+            ("de", "ein gelbes Zimmer", false),
+        ];
+        for_each(&rows, &|sentence, words, is_plural| {
+            assert_eq!(words.any(&|word| word.is_plural), *is_plural, "{sentence}");
+        });
+    }
 
     #[test]
     fn a_phrase_has_a_number_of_its_own_after_any_number_of_marks() {

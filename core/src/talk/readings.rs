@@ -1,15 +1,20 @@
 //! Readings of an utterance that differ from one plain command: negated commands, and all things of a kind.
 
+use super::acceptance::FAR;
 use super::context::View;
 use super::heard::Heard;
+use super::repair::{is_interregnum, names};
 use super::syntax::{begins_with_way, is_question, stays_by_name};
 use super::told::place_of_all;
 use super::words::{Words, learned};
 use crate::voice::classes::Class;
+use heapless::Vec;
 
 /// The priors of a negation, and of all things of a kind.
 const NEGATED: f32 = 0.1;
 const ALL: f32 = 0.03;
+/// The same of all things if no known cue tells it.
+pub(super) const GATHERED: f32 = ALL * UNCUED;
 /// The probability of a word as a cue for a negation, several commands or all things.
 pub(super) const CUE: f32 = 0.15;
 /// The same if no known cue tells it.
@@ -27,7 +32,16 @@ const NEGATING: [Class; 3] = [Class::Negation, Class::Out, Class::But];
 /// The number of words after "all" that may name the things.
 const NAME_OF_ALL: usize = 2;
 
+/// So many words before a name, and after it, are near it.
+const BEFORE_NAME: u8 = 3;
+const AFTER_NAME: u8 = 2;
+
+/// The most names of a command about all things that no known cue tells, and its readings.
+const MOST_NAMES: usize = 3;
+pub(super) const GATHERINGS: usize = 1 + 2 * MOST_NAMES;
+
 /// A reading of an utterance: its words without the cues.
+#[derive(Clone, Copy)]
 pub(super) struct WithoutCues<'w> {
     pub words: Words<'w>,
     /// The words that name exceptions.
@@ -195,6 +209,95 @@ pub(super) fn all(words: Words<'_>) -> Option<WithoutCues<'_>> {
     })
 }
 
+/// What tells that a command is about all things, if no known cue does: "the whole lot", "bar the bag", "empty the red room".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Gathering {
+    /// The words: all things that fit are meant.
+    Whole,
+    /// A name: all things but this one are meant.
+    Except,
+    /// A place: all things in it are meant.
+    From,
+}
+
+impl Gathering {
+    /// What stands before the words that tell it, for the [acceptance](super::acceptance).
+    pub const fn sign(self) -> &'static str {
+        match self {
+            Self::Whole => FAR,
+            Self::Except => "-",
+            Self::From => "@",
+        }
+    }
+
+    /// The words read so, with the name that tells it.
+    pub fn read(self, words: Words<'_>, name: Name) -> WithoutCues<'_> {
+        let name = name.of(words);
+        let (except, from) = match self {
+            Self::Whole => (Words::NONE, Words::NONE),
+            Self::Except => (name, Words::NONE),
+            Self::From => (Words::NONE, name),
+        };
+        WithoutCues {
+            words: words.without(name),
+            except,
+            from,
+            prior: GATHERED,
+            view: View { done: EITHER, ..View::PLAIN },
+            is_clear: false,
+            needs_no_act: false,
+            things_need_no_act: false,
+            stays: false,
+            is_double: false,
+        }
+    }
+}
+
+/// A name, from one position among words to another.
+#[derive(Clone, Copy)]
+pub(super) struct Name {
+    begin: u8,
+    end: u8,
+}
+
+impl Name {
+    const NONE: Self = Self { begin: 0, end: 0 };
+
+    /// Its words.
+    fn of(self, words: Words<'_>) -> Words<'_> {
+        words.part(self.begin.into(), self.end.into())
+    }
+
+    /// Whether a word is so near that it may tell what is said of it: "all but the", "the ... stays".
+    pub fn is_near(self, words: Words<'_>, word: &Heard) -> bool {
+        let name = self.of(words);
+        let (begin, end) = (name.get(0).map_or(u8::MAX, |first| first.piece), name.iter().last().map_or(0, |last| last.piece));
+        word.piece.saturating_add(BEFORE_NAME) >= begin && word.piece <= end.saturating_add(AFTER_NAME)
+    }
+}
+
+/// The commands about all things that words may be, although no known cue tells it, each with the name that tells it.
+pub(super) fn gatherings(words: Words<'_>) -> Vec<(Gathering, Name), GATHERINGS> {
+    let (names, mut gatherings) = (names(words), Vec::new());
+    if !is_interregnum(words) || names.len() > MOST_NAMES {
+        return gatherings;
+    }
+    let cued = all(words);
+    // What known cues tell needs no other words.
+    if cued.is_some_and(|all| !(all.except.is_empty() && all.from.is_empty())) {
+        return gatherings;
+    }
+    if cued.is_none() {
+        let _ = gatherings.push((Gathering::Whole, Name::NONE));
+    }
+    for name in names {
+        let noun = usize::from(words.get(name.end).is_some_and(Heard::is_noun));
+        let name = Name { begin: name.start as u8, end: name.end.saturating_add(noun) as u8 };
+        let _ = gatherings.extend_from_slice(&[(Gathering::Except, name), (Gathering::From, name)]);
+    }
+    gatherings
+}
+
 fn is_but(word: &Heard) -> bool {
     word.is(Class::But) && !word.is(Class::All)
 }
@@ -299,6 +402,26 @@ mod tests {
             let read =
                 all(words).map_or([(); 3].map(|()| String::new()), |it| [it.words, it.except, it.from].map(|part| left(sentence, part)));
             assert_eq!(read, *parts, "{sentence}");
+        });
+    }
+
+    #[test]
+    fn a_name_may_tell_what_stays_or_the_present_place_where_no_known_cue_does() {
+        let rows = [
+            ("en", "shift the lot to the red room bar the purple bag", std::vec!["", "red room", "red room", "purple bag", "purple bag"]),
+            ("de", "räum mal das blaue Zimmer aus", std::vec!["", "blaue zimmer", "blaue zimmer"]),
+            ("en", "go to the red room", std::vec![]),
+        ];
+        for_each(&rows, &|sentence, words, names| {
+            let read: std::vec::Vec<_> = gatherings(words).iter().map(|&(_, name)| left(sentence, name.of(words))).collect();
+            assert_eq!(read, *names, "{sentence}");
+        });
+        for_each(&[("en", "shift the lot to the red room bar the purple bag", ())], &|sentence, words, ()| {
+            let of_bag = |gathering| gatherings(words).iter().copied().rfind(|it| it.0 == gathering);
+            let (except, name) = of_bag(Gathering::Except).expect(sentence);
+            let rest = except.read(words, name);
+            assert_eq!(left(sentence, rest.words), "shift the lot to the red room bar the");
+            assert_eq!(left(sentence, rest.except), "purple bag");
         });
     }
 }

@@ -53,7 +53,7 @@ pub(super) struct Repaired<'w> {
 }
 
 /// The names of some words: runs of words that name something.
-fn names(words: Words<'_>) -> Vec<Range<usize>, NAMES> {
+pub(super) fn names(words: Words<'_>) -> Vec<Range<usize>, NAMES> {
     let mut names: Vec<Range<usize>, NAMES> = Vec::new();
     for (at, _) in words.iter().enumerate().filter(|(_, word)| word.is_name && !word.is_toward) {
         match names.last_mut() {
@@ -79,8 +79,8 @@ fn repair<'w>(words: Words<'w>, names: &[Range<usize>], first: usize, by: usize,
 }
 
 /// Whether some of the words belong to no command: "no", "I mean". "To the" are no interregnum.
-fn is_interregnum(words: Words<'_>) -> bool {
-    words.any(&|word| !(word.is_of_lessons() || word.is_toward || word.is_article))
+pub(super) fn is_interregnum(words: Words<'_>) -> bool {
+    words.any(&|word| word.is_mended || !(word.is_of_lessons() || word.is_toward || word.is_article))
 }
 
 /// Whether a mark stands between the words at two positions.
@@ -170,6 +170,11 @@ mod tests {
                 ((Shape::All, 1, 2), ["room forget it go to the blue room", "room forget it go to the"]),
             ),
             ("de", "geh ins rote Zimmer, nein, ins grüne", ((Shape::Name, 0, 1), ["geh ins grüne", "zimmer nein ins"])),
+            (
+                "en",
+                "put the purple bag in the blue er in the green room",
+                ((Shape::Name, 1, 2), ["put the purple bag in the green room", "er in the"]),
+            ),
             ("en", "go to the red room", ((Shape::Name, 0, 1), ["", ""])),
         ];
         for_each(&rows, &|sentence, words, ((shape, first, by), parts)| {

@@ -86,16 +86,17 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
         let behind = |is_comma: bool| if is_comma { words.from(at).of_phrase(of) } else { words.from(at) };
         let is_comma = of > phrase;
         // "Room" in "the red room" belongs to the name.
-        let is_of_name = word.is_some_and(|word| word.is_name && !word.is_toward || is_named && is_noun(word));
+        let is_of_name = word.is_some_and(|word| word.is_name && !word.is_toward || is_named && word.is_noun());
         let ends_name = is_named && !is_of_name;
         is_named = is_of_name;
-        let begins = |words: Words<'_>| is_comma || words.any(&Heard::may_be_verb);
-        let is_end = is_comma || ends_name;
+        let begins = |words: Words<'_>| words.any(&Heard::may_be_verb);
+        let is_mark = is_comma || begins_name(words, at);
+        let is_end = is_mark || ends_name;
         let may_end = is_end
             && !is_connective(at)
-            && is_whole(words.part(begin, at), is_comma)
-            && is_whole(behind(is_comma), is_comma)
-            && begins(behind(is_comma));
+            && is_whole(words.part(begin, at), is_mark)
+            && is_whole(behind(is_comma), is_mark)
+            && (is_mark || begins(behind(is_comma)));
         phrase = of;
         if at == words.len() || is_connective(at) || may_end {
             if begin < at {
@@ -107,9 +108,12 @@ fn clauses(words: Words<'_>) -> Vec<(usize, usize), WORDS_PER_COMMAND> {
     clauses
 }
 
-/// Whether a word after a name may be its noun.
-fn is_noun(word: &Heard) -> bool {
-    word.is_of_lessons() && word.is_open() && word.is_plain() && !word.is_toward && !word.is_article
+/// Whether the noun of a name ends before a position, and another name follows: "red room green room".
+fn begins_name(words: Words<'_>, at: usize) -> bool {
+    let name = words.before(at).last(&|word| word.is_name || word.is_toward);
+    let noun = name.filter(|&name| words.get(name).is_some_and(|word| !word.is_toward)).map_or(at, |name| name.saturating_add(1));
+    let is_noun = noun < at && words.part(noun, at).iter().all(Heard::is_noun);
+    is_noun && words.get(at).is_some_and(|word| word.is_name)
 }
 
 impl<M: AgentMemory> Agent<M> {
@@ -158,7 +162,7 @@ impl<M: AgentMemory> Agent<M> {
                     Some(&(next, _)) => match words.get(end).filter(|_| next > end) {
                         Some(word) => Scaled::new(SEVERAL * CUE).divided_by(Scaled::new(1.0 + word.count).square_root()),
                         // A comma is no word.
-                        None if is_after_mark(words, end, end) => Scaled::new(EITHER),
+                        None if is_after_mark(words, end, end) || begins_name(words, end) => Scaled::new(EITHER),
                         None => Scaled::new(SEVERAL * CUE),
                     },
                 };
@@ -196,6 +200,21 @@ mod tests {
     fn split(words: Words<'_>) -> Parting<'_> {
         let begin = clauses(words).get(1).map_or(0, |&(begin, _)| begin);
         Parting { first: words.before(begin), begin, weight: Scaled::ONE, is_turned: false }
+    }
+
+    #[test]
+    fn a_name_after_the_noun_of_another_begins_a_command() {
+        let rows = [
+            ("en", "red room green room", "red room"),
+            ("de", "rotes Zimmer grünes Zimmer", "rotes zimmer"),
+            ("zh", "红色房间绿色房间", "红 色 房 间"),
+            ("en", "purple bag red room", ""),
+        ];
+        for_each(&rows, &|sentence, words, first| {
+            let clauses = clauses(words);
+            let read = if clauses.len() > 1 { left(sentence, split(words).first) } else { std::string::String::new() };
+            assert_eq!(read, *first, "{sentence}");
+        });
     }
 
     #[test]

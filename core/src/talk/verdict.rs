@@ -1,11 +1,12 @@
 //! The decision on an utterance: the likeliest hypothesis, its tasks, and any objections to them.
 
-use super::acceptance::{ACTS_FROM, Clues, DONE_FROM, KINDS, Sorts, asks, clear_from, odds};
+use super::acceptance::{ACTS_FROM, BETWEEN, Clues, DONE_FROM, KINDS, Sorts, TURNING, asks, clear_from, odds};
 use super::context::{Context, View};
 use super::conversation::Before;
 use super::explained::Explained;
+use super::heard::Heard;
 use super::hypothesis::{Hypothesis, Judged, likeliest};
-use super::readings::{all, has_negation, is_of_several, negated};
+use super::readings::{GATHERED, GATHERINGS, Gathering, Name, WithoutCues, all, gatherings, has_negation, is_of_several, negated};
 use super::repair::{Repaired, WEIGHED};
 use super::several::Parting;
 use super::syntax::{has_new_name, is_question};
@@ -19,7 +20,7 @@ use crate::voice::classes::Class;
 use heapless::Vec;
 
 /// The most readings of an utterance that are compared.
-const MEANINGS: usize = KINDS + 1 + WEIGHED;
+const MEANINGS: usize = KINDS + 2 + WEIGHED + GATHERINGS;
 
 /// From this probability on, an uncertain reading says more than the likeliest hypothesis that asks for nothing.
 const WORTH_ASKING: f32 = 0.4;
@@ -90,6 +91,10 @@ struct Candidate<'w> {
     share: f32,
     /// Whether the second of several commands is to be done first.
     is_turned: bool,
+    /// Whether the first of several commands is a plain one, although another reading of it is likelier: "but first take ...".
+    is_plain: bool,
+    /// Of a command about all things that no known cue tells, what tells it, with the name that does.
+    gathering: Option<(Gathering, Name)>,
 }
 
 /// A reading while it is compared with others.
@@ -118,68 +123,102 @@ pub enum Verdict {
 }
 
 impl<M: AgentMemory> Agent<M> {
-    /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. Leaves the explanation of its words in
-    /// `explained`.
+    /// Decides on words, and on the tasks that they mean: the reading that was most probably meant. `said` are the words before they were
+    /// made simpler. Leaves the explanation of the reading's words in `explained`.
     #[inline(never)]
     pub(super) fn judge<'w, D: Domain>(
         &mut self,
         domain: &D,
-        (words, sorts): (Words<'w>, &Sorts<'_>),
+        (words, said, sorts): (Words<'w>, Words<'w>, &Sorts<'_>),
         explained: &mut Explained,
         context: Context<'_>,
     ) -> Result<Judged<'w>, AgentError> {
         // The rest of a rest is shorter, so that an utterance that is heard part by part comes to an end.
-        let is_shorter = |parting: &Parting<'_>| words.get(parting.begin).is_some_and(|word| word.piece > 0);
-        let parting = self.part(domain, words, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
-        self.judge_parted(domain, (words, sorts), explained, context, parting)
+        let is_shorter = |parting: &Parting<'_>| said.get(parting.begin).is_some_and(|word| word.piece > 0);
+        let parting = self.part(domain, said, context)?.filter(|parting| !context.earlier.is_rest || is_shorter(parting));
+        self.judge_parted(domain, (words, said, sorts), explained, context, parting)
     }
 
     /// Decides among the hypotheses. `explained` has the words as a command.
     fn judge_parted<'w, D: Domain>(
         &mut self,
         domain: &D,
-        (words, sorts): (Words<'w>, &Sorts<'_>),
+        (words, said, sorts): (Words<'w>, Words<'w>, &Sorts<'_>),
         explained: &mut Explained,
         context: Context<'_>,
         parting: Option<Parting<'w>>,
     ) -> Result<Judged<'w>, AgentError> {
         let (weighed, command, whole) = self.hypotheses(domain, words, explained, context, parting)?;
         let (likeliest, most) = likeliest(&weighed, words, context.is_known());
-        let plain = |hypothesis, share| Candidate { hypothesis, words, share, is_turned: false };
+        let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
+        let plain = |hypothesis, share| {
+            let words = words_of(hypothesis);
+            Candidate { hypothesis, words, share, is_turned: false, is_plain: false, gathering: None }
+        };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
             let (judged, _) = self.read(domain, plain(likeliest, most), command, explained, context, parting)?;
             let is_accepted = judged.hypothesis == Hypothesis::Again && most >= clear_from(self.language().bitext().sessions());
             return Ok(Judged { is_accepted, ..judged });
         }
-        let repairs = self.repairs(domain, words, explained, context)?;
-        let turned = parting.and_then(|parting| parting.turned(words, context.earlier.is_rest));
+        let repairs = self.repairs(domain, said, explained, context)?;
+        let turned = parting.and_then(|parting| parting.turned(said, context.earlier.is_rest));
         let parting_of = |candidate: Candidate<'w>| if candidate.is_turned { turned } else { parting };
         let of_repair = |repair: &Repaired<'w>| {
             let share = repair.weight.over(whole.plus(repair.weight));
             (Candidate { words: repair.judged.words, ..plain(Hypothesis::Command, share) }, Some(*repair))
         };
+        let gatherings = gatherings(said);
+        let of_gathering = |&it: &(Gathering, Name)| {
+            // Its share is known when its words are explained.
+            (Candidate { words: said, gathering: Some(it), ..plain(Hypothesis::All, 1.0) }, None)
+        };
         let of_turned = |turned: &Parting<'w>| {
             let share = turned.weight.over(whole.plus(turned.weight));
             (Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }, None)
         };
-        // A new word forbids only if people were heard to forbid with it: a young robot takes its first words for commands.
-        let may_be = |hypothesis| hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids();
-        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0 && may_be(hypothesis));
+        let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
         let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (plain(hypothesis, share), None));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        for (candidate, repair) in repairs.iter().map(of_repair).chain(turned.iter().map(of_turned)).chain(of_hypotheses) {
-            let Candidate { hypothesis, share, .. } = candidate;
+        let or_plain = |it: (Candidate<'w>, Option<Repaired<'w>>)| {
+            let plain = (it.0.hypothesis == Hypothesis::Several).then_some((Candidate { is_plain: true, ..it.0 }, it.1));
+            [Some(it), plain].into_iter().flatten()
+        };
+        let of_more = repairs.iter().map(of_repair).chain(gatherings.iter().map(of_gathering)).chain(turned.iter().map(of_turned));
+        for (candidate, repair) in of_more.chain(of_hypotheses).flat_map(or_plain) {
+            let Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
             let parting = parting_of(candidate).filter(|_| hypothesis == Hypothesis::Several);
-            let others = weighed.iter().filter(|&&(other, _)| repair.is_some() || other != hypothesis);
+            let is_other = |other| repair.is_some() || gathering.is_some() || other != hypothesis;
+            let others = weighed.iter().filter(|&&(other, _)| is_other(other));
             let rival = others.fold((Hypothesis::Nothing, 0.0), |most, &(other, share)| if share > most.1 { (other, share) } else { most });
-            let parted = parting.map(|parting| parting.between(words));
-            let between = repair.map(|repair| repair.between).or(parted).map(|words| sorts.between(words, candidate.is_turned));
+            let between = match (repair, parting, gathering) {
+                (Some(repair), ..) => Some((repair.between, BETWEEN)),
+                (_, Some(parting), _) => Some((parting.between(said), if is_turned { TURNING } else { BETWEEN })),
+                (.., Some((gathering, _))) => Some((said.only(|word| !word.is_name), gathering.sign())),
+                _ => None,
+            };
+            let is_near = |word: &Heard| gathering.is_none_or(|(_, name)| name.is_near(said, word));
+            let between = between.map(|(words, sign)| sorts.between(words, &is_near, sign));
+            // New words forbid, or mean all things, only if people were heard to say so with them: a young robot takes its first words for
+            // commands.
+            let is_heard = match gathering {
+                Some(_) => between.is_some_and(|words| words.asks()),
+                None => hypothesis != Hypothesis::Negated || has_negation(words) || sorts.forbids(),
+            };
+            let observe = context.wording.observe;
+            if !is_heard && observe.is_none() {
+                continue;
+            }
             let done = self.done(domain);
-            let (judged, first) = match repair {
+            let (mut judged, first) = match repair {
                 Some(repair) => (Judged { probability: share * repair.judged.probability, ..repair.judged }, None),
                 None => self.read(domain, candidate, command, explained, context, parting)?,
             };
+            if gathering.is_some() {
+                let weight = explained.here.scaled_by(GATHERED);
+                share = weight.over(whole.plus(weight));
+                judged.probability *= share;
+            }
             if judged.tasks.is_empty() {
                 continue;
             }
@@ -188,6 +227,7 @@ impl<M: AgentMemory> Agent<M> {
                 hypothesis,
                 first,
                 repair: repair.map(|repair| repair.shape),
+                gathering: gathering.map(|(gathering, _)| gathering),
                 between: between.as_ref(),
                 share,
                 of_tasks: judged.probability / share,
@@ -205,7 +245,12 @@ impl<M: AgentMemory> Agent<M> {
             let is_clear = clues.points_back && clues.is_clear() && !is_question(words) && !words.has(Class::If);
             let odds = odds(&clues);
             let Judged { hypothesis, tasks, is_negated, rest, .. } = judged;
-            (context.wording.observe)(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+            if let Some(observe) = observe {
+                observe(&Reading { hypothesis, tasks, is_negated, odds, rest: sorts.place(rest), clues: &clues });
+            }
+            if !is_heard {
+                continue;
+            }
             let meaning = Meaning {
                 candidate,
                 asked: (tasks, is_negated, rest.is_some()),
@@ -256,7 +301,11 @@ impl<M: AgentMemory> Agent<M> {
         context: Context<'_>,
         parting: Option<Parting<'w>>,
     ) -> Result<(Judged<'w>, Option<Hypothesis>), AgentError> {
-        let Candidate { hypothesis, words, share: probability, .. } = candidate;
+        let Candidate { hypothesis, words, share: probability, gathering, .. } = candidate;
+        if let Some((gathering, name)) = gathering {
+            let likely = Judged::likely(hypothesis, words, probability, command);
+            return Ok((self.judge_all(domain, likely, gathering.read(words, name), explained, context)?, None));
+        }
         let (Hypothesis::Several, Some(parting)) = (hypothesis, parting) else {
             self.explain_all(domain, words, View::PLAIN, context, explained)?;
             let likely = Judged::likely(hypothesis, words, probability, command);
@@ -264,7 +313,14 @@ impl<M: AgentMemory> Agent<M> {
         };
         self.explain_all(domain, parting.first, View::PLAIN, context, explained)?;
         let (weighed, command, _) = self.hypotheses(domain, parting.first, explained, context, None)?;
-        let (first, share) = likeliest(&weighed, parting.first, context.is_known());
+        let (mut first, mut share) = likeliest(&weighed, parting.first, context.is_known());
+        if candidate.is_plain {
+            // Any other hypothesis is read as a command already.
+            if !matches!(first, Hypothesis::Negated | Hypothesis::All) {
+                return Ok((Judged::likely(hypothesis, words, probability, command), None));
+            }
+            (first, share) = (Hypothesis::Command, command);
+        }
         let part = self.judge_one(domain, Judged::likely(first, parting.first, share, command), explained, context)?;
         let begin = if parting.is_turned { 0 } else { words.get(parting.begin).map_or(0, |word| usize::from(word.piece)) };
         let is_all = parting.is_turned && context.earlier.is_rest;
@@ -297,7 +353,10 @@ impl<M: AgentMemory> Agent<M> {
         }
         let judged = match hypothesis {
             Hypothesis::Negated => self.judge_negated(domain, likeliest, explained, context)?,
-            Hypothesis::All => self.judge_all(domain, likeliest, explained, context)?,
+            Hypothesis::All => match all(words) {
+                Some(rest) => Some(self.judge_all(domain, likeliest, rest, explained, context)?),
+                None => None,
+            },
             _ => None,
         };
         Ok(judged.unwrap_or_else(|| self.judge_command(likeliest, explained)))
@@ -347,15 +406,15 @@ impl<M: AgentMemory> Agent<M> {
     }
 
     /// The tasks about all things of a kind.
-    fn judge_all<'w, D: Domain>(
+    pub(super) fn judge_all<'w, D: Domain>(
         &mut self,
         domain: &D,
         likeliest: Judged<'w>,
+        rest: WithoutCues<'w>,
         explained: &mut Explained,
         context: Context<'_>,
-    ) -> Result<Option<Judged<'w>>, AgentError> {
-        let Judged { words, probability, .. } = likeliest;
-        let Some(rest) = all(words) else { return Ok(None) };
+    ) -> Result<Judged<'w>, AgentError> {
+        let probability = likeliest.probability;
         let mut excepted = TaskSet::EMPTY;
         if !rest.except.is_empty() {
             self.explain_all(domain, rest.except, rest.view, context, explained)?;
@@ -370,7 +429,7 @@ impl<M: AgentMemory> Agent<M> {
         let (tasks, of_place) = self.all_that_fit(domain, explained);
         let is_there = |task: &usize| there.is_none_or(|there| there.iter().any(|other| self.thing(other) == self.thing(*task)));
         let tasks: TaskSet = tasks.without(excepted).iter().filter(is_there).collect();
-        Ok(Some(Judged {
+        Ok(Judged {
             words: explained.naming(rest.words),
             task: tasks.iter().next().unwrap_or(explained.best().0),
             tasks,
@@ -378,7 +437,7 @@ impl<M: AgentMemory> Agent<M> {
             command: probability,
             doubts: Doubts::of(&[(Doubt::Cues, !rest.is_clear), (Doubt::NoTasks, tasks.is_empty())]),
             ..likeliest
-        }))
+        })
     }
 
     /// The task of a plain command, and any objections to it.

@@ -14,8 +14,8 @@ const OF_OTHERS: f32 = 0.02;
 /// The caller's work between two parts; `false` stops the listening.
 pub(super) type Pause<'p> = &'p dyn Fn() -> bool;
 
-/// Is shown each reading of an utterance.
-pub(super) type Observe<'o> = &'o dyn Fn(&Reading<'_>);
+/// Is shown each reading of an utterance, also those that are said with words of which nobody has heard.
+pub(super) type Observe<'o> = Option<&'o dyn Fn(&Reading<'_>)>;
 
 /// Lets the caller do its work.
 pub(super) fn take_pause(pause: Pause<'_>) -> Result<(), AgentError> {

@@ -242,7 +242,10 @@ fn teach_twenty(robot: &mut Robot, draws: &mut Draws) {
     for _ in 0..20 {
         let (home, words, meant) = command(draws, 0..1_000);
         robot.tell(&format!("home {}", home.json()));
-        robot.tell(&format!("command {words}"));
+        if robot.one(&format!("command {words}"))["verdict"] != "try" {
+            eprintln!("AGAIN {words}");
+            robot.tell(&format!("command {words}"));
+        }
         let mut rests = 0;
         for _ in 0..60 {
             let step = robot.one("step");

@@ -61,5 +61,9 @@ impl Drop for Robot {
 
 /// The right answer to a task, as a trainer would word it.
 pub fn is_right(step: &Value, meant: &str) -> bool {
-    step["tasks"].as_array().expect("tasks").iter().any(|task| task["task"] == meant && task["right"] == true)
+    step["tasks"]
+        .as_array()
+        .unwrap_or_else(|| panic!("no tasks for {meant}: {step}"))
+        .iter()
+        .any(|task| task["task"] == meant && task["right"] == true)
 }

@@ -210,7 +210,7 @@ fn readings(
         let between = reading.clues.between().map(features).unwrap_or_default();
         weighed.borrow_mut().push(Weighed { between, clues, values, kind, to_kind, hypothesis, tasks, is_negated, rest });
     };
-    let listened = agent.listen_and_show(home, state, &sentence.words, CLOSED_WORDS, is_rest, (&|| true, &observe))?;
+    let listened = agent.listen_and_show(home, state, &sentence.words, CLOSED_WORDS, is_rest, (&|| true, Some(&observe)))?;
     let so = so(agent, home, state);
     let read = |weighed: Weighed| {
         let (asked, is_done) = asked(agent, home, state, weighed.tasks, weighed.is_negated);
@@ -218,7 +218,11 @@ fn readings(
         let Weighed { between, clues, values, kind, to_kind, rest, .. } = weighed;
         Read { asked: (asked, rest.is_some()), rest, between, clues, values, kind, to_kind, is_right, is_done }
     };
-    let readings = weighed.into_inner().into_iter().map(read).collect();
+    let mut readings: Vec<Read> = weighed.into_inner().into_iter().map(read).collect();
+    // Where either order is right, people mean the one in which they spoke: the other begins with the rest.
+    if readings.iter().any(|reading| reading.is_right && reading.rest.is_some_and(|at| at > 0)) {
+        readings.iter_mut().for_each(|reading| reading.is_right &= reading.rest != Some(0));
+    }
     let (author, language, kind) = (set.author.clone(), set.language.clone(), sentence.kind.clone());
     let (words, is_meant) = (words.into_inner(), !sentence.meanings.is_empty());
     Ok((Said { author, language, kind, words, is_meant, readings, rest: None, did: None }, listened))

@@ -3,6 +3,7 @@
 
 use super::super::heard::Heard;
 use super::super::hypothesis::Hypothesis;
+use super::super::readings::Gathering;
 use super::super::repair::Shape;
 use super::super::verdict::Doubts;
 use super::super::words::Words;
@@ -39,6 +40,8 @@ const WORDS: usize = NAMES + 6;
 const RIVALS: usize = 7;
 const KIND: usize = WORDS + PLACES * SORTS;
 const FIRST: usize = KIND + 1;
+/// What tells that all things are meant, in the place of what the first is if it asks for nothing.
+const GATHERING: usize = FIRST + 4;
 const TURNED: usize = FIRST + RIVALS;
 /// Each number once more, as one of [`STEPS`] steps, or none.
 const STEPS_OF: usize = TURNED + 1;
@@ -56,8 +59,8 @@ const FEATURES: usize = BETWEEN + SORTS;
 /// The number of clues.
 pub const CLUES: usize = FEATURES * (KINDS + 1);
 
-/// The kinds of readings with weights of their own: a command, a prohibition, several, all, a repair.
-pub const KINDS: usize = 5;
+/// The kinds of readings with weights of their own: a command, a prohibition, several, all, a repair, and all that no known cue tells.
+pub const KINDS: usize = 6;
 /// The same for words: those of "all" are those of a command.
 pub const KINDS_OF_WORDS: usize = 4;
 const _: () = assert!(CLUES <= u16::MAX as usize);
@@ -98,6 +101,9 @@ fn odds(probability: f32) -> f32 {
 pub(in super::super) fn clear_from(lessons: usize) -> f32 {
     (0.6 + 2.4 / lessons.max(1) as f32).min(0.95)
 }
+
+/// The log odds of a command against a prohibition before its words are heard: 9 to 1.
+const MOSTLY_ASKED: f32 = 2.2;
 
 /// The words of an utterance, and their sorts at each place, one bit each.
 #[derive(Clone, Copy)]
@@ -145,16 +151,21 @@ impl<'u> Sorts<'u> {
         piece.and_then(|piece| self.spoken.place(piece))
     }
 
-    /// Whether its words speak for a prohibition rather than a command.
+    /// Whether its words speak for a prohibition rather than a command, although that is rarer.
     pub fn forbids(&self) -> bool {
         let of = |hypothesis| self.spoken.says(kind(hypothesis).unwrap_or(0));
-        of(Hypothesis::Negated) > of(Hypothesis::Command)
+        of(Hypothesis::Negated) > of(Hypothesis::Command) + MOSTLY_ASKED
     }
 
-    /// Of the words between two names; if `is_turned`, of those that may turn the order of two commands.
-    pub fn between(&self, words: Words<'_>, is_turned: bool) -> Self {
+    /// Whether its words speak for a command.
+    pub fn asks(&self) -> bool {
+        self.spoken.says(kind(Hypothesis::Command).unwrap_or(0)) > 0.0
+    }
+
+    /// Of some of its words, with a sign before each of those that are near, such as [`BETWEEN`](super::BETWEEN).
+    pub fn between(&self, words: Words<'_>, is_near: &dyn Fn(&Heard) -> bool, sign: &'static str) -> Self {
         let sorts = words.iter().fold(0, |all, word| all | sorts(word, word));
-        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| word.piece), is_turned), ..*self }
+        Self { places: [sorts; PLACES], spoken: self.spoken.between(words.iter().map(|word| (word.piece, is_near(word))), sign), ..*self }
     }
 }
 
@@ -182,6 +193,8 @@ pub struct Clues<'s> {
     pub(in super::super) first: Option<Hypothesis>,
     /// Of a repair, what it takes back; and the words between two commands, or in a repair.
     pub(in super::super) repair: Option<Shape>,
+    /// Of a command about all things that no known cue tells, what tells it.
+    pub(in super::super) gathering: Option<Gathering>,
     pub(in super::super) between: Option<&'s Sorts<'s>>,
     /// The probability of the hypothesis, and of its tasks if it holds.
     pub(in super::super) share: f32,
@@ -208,13 +221,17 @@ impl Clues<'_> {
 
     /// The kind of the reading, from 1 to [`KINDS`].
     fn kind(&self) -> usize {
-        if self.repair.is_some() { KINDS } else { kind(self.hypothesis).unwrap_or(0) }
+        match (self.repair, self.gathering) {
+            (Some(_), _) => KINDS - 1,
+            (_, Some(_)) => KINDS,
+            _ => kind(self.hypothesis).unwrap_or(0),
+        }
     }
 
     /// The kind of the reading for words, from 1 to [`KINDS_OF_WORDS`].
     pub fn kind_of_words(&self) -> usize {
         match self.kind() {
-            4 => 1,
+            4 | KINDS => 1,
             kind => kind.min(KINDS_OF_WORDS),
         }
     }
@@ -276,6 +293,9 @@ impl Clues<'_> {
         if let Some(shape) = self.repair {
             mark(FIRST + shape as usize, true);
         }
+        if let Some(gathering) = self.gathering {
+            mark(GATHERING + gathering as usize, true);
+        }
         let between = self.between.map_or(0, |sorts| sorts.places[0]);
         for sort in 0..SORTS {
             mark(BETWEEN + sort, between >> sort & 1 == 1);
@@ -291,7 +311,7 @@ impl Clues<'_> {
 /// The name of a clue, in words: the kind of reading for which it counts, then for most clues the place of a word, what is there, and
 /// whether lessons had it.
 pub fn clue_name(clue: u16) -> [&'static str; 4] {
-    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all", "repair"];
+    const READINGS: [&str; KINDS + 1] = ["any", "command", "prohibition", "several", "all", "repair", "all in other words"];
     const OTHERS: [&str; RIVALS] = ["command", "prohibition", "several", "all", "nothing", "absent", "talk"];
     const WHERE: [&str; PLACES] = ["before names", "between names", "after names", "first", "last"];
     const FEW: [&str; 7] = ["0", "1", "2", "3", "4", "5", "6"];

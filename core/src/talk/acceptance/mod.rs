@@ -15,6 +15,7 @@ mod words;
 pub use clues::{CLUES, Clues, KINDS, KINDS_OF_WORDS, clue_name};
 pub(super) use clues::{Sorts, asks, clear_from};
 use weights::{BIAS, SCALE, WEIGHTS};
+pub(super) use words::{BETWEEN, FAR, TURNING};
 pub use words::{HASHED, Spoken};
 
 /// The robot acts on a reading that is more probable than this, as if a wrong act cost as much as five questions: then acting

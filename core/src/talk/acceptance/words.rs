@@ -23,8 +23,10 @@ const LETTERS: usize = 4;
 /// What stands before the first word.
 const BORDER: &str = "^";
 /// What stands before each word between two names, and before those that may turn the order of two commands, which are other features.
-const BETWEEN: &str = "~";
-const TURNING: &str = "<";
+pub(in super::super) const BETWEEN: &str = "~";
+pub(in super::super) const TURNING: &str = "<";
+/// What stands before each word of a command about all things that is not near the name which tells it.
+pub(in super::super) const FAR: &str = "*";
 
 /// The words of an utterance.
 #[derive(Clone, Copy)]
@@ -32,8 +34,9 @@ pub struct Spoken<'u> {
     utterance: &'u str,
     /// The pieces that lessons had, one bit each.
     taught: u64,
-    /// What stands before each.
+    /// What stands before each, and the pieces that are no part of it, which [`FAR`] stands before.
     of: &'static str,
+    far: u64,
     /// What all words say for each kind of reading, in units of [`SCALE_OF_WORDS`].
     says: [i16; KINDS],
 }
@@ -42,13 +45,18 @@ impl<'u> Spoken<'u> {
     /// Of an utterance, and the numbers of its pieces that lessons had.
     pub(super) fn of(utterance: &'u str, taught: impl Iterator<Item = u8>) -> Self {
         let taught = taught.fold(0, |taught, piece| taught | 1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { utterance, taught, of: "", says: [0; KINDS] }.weighed()
+        Self { utterance, taught, of: "", far: 0, says: [0; KINDS] }.weighed()
     }
 
-    /// Of some pieces of the same utterance, between two names.
-    pub(super) fn between(&self, pieces: impl Iterator<Item = u8>, is_turned: bool) -> Self {
-        let others = pieces.fold(u64::MAX, |others, piece| others & !1_u64.checked_shl(piece.into()).unwrap_or(0));
-        Self { taught: self.taught | others, of: if is_turned { TURNING } else { BETWEEN }, ..*self }.weighed()
+    /// Of some pieces of the same utterance, with a sign before each of those that are near.
+    pub(super) fn between(&self, pieces: impl Iterator<Item = (u8, bool)>, of: &'static str) -> Self {
+        let (mut others, mut far) = (u64::MAX, 0);
+        for (piece, is_near) in pieces {
+            let bit = 1_u64.checked_shl(piece.into()).unwrap_or(0);
+            others &= !bit;
+            far |= if is_near { 0 } else { bit };
+        }
+        Self { taught: self.taught | others, of, far, ..*self }.weighed()
     }
 
     /// With what they say.
@@ -82,12 +90,13 @@ impl<'u> Spoken<'u> {
     /// Passes each feature, by its hash below [`HASHED`], and the two texts that it consists of. One that occurs twice is passed twice, and
     /// counts once.
     pub fn for_each(&self, take: &mut dyn FnMut(u32, [&str; 2])) {
-        let (mut number, of) = (0_u32, self.of);
-        let mut take = |texts: [&str; 2]| take(hash(of, texts), texts);
+        let mut number = 0_u32;
         // The word before, and whether lessons had it; how a command begins, lessons have told.
         let (mut before, mut was_taught) = (Word::try_from(BORDER).ok(), true);
         let _ = for_each_piece(self.utterance, |piece| {
             let is_taught = self.taught.checked_shr(number).is_some_and(|taught| taught & 1 == 1);
+            let is_far = self.far.checked_shr(number).is_some_and(|far| far & 1 == 1);
+            let mut take = |texts: [&str; 2]| take(hash(if is_far { FAR } else { self.of }, texts), texts);
             number = number.saturating_add(1);
             for word in piece.split('\'').filter(|word| !word.is_empty()) {
                 if !is_taught {
