@@ -298,7 +298,7 @@ fn play(robot: &mut Robot, draws: &mut Draws, asks: bool) -> (bool, bool) {
     (!seen.is_empty(), followed == meant.as_str())
 }
 
-/// In free play, robots with 20 lessons ask before one command in five, and understand more than those that never ask: see docs/how-it-works.md.
+/// In free play, robots with 20 lessons ask seldom, and understand no less than those that never ask: see docs/how-it-works.md.
 /// `GOODBOT_ROBOTS` is the number of robots to teach. Two alone differ from the mean.
 #[test]
 fn a_robot_of_twenty_lessons_asks_seldom_and_loses_nothing() {

@@ -99,7 +99,7 @@ impl Course {
         match self {
             Self::Paper => "the paper's seven lessons and five tests, in random homes",
             Self::Free => "ten lessons and five tests of random tasks, in words that are not the paper's",
-            Self::Told => "seven lessons and five tests with the same possible tasks each time: only feedback can tell which is meant",
+            Self::Told => "seven lessons and five tests with the same possible tasks each time, so that only feedback tells which is meant",
         }
     }
 

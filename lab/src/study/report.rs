@@ -51,14 +51,14 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     let mut fewer = String::new();
     if plan.program_runs < plan.runs {
         program += &format!(" --program-runs {}", plan.program_runs);
-        fewer = format!(" Agents with a program have the first {} seeds, to save time.", plan.program_runs);
+        fewer = format!(" Agents with a program have the first {} seeds.", plan.program_runs);
     }
     let mut text = format!(
         "# Comparison with other agents\n\n\
          Do people's words teach goodbot more than they teach other learners? An agent here has two parts: an *inference* finds the task \
-         that a command means, and a *language* learns words from it, so that `tamer+roles` is TAMER with goodbot's role model. Up to {} \
-         kinds of simulated trainers teach each of them, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of \
-         its 95 % interval; a seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
+         that a command means, and a *language* learns words from it. So `tamer+roles` is TAMER with goodbot's role model. Up to {} kinds of \
+         simulated trainers teach each of them, in {} courses. Each number is a mean over {} seeds ({first} to {last}) with half of its 95 % \
+         interval; each seed has its own homes and trainers, the same for all agents.{fewer}\n\n\
          `goodbot study --runs {} --seed {first}{program}{} --report study.md` writes this page, and `--csv` prints all figures.\n\n",
         plan.trainers.len(),
         plan.courses.len(),
@@ -70,8 +70,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
         "## Limitations\n\
          - No human took part. `population` and `leaving` are fitted to recorded sessions of twelve people, with four commands only, and \
          `this` expects trainers that were fitted to the same sessions. A simulated trainer never tires or changes its mind.\n\
-         - TAMER, COACH and policy shaping were made for other purposes. To be compared, they choose among tasks, begin with the \
-         language's probabilities, and have goodbot's exact planner.\n\
+         - TAMER, COACH and policy shaping were made for other purposes. Here they choose among tasks, begin with the language's \
+         probabilities, and have goodbot's exact planner.\n\
          - A lesson ends after three rests at the goal, when the goal becomes unreachable, or after {MOST_STEPS} steps. No agent takes \
          the end as evidence.\n\n\
          ## What is compared\nThe courses:\n"
@@ -83,25 +83,26 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     text += &compared(plan);
     text += &format!(
         "All agents learn from the inference's belief at the end of a lesson, act for the likeliest task or a drawn one, and go straight on if \
-         they can. `goodbot study --agents goodbot,people,asking,paper` runs goodbot as it is used. `goodbot study --tune` chose the settings \
-         of {}, by the highest share of tests right minus steps a lesson / {MOST_STEPS}, on seeds {} to {} of the `paper` course, with the \
+         they can. goodbot as it is used: `goodbot study --agents goodbot,people,asking,paper`. `goodbot study --tune` chose the settings of \
+         {}, by the highest share of tests right minus steps a lesson / {MOST_STEPS}, on seeds {} to {} of the `paper` course, with the \
          trainers {}.\n\n",
         TUNED.map(|name| format!("`{name}`")).join(", "),
         SEEDS.start,
         SEEDS.end - 1,
         TRAINED_BY.join(", "),
     );
-    text += "Agents `NAME+program` ask a program of yours in lines of JSON. `begin` starts a new model. `hear` has `words`, and the facts of \
-             each of the `tasks`; it alone is answered, by one list of log likelihoods. `learn` also has `beliefs`. \
-             [gru.py](../../benches/peers/gru.py) is a recurrent network, trained anew after each lesson.\n\n";
-    text += "The trainers:\n";
+    text += "Agents `NAME+program` ask a program of yours, here [a recurrent network](../../benches/peers/gru.py), in lines of JSON. `begin` \
+             starts a new model. `hear` has `words`, and the facts of each of the `tasks`; it alone is answered, by one list of log \
+             likelihoods. `learn` also has `beliefs`.\n\n";
+    text += "The trainers, all of them as balanced where nothing else is said:\n";
     for trainer in &plan.trainers {
         text += &format!("- `{}` {}.\n", trainer.name, trainer.does);
     }
     text += &format!(
         "\n## Tests right, of five\nA test is right if the agent does the intended task and then rests, in at most {TEST_STEPS} steps, \
-         without feedback. `mute` and `shuffled` are controls, and so is `contrary`, from whom nobody learns (`--csv`). *Due to feedback* is the difference \
-         between `balanced` and `mute`, seed by seed.\n\n![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
+         without feedback. `mute` and `shuffled` are controls, and so is `contrary`, from whom nobody learns (`--csv`). *Due to feedback* is \
+         the difference between `balanced` and `mute`, seed by seed.\n\n\
+         ![tests right for each agent, with a balanced trainer and with a mute one]({picture})\n"
     );
     for (at, course) in plan.courses.iter().enumerate() {
         text += &format!("\n### Course {}\n| agent |", course.name());
@@ -146,9 +147,8 @@ fn markdown(plan: &Plan, runs: &[Run], rows: &[Row], picture: &str, checks: Opti
     }
     if let Some(checks) = checks {
         text += &format!(
-            "\n## Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions, which are not in this \
-             repository. Their words after right and wrong actions were fitted; these figures were not (`goodbot study --fit feedback.jsonl --runs \
-             {}` prints both):\n\n{checks}",
+            "\n## Are simulated trainers like real ones?\nPeople drawn from the fit judge the same recorded actions. Their words after right and \
+             wrong actions were fitted; these figures were not (`goodbot study --fit feedback.jsonl --runs {}` prints both):\n\n{checks}",
             plan.runs
         );
     }
@@ -171,9 +171,8 @@ fn languages(plan: &Plan, rows: &[Row]) -> String {
     else {
         return String::new();
     };
-    let mut text = format!(
-        "\n### Languages\nWith the inference `{inference}` and the trainer `{trainer}`; `--csv` has the other ones too.\n\n| course |"
-    );
+    let mut text =
+        format!("\n### Languages\nWith the inference `{inference}` and the trainer `{trainer}` (`--csv` has the others).\n\n| course |");
     languages.iter().for_each(|language| text += &format!(" {language} |"));
     text += &format!("\n|---|{}\n", "---:|".repeat(languages.len()));
     for course in &plan.courses {

@@ -55,23 +55,19 @@ pub const TRAINERS: [Trainer; 12] = [
         does: "rewards what it takes for right 19 times out of 20, and never punishes",
         who: Who::Course(CourseTrainer::REWARD_ONLY),
     },
-    Trainer { name: "silent", does: "is as balanced, but speaks after one action in twenty only", who: Who::Even(0.95, 0.1) },
+    Trainer { name: "silent", does: "speaks after one action in twenty", who: Who::Even(0.95, 0.1) },
     Trainer { name: "mute", does: "never says a word", who: Who::Even(1.0, 0.1) },
-    Trainer { name: "late-1", does: "is as balanced, but each word comes one step late", who: Who::Late(1) },
-    Trainer { name: "late-2", does: "is as balanced, but each word comes two steps late", who: Who::Late(2) },
-    Trainer { name: "mistaken", does: "is as balanced, but is mistaken 45 times out of 100", who: Who::Even(0.7, 0.45) },
+    Trainer { name: "late-1", does: "speaks one step late", who: Who::Late(1) },
+    Trainer { name: "late-2", does: "speaks two steps late", who: Who::Late(2) },
+    Trainer { name: "mistaken", does: "is mistaken 45 times out of 100", who: Who::Even(0.7, 0.45) },
     Trainer {
         name: "population",
-        does: "is another person for each seed, like twelve real trainers, but stays to the end of each lesson",
+        does: "is another person for each seed, like twelve real ones, but stays to the end of each lesson",
         who: Who::Population { leaves: false },
     },
-    Trainer {
-        name: "leaving",
-        does: "is the same person, and leaves a lesson as often as real ones did",
-        who: Who::Population { leaves: true },
-    },
-    Trainer { name: "contrary", does: "speaks as often as balanced, and says the wrong word each time", who: Who::Even(0.7, 1.0) },
-    Trainer { name: "shuffled", does: "speaks as often as balanced, and a coin decides between good and bad", who: Who::Even(0.7, 0.5) },
+    Trainer { name: "leaving", does: "is the same, but leaves lessons as often as real people", who: Who::Population { leaves: true } },
+    Trainer { name: "contrary", does: "says the wrong word each time", who: Who::Even(0.7, 1.0) },
+    Trainer { name: "shuffled", does: "throws a coin for good or bad", who: Who::Even(0.7, 0.5) },
 ];
 
 impl Trainer {

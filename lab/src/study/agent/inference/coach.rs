@@ -11,7 +11,7 @@ use goodbot::oomdp::Action;
 use std::fmt;
 
 /// The source of the method.
-pub const SOURCE: &str = "J. MacGlashan, M. K. Ho, R. Loftin, B. Peng, G. Wang, D. L. Roberts, M. E. Taylor and M. L. Littman (2017), Interactive learning from policy-dependent human feedback, ICML";
+pub const SOURCE: &str = "J. MacGlashan et al. (2017), Interactive learning from policy-dependent human feedback, ICML";
 /// The simplification here.
 pub const SIMPLER: &str = "there is one eligibility trace and no delay of reaction";
 

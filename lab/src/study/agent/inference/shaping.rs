@@ -8,9 +8,9 @@ use goodbot::oomdp::Action;
 use std::fmt;
 
 /// The source of the method.
-pub const SOURCE: &str = "S. Griffith, K. Subramanian, J. Scholz, C. L. Isbell and A. L. Thomaz (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
+pub const SOURCE: &str = "S. Griffith et al. (2013), Policy shaping: integrating human feedback with reinforcement learning, NIPS";
 /// The simplification here.
-pub const SIMPLER: &str = "the environment gives no reward, so that only the policy from the labels is left";
+pub const SIMPLER: &str = "the environment gives no reward";
 
 /// Its settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
