@@ -6,7 +6,6 @@ import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
-import { firefox } from 'playwright-core-firefox';
 
 const file = fileURLToPath(new URL('../../dist/goodbot.html', import.meta.url));
 export const address = pathToFileURL(file).href;
@@ -35,7 +34,8 @@ export function takeFirefox() {
   assert.ok(existsSync(file), 'dist/goodbot.html is not there: cargo xtask page');
   downloads = mkdtempSync(join(tmpdir(), 'goodbot-firefox-'));
   process.on('exit', () => rmSync(downloads, { recursive: true }));
-  second = firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath: downloads });
+  // Its driver is loaded by those files alone that need it.
+  second = import('playwright-core-firefox').then(({ firefox }) => firefox.launch({ channel: 'moz-firefox', executablePath: firefoxPath, downloadsPath: downloads }));
 }
 
 // A new page with its own storage. `complaints` has its errors. Nothing is animated in it, except in tests of animations: animations take
