@@ -26,7 +26,7 @@ pub enum Step {
     Docs,
     /// the page's module and the program that makes the page are built
     Module,
-    /// the core compiles with each of its features alone and with all, and the command line for Windows, where its standard library is ready
+    /// the core compiles with each of its features alone, and the command line for Windows, where its standard library is ready
     Portable,
     /// the trainer page works in a browser, from a file
     Page,
@@ -54,10 +54,10 @@ pub enum Step {
 
 impl Step {
     /// Whether it builds for other machines, or the library for other programs. It runs in parallel with the other steps, because most of
-    /// the time it uses only one processor, to link one program. Python's comes last there: it builds in the folder of the tests, which are built by then.
+    /// the time it uses only one processor, to link one program.
     pub const fn is_parallel(self) -> bool {
-        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, Python, SameBits, Tick};
-        matches!(self, Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint | Python)
+        use Step::{CBoard, CHost, Firmware, Footprint, Guide, Microbit, Module, NoPanic, Portable, SameBits, Tick};
+        matches!(self, Module | Portable | CHost | CBoard | Guide | Firmware | Tick | Microbit | SameBits | NoPanic | Footprint)
     }
 
     /// Its name.

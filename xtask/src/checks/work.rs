@@ -144,15 +144,16 @@ pub fn portable(run: &Run) -> Result<()> {
 /// Code that is there for both features, which no other crate of the project has together without more.
 const PAIR: &str = "alloc,unicode";
 
-/// All features together, each alone, and [`PAIR`]. A feature alone shows what it uses of another without saying so; those that the step `clippy` checks
-/// are left to it. What two features have in common is in the C library, the firmware and the command line, which other steps build.
+/// Each feature alone, and [`PAIR`]. A feature alone shows what it uses of another without saying so; those that the step `clippy` checks are left to it,
+/// and so are all together, which the workspace has. What two features have in common is in the C library, the firmware and the command line, which other
+/// steps build.
 fn feature_sets(sh: &Shell) -> Result<Vec<String>> {
     let metadata: Value = serde_json::from_str(&cmd!(sh, "cargo metadata --no-deps --format-version 1").quiet().read()?)?;
     let packages = metadata["packages"].as_array().context("cargo tells packages")?;
     let core = packages.iter().find(|package| package["name"] == "goodbot").context("cargo tells of the core")?;
     let features: Vec<_> = core["features"].as_object().context("cargo tells features")?.keys().map(String::as_str).collect();
     let alone = features.iter().copied().filter(|feature| *feature != "default" && !CLIPPY_SETS.contains(feature));
-    Ok(std::iter::once(features.join(",")).chain(alone.chain([PAIR]).map(str::to_owned)).collect())
+    Ok(alone.chain([PAIR]).map(str::to_owned).collect())
 }
 
 /// Runs the tests by cargo-nextest if it is installed, otherwise by cargo. nextest runs the tests of several files at once and knows
