@@ -95,6 +95,8 @@ struct Candidate<'w> {
     is_plain: bool,
     /// Of a command about all things that no known cue tells, what tells it, with the name that does.
     gathering: Option<(Gathering, Name)>,
+    /// Of a repair, which one.
+    repair: Option<u8>,
 }
 
 /// A reading while it is compared with others.
@@ -153,7 +155,7 @@ impl<M: AgentMemory> Agent<M> {
         let words_of = |hypothesis| if hypothesis == Hypothesis::Several { said } else { words };
         let plain = |hypothesis, share| {
             let words = words_of(hypothesis);
-            Candidate { hypothesis, words, share, is_turned: false, is_plain: false, gathering: None }
+            Candidate { hypothesis, words, share, is_turned: false, is_plain: false, gathering: None, repair: None }
         };
         // What is asked for again was understood before; and where a new word may mean "not", nothing is weighed.
         if matches!(likeliest, Hypothesis::Talk(Class::Again) | Hypothesis::Reversed) {
@@ -164,28 +166,30 @@ impl<M: AgentMemory> Agent<M> {
         let repairs = self.repairs(domain, said, explained, context)?;
         let turned = parting.and_then(|parting| parting.turned(said, context.earlier.is_rest));
         let parting_of = |candidate: Candidate<'w>| if candidate.is_turned { turned } else { parting };
-        let of_repair = |repair: &Repaired<'w>| {
+        let of_repair = |(at, repair): (usize, &Repaired<'w>)| {
             let share = repair.weight.over(whole.plus(repair.weight));
-            (Candidate { words: repair.judged.words, ..plain(Hypothesis::Command, share) }, Some(*repair))
+            Candidate { words: repair.judged.words, repair: Some(at as u8), ..plain(Hypothesis::Command, share) }
         };
         let gatherings = gatherings(said);
         let of_gathering = |&it: &(Gathering, Name)| {
             // Its share is known when its words are explained.
-            (Candidate { words: said, gathering: Some(it), ..plain(Hypothesis::All, 1.0) }, None)
+            Candidate { words: said, gathering: Some(it), ..plain(Hypothesis::All, 1.0) }
         };
         let of_turned = |turned: &Parting<'w>| {
             let share = turned.weight.over(whole.plus(turned.weight));
-            (Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }, None)
+            Candidate { is_turned: true, ..plain(Hypothesis::Several, share) }
         };
         let of_hypotheses = weighed.iter().filter(|&&(hypothesis, share)| asks(hypothesis) && share > 0.0);
-        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| (plain(hypothesis, share), None));
+        let of_hypotheses = of_hypotheses.map(|&(hypothesis, share)| plain(hypothesis, share));
         let mut meanings: Vec<Meaning<'w>, MEANINGS> = Vec::new();
-        let or_plain = |it: (Candidate<'w>, Option<Repaired<'w>>)| {
-            let plain = (it.0.hypothesis == Hypothesis::Several).then_some((Candidate { is_plain: true, ..it.0 }, it.1));
+        let or_plain = |it: Candidate<'w>| {
+            let plain = (it.hypothesis == Hypothesis::Several).then_some(Candidate { is_plain: true, ..it });
             [Some(it), plain].into_iter().flatten()
         };
-        let of_more = repairs.iter().map(of_repair).chain(gatherings.iter().map(of_gathering)).chain(turned.iter().map(of_turned));
-        for (candidate, repair) in of_more.chain(of_hypotheses).flat_map(or_plain) {
+        let of_more =
+            repairs.iter().enumerate().map(of_repair).chain(gatherings.iter().map(of_gathering)).chain(turned.iter().map(of_turned));
+        for candidate in of_more.chain(of_hypotheses).flat_map(or_plain) {
+            let repair = candidate.repair.and_then(|at| repairs.get(usize::from(at)));
             let Candidate { hypothesis, mut share, is_turned, gathering, .. } = candidate;
             let parting = parting_of(candidate).filter(|_| hypothesis == Hypothesis::Several);
             let is_other = |other| repair.is_some() || gathering.is_some() || other != hypothesis;
